@@ -1,0 +1,11 @@
+package org.dronewatch.geometry;
+
+/**
+ * Where a ray meets a triangle.
+ *
+ * @param distance the ray parameter of the meeting point: metres for a ray of unit direction
+ * @param triangle the triangle's number in its mesh
+ * @param u weight of the triangle's second corner, 0 to 1
+ * @param v weight of the third corner, 0 to 1; the first corner has 1 - u - v
+ */
+public record Hit(double distance, int triangle, double u, double v) {}

@@ -1,0 +1,67 @@
+package org.dronewatch.geometry;
+
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Tuple3d;
+import org.jogamp.vecmath.Vector3d;
+
+/**
+ * An immutable point or displacement in metres; in the world frame x is east, y is north and z is up. Settings hold
+ * these, because vecmath's tuples can be changed behind the back of whoever keeps them.
+ *
+ * @param x east, m
+ * @param y north, m
+ * @param z up, m
+ */
+public record Position(double x, double y, double z) {
+
+    /**
+     * Checks that the position is a place.
+     *
+     * @throws IllegalArgumentException when a coordinate is not finite
+     */
+    public Position {
+        if (!Double.isFinite(x) || !Double.isFinite(y) || !Double.isFinite(z)) {
+            throw new IllegalArgumentException("position (" + x + ", " + y + ", " + z + ") must be finite");
+        }
+    }
+
+    /** A position with the coordinates of a vecmath tuple, in metres. */
+    public static Position of(Tuple3d tuple) {
+        return new Position(tuple.x, tuple.y, tuple.z);
+    }
+
+    /** A new vecmath point at this position. */
+    public Point3d toPoint3d() {
+        return new Point3d(x, y, z);
+    }
+
+    /** A new vecmath vector from the origin to this position. */
+    public Vector3d toVector3d() {
+        return new Vector3d(x, y, z);
+    }
+
+    /** This position moved by a displacement in metres. */
+    public Position plus(Position displacement) {
+        return new Position(x + displacement.x, y + displacement.y, z + displacement.z);
+    }
+
+    /** The displacement that leads from another position to this one. */
+    public Position minus(Position other) {
+        return new Position(x - other.x, y - other.y, z - other.z);
+    }
+
+    /** This displacement made longer by a factor. */
+    public Position times(double factor) {
+        return new Position(x * factor, y * factor, z * factor);
+    }
+
+    /** The length of this displacement, m. */
+    public double length() {
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /** The distance to another position, m. */
+    public double distance(Position other) {
+        return minus(other).length();
+    }
+}

@@ -1,0 +1,104 @@
+package org.dronewatch.geometry;
+
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Tuple3d;
+import org.jogamp.vecmath.Vector3d;
+
+/**
+ * A half line, or a piece of it: all points {@code origin + t * direction} with {@code tMin <= t <= tMax}. The direction
+ * need not be of unit length; a distance along the ray is then the parameter t, not metres. Immutable.
+ */
+public final class Ray {
+    private final double ox;
+    private final double oy;
+    private final double oz;
+    private final double dx;
+    private final double dy;
+    private final double dz;
+    private final double tMin;
+    private final double tMax;
+
+    /** The ray from an origin without end. See {@link #Ray(Tuple3d, Tuple3d, double, double)}. */
+    public Ray(Tuple3d origin, Tuple3d direction) {
+        this(origin, direction, 0.0, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * A piece of a half line.
+     *
+     * @param origin where t is 0, m
+     * @param direction any finite vector but zero
+     * @param tMin the smallest t of the ray, 0 or more
+     * @param tMax the largest t, not below tMin; infinity for no end
+     * @throws IllegalArgumentException when one of these does not hold
+     */
+    public Ray(Tuple3d origin, Tuple3d direction, double tMin, double tMax) {
+        if (!(Double.isFinite(origin.x) && Double.isFinite(origin.y) && Double.isFinite(origin.z))) {
+            throw new IllegalArgumentException("ray origin " + origin + " must be finite");
+        }
+        double squaredLength = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+        if (!(squaredLength > 0.0 && squaredLength < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException("ray direction " + direction + " must be finite and not zero");
+        }
+        if (!(tMin >= 0.0 && tMin <= tMax)) {
+            throw new IllegalArgumentException("ray range [" + tMin + ", " + tMax + "] must have 0 <= tMin <= tMax");
+        }
+        this.ox = origin.x;
+        this.oy = origin.y;
+        this.oz = origin.z;
+        this.dx = direction.x;
+        this.dy = direction.y;
+        this.dz = direction.z;
+        this.tMin = tMin;
+        this.tMax = tMax;
+    }
+
+    /** The ray from one point towards another, of unit direction, that ends at the second point. */
+    public static Ray between(Point3d from, Point3d to) {
+        Vector3d direction = new Vector3d(to);
+        direction.sub(from);
+        double length = direction.length();
+        direction.scale(1.0 / length);
+        return new Ray(from, direction, 0.0, length);
+    }
+
+    /** A copy of the origin, m. */
+    public Point3d origin() {
+        return new Point3d(ox, oy, oz);
+    }
+
+    /** A copy of the direction as it was given, not normalised. */
+    public Vector3d direction() {
+        return new Vector3d(dx, dy, dz);
+    }
+
+    /** One over each component of the direction; a zero of either sign gives plus infinity. */
+    public Vector3d inverseDirection() {
+        return new Vector3d(inverse(dx), inverse(dy), inverse(dz));
+    }
+
+    /** One over a direction's component, where both zeros count as a positive one: a ray has no side of a zero. */
+    public static double inverse(double component) {
+        return 1.0 / (component + 0.0);
+    }
+
+    /** The smallest ray parameter of this ray. */
+    public double tMin() {
+        return tMin;
+    }
+
+    /** The largest ray parameter of this ray; infinity where it has no end. */
+    public double tMax() {
+        return tMax;
+    }
+
+    /** The point at a ray parameter, m. */
+    public Point3d pointAt(double t) {
+        return new Point3d(ox + t * dx, oy + t * dy, oz + t * dz);
+    }
+
+    @Override
+    public String toString() {
+        return "Ray[origin=" + origin() + ", direction=" + direction() + ", t=" + tMin + ".." + tMax + "]";
+    }
+}

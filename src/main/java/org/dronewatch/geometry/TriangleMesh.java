@@ -1,0 +1,149 @@
+package org.dronewatch.geometry;
+
+import java.util.List;
+
+/**
+ * Triangles that share corners, each with a material. Corners are kept as floats, in metres: their resolution is 0.06 mm
+ * at 1 km from the frame's origin and 8 mm at 100 km, so put the origin near the site. Immutable.
+ */
+public final class TriangleMesh {
+    /** The largest absolute coordinate of a corner: its square must stay far from overflow. */
+    public static final float MAX_COORDINATE = 1e30f;
+
+    private final float[] vertices;
+    private final int[] corners;
+    private final int[] materials;
+    private final int[] sourceNumbers;
+    private final List<String> materialNames;
+
+    /**
+     * A mesh from flat arrays, which it copies.
+     *
+     * @param vertices x, y, z of each vertex in turn, m
+     * @param corners three vertex numbers a triangle, from 0
+     * @param materials one material number a triangle, an index into the names
+     * @param sourceNumbers one number a triangle: its place in the file it came from, where dropped ones count too
+     * @param materialNames the names of the materials
+     * @throws IllegalArgumentException when lengths do not fit, an index is out of range or a coordinate is not finite
+     *     or beyond {@link #MAX_COORDINATE}
+     */
+    public TriangleMesh(
+            float[] vertices, int[] corners, int[] materials, int[] sourceNumbers, List<String> materialNames) {
+        if (vertices.length % 3 != 0 || corners.length % 3 != 0) {
+            throw new IllegalArgumentException("mesh arrays of " + vertices.length + " coordinates and " + corners.length
+                    + " corners must come in threes");
+        }
+        int triangles = corners.length / 3;
+        if (materials.length != triangles || sourceNumbers.length != triangles) {
+            throw new IllegalArgumentException("mesh of " + triangles + " triangles needs as many materials (has "
+                    + materials.length + ") and source numbers (has " + sourceNumbers.length + ")");
+        }
+        this.vertices = vertices.clone();
+        this.corners = corners.clone();
+        this.materials = materials.clone();
+        this.sourceNumbers = sourceNumbers.clone();
+        this.materialNames = List.copyOf(materialNames);
+        checkCoordinates();
+        checkRange("corner", this.corners, vertices.length / 3);
+        checkRange("material", this.materials, materialNames.size());
+    }
+
+    /** A mesh of one unnamed material whose triangles are numbered in their own order. */
+    public static TriangleMesh of(float[] vertices, int[] corners) {
+        int triangles = corners.length / 3;
+        int[] numbers = new int[triangles];
+        for (int i = 0; i < triangles; i++) {
+            numbers[i] = i;
+        }
+        return new TriangleMesh(vertices, corners, new int[triangles], numbers, List.of("default"));
+    }
+
+    private void checkCoordinates() {
+        for (int i = 0; i < vertices.length; i++) {
+            if (!(Math.abs(vertices[i]) <= MAX_COORDINATE)) {
+                throw new IllegalArgumentException("vertex " + i / 3 + " has the coordinate " + vertices[i]
+                        + ", which must be finite and at most " + MAX_COORDINATE + " m");
+            }
+        }
+    }
+
+    private static void checkRange(String what, int[] indices, int limit) {
+        for (int i = 0; i < indices.length; i++) {
+            if (indices[i] < 0 || indices[i] >= limit) {
+                throw new IllegalArgumentException(
+                        what + " index " + indices[i] + " at place " + i + " must be at least 0 and below " + limit);
+            }
+        }
+    }
+
+    /** How many triangles there are. */
+    public int triangleCount() {
+        return materials.length;
+    }
+
+    /** How many vertices there are, used or not. */
+    public int vertexCount() {
+        return vertices.length / 3;
+    }
+
+    /**
+     * One coordinate of one corner of a triangle, m.
+     *
+     * @param triangle the triangle's number
+     * @param corner 0, 1 or 2
+     * @param axis 0 for x, 1 for y, 2 for z
+     */
+    public float coordinate(int triangle, int corner, int axis) {
+        return vertices[3 * corners[3 * triangle + corner] + axis];
+    }
+
+    /** The vertex number of one corner of a triangle: corners of the same number are the same vertex. */
+    public int vertexIndex(int triangle, int corner) {
+        return corners[3 * triangle + corner];
+    }
+
+    /** One triangle as a value. */
+    public Triangle triangle(int triangle) {
+        return new Triangle(
+                position(triangle, 0), position(triangle, 1), position(triangle, 2), triangle, materials[triangle]);
+    }
+
+    private Position position(int triangle, int corner) {
+        return new Position(coordinate(triangle, corner, 0), coordinate(triangle, corner, 1), coordinate(triangle, corner, 2));
+    }
+
+    /** The material number of a triangle, an index into {@link #materialNames()}. */
+    public int material(int triangle) {
+        return materials[triangle];
+    }
+
+    /** The names of the materials, by number. */
+    public List<String> materialNames() {
+        return materialNames;
+    }
+
+    /** The triangle's number in the file it came from, in fan order, where triangles that were dropped count too. */
+    public int sourceNumber(int triangle) {
+        return sourceNumbers[triangle];
+    }
+
+    /**
+     * The smallest box around all triangles; unused vertices do not count.
+     *
+     * @throws IllegalStateException when there is no triangle
+     */
+    public AABB bounds() {
+        if (triangleCount() == 0) {
+            throw new IllegalStateException("a mesh without triangles has no bounds");
+        }
+        float[] low = {Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY};
+        float[] high = {Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY};
+        for (int corner : corners) {
+            for (int axis = 0; axis < 3; axis++) {
+                low[axis] = Math.min(low[axis], vertices[3 * corner + axis]);
+                high[axis] = Math.max(high[axis], vertices[3 * corner + axis]);
+            }
+        }
+        return new AABB(low[0], low[1], low[2], high[0], high[1], high[2]);
+    }
+}

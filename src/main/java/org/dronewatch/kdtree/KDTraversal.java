@@ -1,0 +1,149 @@
+package org.dronewatch.kdtree;
+
+import java.util.Optional;
+import org.dronewatch.geometry.Hit;
+import org.dronewatch.geometry.Ray;
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Vector3d;
+
+/**
+ * Asks a tree what a ray meets. One per thread: it holds the ray and the hit of its last question. The forms that take
+ * primitives allocate nothing.
+ *
+ * <p>Origins are in metres in the tree's frame. A direction may have any length but zero; distances are ray parameters,
+ * which are metres for a unit direction. Triangles are hit from either side.
+ */
+public abstract class KDTraversal {
+    /**
+     * How far, relatively, two cells of the tree may overlap along a ray: a few roundings of a plane's ray parameter. A
+     * hit on the border of two cells is then looked for in both.
+     */
+    static final double OVERLAP = 8.0 * 0x1p-53;
+
+    final KDTree tree;
+    final TriangleIntersection intersection;
+    final double[] origin = new double[3];
+    final double[] direction = new double[3];
+    final double[] inverse = new double[3];
+
+    KDTraversal(KDTree tree) {
+        this.tree = tree;
+        this.intersection = new TriangleIntersection(tree.corners());
+    }
+
+    /**
+     * Looks for the nearest triangle along a ray.
+     *
+     * @param tMin the smallest ray parameter that counts, 0 or more
+     * @param tMax the largest that counts
+     * @return whether there is one; its {@link #distance()}, {@link #triangle()}, {@link #u()} and {@link #v()} can be
+     *     read until the next question
+     */
+    public final boolean closestHit(
+            double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {
+        setRay(ox, oy, oz, dx, dy, dz);
+        intersection.setRay(origin, direction, tMax);
+        trace(tMin, tMax, false);
+        return intersection.found();
+    }
+
+    /** The nearest triangle along a ray, or empty. Allocates; kernels use the form that takes primitives. */
+    public final Optional<Hit> closestHit(Ray ray) {
+        Point3d o = ray.origin();
+        Vector3d d = ray.direction();
+        return closestHit(o.x, o.y, o.z, d.x, d.y, d.z, ray.tMin(), ray.tMax())
+                ? Optional.of(new Hit(distance(), triangle(), u(), v()))
+                : Optional.empty();
+    }
+
+    /**
+     * Whether any triangle lies strictly between two ray parameters: a surface exactly at either end hides nothing, so
+     * that points on surfaces can see each other.
+     */
+    public final boolean isOccluded(
+            double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {
+        double first = Math.nextUp(tMin);
+        double last = Math.nextDown(tMax);
+        if (!(first <= last)) {
+            return false;
+        }
+        setRay(ox, oy, oz, dx, dy, dz);
+        intersection.setRay(origin, direction, last);
+        trace(first, last, true);
+        return intersection.found();
+    }
+
+    /** Ray parameter of the last closest hit. */
+    public final double distance() {
+        return intersection.distance();
+    }
+
+    /** Triangle number of the last closest hit. */
+    public final int triangle() {
+        return intersection.triangle();
+    }
+
+    /** Weight of the triangle's second corner at the last closest hit. */
+    public final double u() {
+        return intersection.u();
+    }
+
+    /** Weight of the triangle's third corner at the last closest hit. */
+    public final double v() {
+        return intersection.v();
+    }
+
+    private void setRay(double ox, double oy, double oz, double dx, double dy, double dz) {
+        origin[0] = ox;
+        origin[1] = oy;
+        origin[2] = oz;
+        direction[0] = dx;
+        direction[1] = dy;
+        direction[2] = dz;
+        for (int axis = 0; axis < 3; axis++) {
+            inverse[axis] = Ray.inverse(direction[axis]);
+        }
+    }
+
+    /** Walks the tree; what is hit goes to the intersection. */
+    abstract void trace(double tMin, double tMax, boolean anyHit);
+
+    /** The smallest ray parameter inside the root's box, not below tMin; wider than exact by {@link #OVERLAP}. */
+    final double rootEntry(double tMin) {
+        float[] box = tree.rootBox();
+        double entry = tMin;
+        for (int axis = 0; axis < 3; axis++) {
+            double plane = inverse[axis] >= 0.0 ? box[axis] : box[axis + 3];
+            double t = (plane - origin[axis]) * inverse[axis];
+            // Not a number when the ray runs inside the plane: that bounds nothing, and the comparison says so.
+            if (t * (1.0 - OVERLAP) > entry) {
+                entry = t * (1.0 - OVERLAP);
+            }
+        }
+        return entry;
+    }
+
+    /** The largest ray parameter inside the root's box, not above tMax; negative when the box lies behind. */
+    final double rootExit(double tMax) {
+        float[] box = tree.rootBox();
+        double exit = tMax;
+        for (int axis = 0; axis < 3; axis++) {
+            double plane = inverse[axis] >= 0.0 ? box[axis + 3] : box[axis];
+            double t = (plane - origin[axis]) * inverse[axis];
+            if (t * (1.0 + OVERLAP) < exit) {
+                exit = t * (1.0 + OVERLAP);
+            }
+        }
+        return exit;
+    }
+
+    /** Tests the triangles of a leaf. */
+    final void testLeaf(long leaf, double tMin) {
+        int[] leafTriangles = tree.leafTriangles();
+        int from = KDNode.first(leaf);
+        int to = from + KDNode.count(leaf);
+        for (int i = from; i < to; i++) {
+            intersection.test(leafTriangles[i], tMin);
+        }
+    }
+}

@@ -1,0 +1,81 @@
+package org.dronewatch.kdtree;
+
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.TriangleMesh;
+
+/**
+ * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles' corners. Holds data only; a
+ * {@link KDTraversal} walks it and {@link KDTreeStats} measures it. Immutable, shared by all threads.
+ */
+public final class KDTree {
+    private final TriangleMesh mesh;
+    private final long[] nodes;
+    private final int[] leafTriangles;
+    private final float[] corners;
+    private final float[] bounds;
+    private final int depth;
+
+    /**
+     * A finished tree; the builder's own arrays are handed over, not copied.
+     *
+     * @param mesh what it indexes
+     * @param nodes packed nodes, the root first
+     * @param leafTriangles triangle numbers, leaf by leaf
+     * @param corners nine coordinates a triangle
+     * @param bounds the root's box, minimum on three axes, then maximum
+     * @param depth the largest number of splits above a leaf
+     */
+    KDTree(TriangleMesh mesh, long[] nodes, int[] leafTriangles, float[] corners, float[] bounds, int depth) {
+        this.mesh = mesh;
+        this.nodes = nodes;
+        this.leafTriangles = leafTriangles;
+        this.corners = corners;
+        this.bounds = bounds;
+        this.depth = depth;
+    }
+
+    /** Builds the tree of a mesh; a mesh without triangles gives a tree that no ray hits. */
+    public static KDTree of(TriangleMesh mesh) {
+        return new KDTreeBuilder(mesh).build();
+    }
+
+    /** The mesh that this tree indexes. */
+    public TriangleMesh mesh() {
+        return mesh;
+    }
+
+    /** The root's box: the mesh's bounds rounded outwards by up to four units in the last place. */
+    public AABB bounds() {
+        return new AABB(bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
+    }
+
+    /** Measures the tree. */
+    public KDTreeStats stats() {
+        return KDTreeStats.of(this);
+    }
+
+    /** A new stack-based traversal, the default one, for the use of one thread. */
+    public KDTraversal newTraversal() {
+        return new StackTraversal(this);
+    }
+
+    long[] nodes() {
+        return nodes;
+    }
+
+    int[] leafTriangles() {
+        return leafTriangles;
+    }
+
+    float[] corners() {
+        return corners;
+    }
+
+    float[] rootBox() {
+        return bounds;
+    }
+
+    int depth() {
+        return depth;
+    }
+}

@@ -1,0 +1,87 @@
+package org.dronewatch.kdtree;
+
+/**
+ * What a finished tree looks like.
+ *
+ * @param triangles triangles of the mesh
+ * @param nodes words of the tree: interior nodes and leaves
+ * @param leaves how many of them are leaves
+ * @param emptyLeaves leaves without a triangle
+ * @param meanLeafSize triangles in a leaf, mean over the leaves that have any
+ * @param maxLeafSize triangles in the fullest leaf
+ * @param depth splits above the deepest leaf
+ * @param sahCost expected cost of a ray that meets the root's box, in units of {@link SahCost}
+ * @param bytes memory of nodes, leaf lists and corners
+ */
+public record KDTreeStats(
+        int triangles,
+        int nodes,
+        int leaves,
+        int emptyLeaves,
+        double meanLeafSize,
+        int maxLeafSize,
+        int depth,
+        double sahCost,
+        long bytes) {
+
+    static KDTreeStats of(KDTree tree) {
+        Count count = new Count(tree);
+        double cost = count.costOf(0, tree.rootBox().clone());
+        int filled = count.leaves - count.emptyLeaves;
+        long bytes = Long.BYTES * (long) tree.nodes().length
+                + Integer.BYTES * (long) tree.leafTriangles().length
+                + Float.BYTES * (long) tree.corners().length;
+        return new KDTreeStats(
+                tree.mesh().triangleCount(),
+                tree.nodes().length,
+                count.leaves,
+                count.emptyLeaves,
+                filled == 0 ? 0.0 : tree.leafTriangles().length / (double) filled,
+                count.maxLeafSize,
+                tree.depth(),
+                cost,
+                bytes);
+    }
+
+    /** Walks the tree and counts. */
+    private static final class Count {
+        private final long[] nodes;
+        private int leaves;
+        private int emptyLeaves;
+        private int maxLeafSize;
+
+        Count(KDTree tree) {
+            this.nodes = tree.nodes();
+        }
+
+        /** Expected cost of a ray that meets a subtree's box. */
+        double costOf(int index, float[] box) {
+            long node = nodes[index];
+            int axis = KDNode.kind(node);
+            if (axis == KDNode.LEAF) {
+                int size = KDNode.count(node);
+                leaves++;
+                emptyLeaves += size == 0 ? 1 : 0;
+                maxLeafSize = Math.max(maxLeafSize, size);
+                return SahCost.leaf(size);
+            }
+            float[] left = box.clone();
+            left[axis + 3] = KDNode.split(node);
+            float[] right = box.clone();
+            right[axis] = KDNode.split(node);
+            double whole = halfSurface(box);
+            double leftCost = costOf(index + 1, left);
+            double rightCost = costOf(KDNode.rightChild(node), right);
+            return whole > 0.0
+                    ? SahCost.TRAVERSAL + (halfSurface(left) * leftCost + halfSurface(right) * rightCost) / whole
+                    : SahCost.TRAVERSAL + leftCost + rightCost;
+        }
+
+        private static double halfSurface(float[] box) {
+            double x = (double) box[3] - box[0];
+            double y = (double) box[4] - box[1];
+            double z = (double) box[5] - box[2];
+            return x * y + y * z + z * x;
+        }
+    }
+}

@@ -1,0 +1,76 @@
+package org.dronewatch.kdtree;
+
+/**
+ * Descends to the nearer child and keeps the farther one on a stack. The default traversal: it visits each node at most
+ * once.
+ */
+public final class StackTraversal extends KDTraversal {
+    private final int[] stackNode;
+    private final double[] stackEntry;
+    private final double[] stackExit;
+
+    /** A traversal of a tree for the use of one thread. */
+    public StackTraversal(KDTree tree) {
+        super(tree);
+        int size = tree.depth() + 1;
+        this.stackNode = new int[size];
+        this.stackEntry = new double[size];
+        this.stackExit = new double[size];
+    }
+
+    @Override
+    void trace(double tMin, double tMax, boolean anyHit) {
+        long[] nodes = tree.nodes();
+        double entry = rootEntry(tMin);
+        double exit = rootExit(tMax);
+        if (!(entry <= exit)) {
+            return;
+        }
+        int stacked = 0;
+        int index = 0;
+        while (true) {
+            // Descend to a leaf. Comparisons with a parameter that is not a number (the ray runs inside the split
+            // plane) are false, and both children are visited.
+            long node = nodes[index];
+            int axis = KDNode.kind(node);
+            while (axis != KDNode.LEAF) {
+                double inverseAxis = inverse[axis];
+                double t = (KDNode.split(node) - origin[axis]) * inverseAxis;
+                int near = index + 1;
+                int far = KDNode.rightChild(node);
+                if (inverseAxis < 0.0) {
+                    int swap = near;
+                    near = far;
+                    far = swap;
+                }
+                if (t > exit) {
+                    index = near;
+                } else if (t < entry) {
+                    index = far;
+                } else {
+                    stackNode[stacked] = far;
+                    stackEntry[stacked] = t * (1.0 - OVERLAP);
+                    stackExit[stacked] = exit;
+                    stacked++;
+                    index = near;
+                    exit = t * (1.0 + OVERLAP);
+                }
+                node = nodes[index];
+                axis = KDNode.kind(node);
+            }
+
+            testLeaf(node, tMin);
+            // A hit inside this cell is nearer than all that is still on the stack; a hit beyond it may not be.
+            if (intersection.found() && (anyHit || intersection.distance() <= exit)) {
+                return;
+            }
+            if (stacked == 0) {
+                return;
+            }
+            stacked--;
+            index = stackNode[stacked];
+            entry = stackEntry[stacked];
+            exit = stackExit[stacked];
+        }
+    }
+}

@@ -1,0 +1,116 @@
+package org.dronewatch.kdtree;
+
+/**
+ * The kernel's ray-triangle test, after Woop, Benthin and Wald, "Watertight ray/triangle intersection" (JCGT 2013), in
+ * double precision. The ray is sheared onto its largest axis; then the three edge functions are two-dimensional and an
+ * edge shared by two triangles gets the same value in both but for its sign. A difference of two rounded products never
+ * has the wrong sign, at worst it is zero, and zero counts as inside: no ray slips through an edge or a corner.
+ *
+ * <p>Holds one ray and its best hit so far; one per thread.
+ */
+final class TriangleIntersection {
+    private final float[] corners;
+
+    private int kx;
+    private int ky;
+    private int kz;
+    private double originX;
+    private double originY;
+    private double originZ;
+    private double shearX;
+    private double shearY;
+    private double shearZ;
+
+    private double distance;
+    private int triangle;
+    private double u;
+    private double v;
+    private boolean found;
+
+    /** A test of triangles given by nine coordinates each. */
+    TriangleIntersection(float[] corners) {
+        this.corners = corners;
+    }
+
+    /** Takes a new ray and forgets the old one's hit; a hit beyond the limit does not count. */
+    void setRay(double[] origin, double[] direction, double limit) {
+        double x = Math.abs(direction[0]);
+        double y = Math.abs(direction[1]);
+        double z = Math.abs(direction[2]);
+        kz = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+        kx = kz == 2 ? 0 : kz + 1;
+        ky = kx == 2 ? 0 : kx + 1;
+        originX = origin[kx];
+        originY = origin[ky];
+        originZ = origin[kz];
+        shearX = direction[kx] / direction[kz];
+        shearY = direction[ky] / direction[kz];
+        shearZ = 1.0 / direction[kz];
+        distance = limit;
+        found = false;
+    }
+
+    /**
+     * Tests one triangle and keeps the hit if it is the nearest so far.
+     *
+     * @param index number of the triangle
+     * @param tMin the smallest ray parameter that counts
+     */
+    void test(int index, double tMin) {
+        float[] c = corners;
+        int base = 9 * index;
+
+        // Corners relative to the ray: along it (z), and sheared so that the ray becomes the z axis (x, y).
+        double az = c[base + kz] - originZ;
+        double bz = c[base + 3 + kz] - originZ;
+        double cz = c[base + 6 + kz] - originZ;
+        double ax = c[base + kx] - originX - shearX * az;
+        double ay = c[base + ky] - originY - shearY * az;
+        double bx = c[base + 3 + kx] - originX - shearX * bz;
+        double by = c[base + 3 + ky] - originY - shearY * bz;
+        double cx = c[base + 6 + kx] - originX - shearX * cz;
+        double cy = c[base + 6 + ky] - originY - shearY * cz;
+
+        // Edge functions: twice the areas of the triangles between the ray and each edge. All of one sign: inside.
+        double a = cx * by - cy * bx;
+        double b = ax * cy - ay * cx;
+        double g = bx * ay - by * ax;
+        if ((a < 0.0 || b < 0.0 || g < 0.0) && (a > 0.0 || b > 0.0 || g > 0.0)) {
+            return;
+        }
+        double determinant = a + b + g;
+        if (determinant == 0.0) {
+            return;
+        }
+
+        // The distance is the mean of the corners', weighted by the edge functions, so it lies between them.
+        double t = (a * az + b * bz + g * cz) / determinant * shearZ;
+        if (t >= tMin && (t < distance || t == distance && (!found || index < triangle))) {
+            distance = t;
+            triangle = index;
+            u = b / determinant;
+            v = g / determinant;
+            found = true;
+        }
+    }
+
+    boolean found() {
+        return found;
+    }
+
+    double distance() {
+        return distance;
+    }
+
+    int triangle() {
+        return triangle;
+    }
+
+    double u() {
+        return u;
+    }
+
+    double v() {
+        return v;
+    }
+}
