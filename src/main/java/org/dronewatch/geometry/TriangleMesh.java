@@ -97,6 +97,16 @@ public final class TriangleMesh {
         return vertices[3 * corners[3 * triangle + corner] + axis];
     }
 
+    /**
+     * One coordinate of a vertex, m.
+     *
+     * @param vertex the vertex's number
+     * @param axis 0 for x, 1 for y, 2 for z
+     */
+    public float vertexCoordinate(int vertex, int axis) {
+        return vertices[3 * vertex + axis];
+    }
+
     /** The vertex number of one corner of a triangle: corners of the same number are the same vertex. */
     public int vertexIndex(int triangle, int corner) {
         return corners[3 * triangle + corner];

@@ -1,0 +1,38 @@
+package org.dronewatch.sensor;
+
+import java.util.Optional;
+
+/**
+ * What a sensor measured of a drone at one sample.
+ *
+ * @param sensor name of the sensor
+ * @param kind its kind
+ * @param drone name of the drone: the ground truth, kept for scoring
+ * @param sample index of the sample
+ * @param time seconds since the start of the run
+ * @param range distance from the sensor to the drone's origin, m
+ * @param value what was measured, in the unit
+ * @param threshold what the value must reach to count
+ * @param unit unit of value and threshold
+ */
+public record Observation(
+        String sensor,
+        String kind,
+        String drone,
+        long sample,
+        double time,
+        double range,
+        double value,
+        double threshold,
+        String unit) {
+
+    /** Whether the value reaches the threshold. */
+    public boolean isDetected() {
+        return value >= threshold;
+    }
+
+    /** The detection, if the value reaches the threshold. */
+    public Optional<Detection> detection() {
+        return isDetected() ? Optional.of(new Detection(this)) : Optional.empty();
+    }
+}

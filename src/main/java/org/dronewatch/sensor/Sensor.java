@@ -1,0 +1,22 @@
+package org.dronewatch.sensor;
+
+import java.util.List;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.World;
+
+/**
+ * Something that looks at a world with drones in it. A sensor may keep scratch memory and caches, so it is used by one
+ * thread at a time; what it observes depends on nothing but its settings and what it is given.
+ */
+public interface Sensor {
+
+    /**
+     * One look.
+     *
+     * @param world the site
+     * @param drones the drones as they are at the sample's time
+     * @param sample which look of which sensor this is, when, and with which random numbers
+     * @return an observation for each drone, in the same order
+     */
+    List<Observation> observe(World world, List<Drone> drones, Sample sample);
+}

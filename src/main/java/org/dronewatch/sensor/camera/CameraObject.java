@@ -1,0 +1,142 @@
+package org.dronewatch.sensor.camera;
+
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.Ray;
+import org.joml.Matrix4d;
+import org.joml.Vector4d;
+import org.jogamp.vecmath.Point2d;
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Vector3d;
+
+/**
+ * Pose and projection of a camera. Its own frame has x to the right, y up, and looks along -z; pixel (0, 0) is the top
+ * left one; a pixel's ray goes through its centre. Immutable.
+ */
+public final class CameraObject {
+    /** Nearest distance that the projection sees, m: what is closer has no place in the picture. */
+    public static final double NEAR = 1e-3;
+
+    /** Beyond this share of the vertical the camera counts as looking straight up or down. */
+    private static final double VERTICAL = 1.0 - 1e-12;
+
+    private final Position position;
+    private final int width;
+    private final int height;
+    private final double focalLength;
+    private final Vector3d right;
+    private final Vector3d up;
+    private final Vector3d forward;
+    private final Matrix4d view;
+    private final Matrix4d projection;
+
+    /** The camera of some settings. The horizon is level; a camera that looks straight down has north at the top. */
+    public CameraObject(CameraSettings settings) {
+        this.position = settings.position();
+        this.width = settings.width();
+        this.height = settings.height();
+        this.focalLength = settings.focalLength();
+
+        this.forward = settings.lookAt().minus(position).toVector3d();
+        forward.normalize();
+        Vector3d top = Math.abs(forward.z) < VERTICAL ? new Vector3d(0, 0, 1) : new Vector3d(0, 1, 0);
+        this.right = new Vector3d();
+        right.cross(forward, top);
+        right.normalize();
+        this.up = new Vector3d();
+        up.cross(right, forward);
+
+        this.view = new Matrix4d()
+                .lookAt(
+                        position.x(),
+                        position.y(),
+                        position.z(),
+                        position.x() + forward.x,
+                        position.y() + forward.y,
+                        position.z() + forward.z,
+                        top.x,
+                        top.y,
+                        top.z);
+        double fovY = 2.0 * Math.atan(0.5 * height / focalLength);
+        this.projection =
+                new Matrix4d().perspective(fovY, (double) width / height, NEAR, Double.POSITIVE_INFINITY);
+    }
+
+    /** The matrix from the world to the camera's frame. */
+    public Matrix4d view() {
+        return new Matrix4d(view);
+    }
+
+    /** The matrix from the camera's frame to clip space. */
+    public Matrix4d projection() {
+        return new Matrix4d(projection);
+    }
+
+    /** The matrix from a model's space to clip space: projection times view times model. */
+    public Matrix4d modelViewProjection(org.jogamp.vecmath.Matrix4d model) {
+        Matrix4d m = new Matrix4d(
+                model.m00, model.m10, model.m20, model.m30,
+                model.m01, model.m11, model.m21, model.m31,
+                model.m02, model.m12, model.m22, model.m32,
+                model.m03, model.m13, model.m23, model.m33);
+        return projection().mul(view).mul(m);
+    }
+
+    /** The ray through the centre of a pixel, of unit direction. */
+    public Ray ray(int column, int row) {
+        double[] direction = new double[3];
+        direction(column, row, direction);
+        return new Ray(position.toPoint3d(), new Vector3d(direction));
+    }
+
+    /** Writes the unit direction of a pixel's ray in the world's frame; allocates nothing. */
+    public void direction(int column, int row, double[] target) {
+        double x = (column + 0.5 - 0.5 * width) / focalLength;
+        double y = (0.5 * height - row - 0.5) / focalLength;
+        double scale = 1.0 / Math.sqrt(1.0 + x * x + y * y);
+        target[0] = scale * (forward.x + x * right.x + y * up.x);
+        target[1] = scale * (forward.y + x * right.y + y * up.y);
+        target[2] = scale * (forward.z + x * right.z + y * up.z);
+    }
+
+    /**
+     * Where a point of the world appears.
+     *
+     * @return column and row in pixels, (0, 0) being the top left corner of the top left pixel; empty for a point nearer
+     *     than {@link #NEAR} or behind the camera. The place may lie outside the picture.
+     */
+    public Optional<Point2d> pixelOf(Point3d point) {
+        Vector4d clip = projection().mul(view).transform(new Vector4d(point.x, point.y, point.z, 1.0));
+        return clip.w < NEAR ? Optional.empty() : Optional.of(new Point2d(column(clip), row(clip)));
+    }
+
+    /** Column of a point in clip space, in pixels from the left edge. */
+    double column(Vector4d clip) {
+        return 0.5 * (clip.x / clip.w + 1.0) * width;
+    }
+
+    /** Row of a point in clip space, in pixels from the top edge. */
+    double row(Vector4d clip) {
+        return 0.5 * (1.0 - clip.y / clip.w) * height;
+    }
+
+    /** Where the camera is, m. */
+    public Position position() {
+        return position;
+    }
+
+    /** Pixels in a row. */
+    public int width() {
+        return width;
+    }
+
+    /** Rows of the picture. */
+    public int height() {
+        return height;
+    }
+
+    /** Focal length in pixels. */
+    public double focalLength() {
+        return focalLength;
+    }
+}

@@ -1,0 +1,88 @@
+package org.dronewatch.sensor.camera;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.World;
+
+/**
+ * A camera for visible light. Keeps the static view of the world it saw last, and scratch memory for the drones before
+ * it: one thread at a time.
+ */
+public final class CameraSensor implements Sensor {
+    private final CameraSettings settings;
+    private final CameraObject camera;
+
+    private DynamicView dynamicView;
+    private StaticView staticView;
+
+    /** A camera of some settings. */
+    public CameraSensor(CameraSettings settings) {
+        this.settings = settings;
+        this.camera = new CameraObject(settings);
+    }
+
+    /** Counts the pixels of each drone that is nearer than the world and the other drones. */
+    @Override
+    public List<Observation> observe(World world, List<Drone> drones, Sample sample) {
+        draw(world, drones);
+        List<Observation> observations = new ArrayList<>(drones.size());
+        for (int i = 0; i < drones.size(); i++) {
+            double range = drones.get(i).distance(settings.position());
+            DroneView view = new DroneView(dynamicView.pixels(i), range, camera.focalLength());
+            observations.add(new Observation(
+                    sample.sensor(),
+                    settings.kind(),
+                    drones.get(i).id(),
+                    sample.index(),
+                    sample.time(),
+                    range,
+                    settings.detection().value(view),
+                    settings.detection().threshold(),
+                    settings.detection().unit()));
+        }
+        return observations;
+    }
+
+    /**
+     * The whole picture.
+     *
+     * @param threads how many threads may trace it, 1 or more; the picture is the same for any number
+     */
+    public DepthImage depthImage(World world, List<Drone> drones, int threads) {
+        draw(world, drones);
+        float[] distances = staticView.all(threads);
+        boolean[] hits = new boolean[distances.length];
+        dynamicView.overlay(distances, hits);
+        return new DepthImage(camera.width(), camera.height(), distances, hits);
+    }
+
+    /** How many pixels show a drone when it is the only one. */
+    public int pixels(World world, Drone drone) {
+        draw(world, List.of(drone));
+        return dynamicView.pixels(0);
+    }
+
+    private void draw(World world, List<Drone> drones) {
+        if (staticView == null || !staticView.shows(world)) {
+            staticView = new StaticView(camera, world);
+        }
+        if (dynamicView == null) {
+            dynamicView = new DynamicView(camera);
+        }
+        dynamicView.draw(staticView, drones);
+    }
+
+    /** Pose and projection. */
+    public CameraObject camera() {
+        return camera;
+    }
+
+    /** What this camera was made from. */
+    public CameraSettings settings() {
+        return settings;
+    }
+}

@@ -1,0 +1,117 @@
+package org.dronewatch.sensor.camera;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import javax.imageio.ImageIO;
+
+/** A camera's picture as distances in metres, infinity for the sky, and the pixels that show drones. Immutable. */
+public final class DepthImage {
+    private static final int SKY = 0xfff6e8;
+    private static final int HIT = 0xff6a00;
+    private static final int[] NEAR_BLUE = {6, 20, 64};
+    private static final int[] FAR_BLUE = {206, 228, 250};
+
+    private final int width;
+    private final int height;
+    private final float[] distances;
+    private final boolean[] hits;
+
+    /**
+     * A picture from its pixels, row by row from the top; copies them.
+     *
+     * @throws IllegalArgumentException when the arrays do not have width times height places
+     */
+    public DepthImage(int width, int height, float[] distances, boolean[] hits) {
+        if (width <= 0 || height <= 0 || distances.length != width * height || hits.length != distances.length) {
+            throw new IllegalArgumentException("picture of " + width + " x " + height + " pixels from " + distances.length
+                    + " distances and " + hits.length + " marks");
+        }
+        this.width = width;
+        this.height = height;
+        this.distances = distances.clone();
+        this.hits = hits.clone();
+    }
+
+    /** Pixels in a row. */
+    public int width() {
+        return width;
+    }
+
+    /** Rows. */
+    public int height() {
+        return height;
+    }
+
+    /** Distance along a pixel's ray, m; infinity where it meets nothing. */
+    public float distance(int column, int row) {
+        return distances[row * width + column];
+    }
+
+    /** Whether a pixel shows a drone. */
+    public boolean isHit(int column, int row) {
+        return hits[row * width + column];
+    }
+
+    /** How many pixels show a drone. */
+    public int hitCount() {
+        int count = 0;
+        for (boolean hit : hits) {
+            count += hit ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** The picture in blues, darker where nearer, on a logarithmic scale; the sky pale, drones orange. */
+    public BufferedImage toImage() {
+        double nearest = Double.POSITIVE_INFINITY;
+        double farthest = 0.0;
+        for (float distance : distances) {
+            if (distance < Float.POSITIVE_INFINITY) {
+                nearest = Math.min(nearest, Math.max(distance, CameraObject.NEAR));
+                farthest = Math.max(farthest, distance);
+            }
+        }
+        double span = farthest > nearest ? Math.log(farthest / nearest) : 1.0;
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        for (int row = 0; row < height; row++) {
+            for (int column = 0; column < width; column++) {
+                int pixel = row * width + column;
+                double share = Math.log(Math.max(distances[pixel], CameraObject.NEAR) / nearest) / span;
+                image.setRGB(column, row, hits[pixel] ? HIT : colour(distances[pixel], share));
+            }
+        }
+        return image;
+    }
+
+    private static int colour(float distance, double share) {
+        if (distance == Float.POSITIVE_INFINITY) {
+            return SKY;
+        }
+        int rgb = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            double value = NEAR_BLUE[channel] + share * (FAR_BLUE[channel] - NEAR_BLUE[channel]);
+            rgb = rgb << 8 | (int) Math.round(value);
+        }
+        return rgb;
+    }
+
+    /** Writes the picture as PNG. */
+    public void writePng(OutputStream target) throws IOException {
+        ImageIO.write(toImage(), "png", target);
+    }
+
+    /** Writes the distances as Portable Float Map: rows from bottom to top, little endian, infinity for the sky. */
+    public void writePfm(OutputStream target) throws IOException {
+        target.write(("Pf\n" + width + " " + height + "\n-1.0\n").getBytes(StandardCharsets.US_ASCII));
+        ByteBuffer buffer = ByteBuffer.allocate(Float.BYTES * width).order(ByteOrder.LITTLE_ENDIAN);
+        for (int row = height - 1; row >= 0; row--) {
+            buffer.clear();
+            buffer.asFloatBuffer().put(distances, row * width, width);
+            target.write(buffer.array());
+        }
+    }
+}

@@ -1,0 +1,73 @@
+package org.dronewatch.setting;
+
+import java.util.Locale;
+
+/** Limits of settings: each check returns its value, or throws an exception that names it, its value and the limit. */
+public final class Check {
+
+    private Check() {}
+
+    /** A value that must be finite and above 0. */
+    public static double positive(String name, double value, Quantity quantity) {
+        if (!(value > 0.0 && value < Double.POSITIVE_INFINITY)) {
+            throw fails(name, value, quantity, "must be above 0 and finite");
+        }
+        return value;
+    }
+
+    /** A value that must be finite and not below 0. */
+    public static double notNegative(String name, double value, Quantity quantity) {
+        if (!(value >= 0.0 && value < Double.POSITIVE_INFINITY)) {
+            throw fails(name, value, quantity, "must be 0 or more and finite");
+        }
+        return value;
+    }
+
+    /** A value that must be finite. */
+    public static double finite(String name, double value, Quantity quantity) {
+        if (!Double.isFinite(value)) {
+            throw fails(name, value, quantity, "must be finite");
+        }
+        return value;
+    }
+
+    /** A value strictly between two limits. */
+    public static double inside(String name, double value, double low, double high, Quantity quantity) {
+        if (!(value > low && value < high)) {
+            throw fails(name, value, quantity, String.format(Locale.ROOT, "must be above %s and below %s", low, high));
+        }
+        return value;
+    }
+
+    /** A value between two limits or on one of them. */
+    public static double between(String name, double value, double low, double high, Quantity quantity) {
+        if (!(value >= low && value <= high)) {
+            throw fails(name, value, quantity, String.format(Locale.ROOT, "must be %s to %s", low, high));
+        }
+        return value;
+    }
+
+    /** A count between two limits or on one of them. */
+    public static int between(String name, int value, int low, int high, Quantity quantity) {
+        if (value < low || value > high) {
+            throw new IllegalArgumentException(named(name, Integer.toString(value), quantity) + " must be " + low + " to " + high);
+        }
+        return value;
+    }
+
+    /** A reference that must be there. */
+    public static <T> T present(String name, T value) {
+        if (value == null) {
+            throw new IllegalArgumentException(name + " is missing");
+        }
+        return value;
+    }
+
+    private static IllegalArgumentException fails(String name, double value, Quantity quantity, String limit) {
+        return new IllegalArgumentException(named(name, Double.toString(value), quantity) + " " + limit);
+    }
+
+    private static String named(String name, String value, Quantity quantity) {
+        return name + " " + value + (quantity.unit().isEmpty() ? "" : " " + quantity.unit());
+    }
+}

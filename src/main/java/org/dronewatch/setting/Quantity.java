@@ -1,0 +1,94 @@
+package org.dronewatch.setting;
+
+import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.djunits.value.vdouble.scalar.Acceleration;
+import org.djunits.value.vdouble.scalar.Angle;
+import org.djunits.value.vdouble.scalar.Area;
+import org.djunits.value.vdouble.scalar.Duration;
+import org.djunits.value.vdouble.scalar.Frequency;
+import org.djunits.value.vdouble.scalar.Length;
+import org.djunits.value.vdouble.scalar.Speed;
+
+/** A physical quantity, the SI unit in which it is kept, and how it is read from a text such as {@code 39.6 deg}. */
+public enum Quantity {
+    /** Metres. */
+    LENGTH("m", unit -> Length.valueOf(unit).si),
+    /** Radians. */
+    ANGLE("rad", unit -> Angle.valueOf(unit).si),
+    /** Seconds. */
+    DURATION("s", unit -> Duration.valueOf(unit).si),
+    /** Metres per second. */
+    SPEED("m/s", unit -> Speed.valueOf(unit).si),
+    /** Metres per second squared. */
+    ACCELERATION("m/s2", unit -> Acceleration.valueOf(unit).si),
+    /** Hertz. */
+    FREQUENCY("Hz", unit -> Frequency.valueOf(unit).si),
+    /** Square metres. */
+    AREA("m2", unit -> Area.valueOf(unit).si),
+    /** A level in dB; the setting says relative to what. */
+    LEVEL("dB", Quantity::unitOfItself),
+    /** Decibels per metre. */
+    ATTENUATION("dB/m", Quantity::unitOfItself),
+    /** Picture elements. */
+    PIXELS("px", Quantity::unitOfItself),
+    /** A plain number. */
+    NUMBER("", Quantity::unitOfItself);
+
+    private static final Pattern NUMBER_AND_UNIT =
+            Pattern.compile("([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)\\s*(\\S*)");
+    private static final int LONGEST = 60;
+
+    private final String unit;
+    private final ToDoubleFunction<String> ofOneUnit;
+
+    Quantity(String unit, ToDoubleFunction<String> ofOneUnit) {
+        this.unit = unit;
+        this.ofOneUnit = ofOneUnit;
+    }
+
+    /** The unit of a bare number, such as {@code m/s}; empty for a plain number. */
+    public String unit() {
+        return unit;
+    }
+
+    /**
+     * Reads a value.
+     *
+     * @param text a number, optionally followed by a unit of this quantity: {@code 5}, {@code 5 m/s}, {@code 18 km/h}
+     * @return the value in this quantity's unit
+     * @throws IllegalArgumentException when the text is no number or the unit is not one of this quantity
+     */
+    public double parse(String text) {
+        Matcher matcher = NUMBER_AND_UNIT.matcher(text.strip());
+        if (text.length() > LONGEST || !matcher.matches()) {
+            throw new IllegalArgumentException("'" + shortened(text) + "' is not a number" + orWithUnit());
+        }
+        double number = Double.parseDouble(matcher.group(1));
+        String written = matcher.group(2);
+        if (written.isEmpty() || written.equals(unit)) {
+            return number;
+        }
+        // The whole "1 unit" goes to the units library, which depends on the locale for anything but plain integers.
+        try {
+            return number * ofOneUnit.applyAsDouble("1 " + written);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(
+                    "unit '" + shortened(written) + "' does not fit: expected a number" + orWithUnit(), e);
+        }
+    }
+
+    private String orWithUnit() {
+        return unit.isEmpty() ? " without a unit" : " in " + unit + " or another unit of " + name().toLowerCase(Locale.ROOT);
+    }
+
+    private static double unitOfItself(String text) {
+        throw new IllegalArgumentException(text + " has another unit");
+    }
+
+    private static String shortened(String text) {
+        return text.length() <= LONGEST ? text : text.substring(0, LONGEST) + "...";
+    }
+}

@@ -1,0 +1,104 @@
+package org.dronewatch.world;
+
+import java.nio.file.Path;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A drone: its shape, its way, and what sensors of every kind need to know of it.
+ *
+ * @param model its mesh, whose nose points to the model's north (y after loading) and whose origin is the drone's
+ * @param flight the way it flies
+ * @param speed cruise speed, above 0 and at most 400 m/s
+ * @param acceleration largest acceleration along the path, above 0, m/s2
+ * @param radarCrossSection m2, above 0
+ * @param soundLevel level of the thesis's level model, which falls by the air's attenuation only, dB; 50 to 55 there
+ * @param soundPowerLevel sound power level for physical propagation, dB re 1e-12 W; near 85 for a real quadrotor
+ */
+public record DroneSettings(
+        ModelSettings model,
+        FlightPathSettings flight,
+        @In(Quantity.SPEED) double speed,
+        @In(Quantity.ACCELERATION) double acceleration,
+        @In(Quantity.AREA) double radarCrossSection,
+        @In(Quantity.LEVEL) double soundLevel,
+        @In(Quantity.LEVEL) double soundPowerLevel) {
+    private static final double MAX_SPEED = 400.0;
+    private static final double MAX_LEVEL = 200.0;
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public DroneSettings {
+        Check.present("model", model);
+        Check.present("flight", flight);
+        Check.positive("speed", speed, Quantity.SPEED);
+        Check.between("speed", speed, 0.0, MAX_SPEED, Quantity.SPEED);
+        Check.positive("acceleration", acceleration, Quantity.ACCELERATION);
+        Check.positive("radarCrossSection", radarCrossSection, Quantity.AREA);
+        Check.between("soundLevel", soundLevel, 0.0, MAX_LEVEL, Quantity.LEVEL);
+        Check.between("soundPowerLevel", soundPowerLevel, 0.0, MAX_LEVEL, Quantity.LEVEL);
+    }
+
+    /** A small quadrotor: 5 m/s, 2.5 m/s2, 0.01 m2, 55 dB in the level model, 85 dB of sound power. */
+    public static DroneSettings of(ModelSettings model, FlightPathSettings flight) {
+        return new DroneSettings(model, flight, 5.0, 2.5, 0.01, 55.0, 85.0);
+    }
+
+    /** These settings with another mesh. */
+    public DroneSettings withModel(ModelSettings other) {
+        return new DroneSettings(
+                other, flight, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel);
+    }
+
+    /** These settings with another way to fly. */
+    public DroneSettings withFlight(FlightPathSettings other) {
+        return new DroneSettings(model, other, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel);
+    }
+
+    /** These settings with another cruise speed, m/s. */
+    public DroneSettings withSpeed(double metresPerSecond) {
+        return new DroneSettings(
+                model, flight, metresPerSecond, acceleration, radarCrossSection, soundLevel, soundPowerLevel);
+    }
+
+    /** These settings with another radar cross-section, m2. */
+    public DroneSettings withRadarCrossSection(double area) {
+        return new DroneSettings(model, flight, speed, acceleration, area, soundLevel, soundPowerLevel);
+    }
+
+    /** These settings with another level for the level model, dB. */
+    public DroneSettings withSoundLevel(double level) {
+        return new DroneSettings(model, flight, speed, acceleration, radarCrossSection, level, soundPowerLevel);
+    }
+
+    /** The path that this drone flies. */
+    public FlightPath createFlight() {
+        return flight.create(speed, acceleration);
+    }
+
+    /**
+     * A drone of these settings at the start of its path.
+     *
+     * @param id its name
+     * @param tree tree over its loaded mesh
+     */
+    public Drone create(String id, KDTree tree) {
+        return new Drone(id, this, tree).at(createFlight().at(0.0));
+    }
+
+    /**
+     * A drone of these settings at the start of its path; loads the mesh and builds its tree.
+     *
+     * @param id its name
+     * @param directory where a relative model path starts
+     * @throws org.dronewatch.setting.InputException when the model cannot be loaded
+     */
+    public Drone create(String id, Path directory) {
+        return create(id, KDTree.of(new ObjLoader(directory).load(model).mesh()));
+    }
+}

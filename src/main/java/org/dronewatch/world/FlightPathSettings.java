@@ -1,0 +1,98 @@
+package org.dronewatch.world;
+
+import java.util.List;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Quantity;
+
+/** The way a drone flies; how fast is the drone's own setting. */
+public sealed interface FlightPathSettings {
+
+    /**
+     * The path for a drone.
+     *
+     * @param speed cruise speed, m/s, above 0
+     * @param acceleration largest acceleration along the path, m/s2, above 0
+     */
+    FlightPath create(double speed, double acceleration);
+
+    /** The compass heading of a displacement, rad clockwise from north; of a vertical one, north. */
+    private static double headingOf(Position way) {
+        return Math.atan2(way.x(), way.y());
+    }
+
+    /**
+     * Stays in one place.
+     *
+     * @param position where, m
+     * @param heading where the nose points, clockwise from north, rad
+     */
+    record Hover(Position position, @In(Quantity.ANGLE) double heading) implements FlightPathSettings {
+        /** Checks the limits. */
+        public Hover {
+            Check.present("position", position);
+            Check.finite("heading", heading, Quantity.ANGLE);
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration) {
+            FlightState state = new FlightState(position, new Position(0, 0, 0), heading);
+            return time -> state;
+        }
+    }
+
+    /**
+     * Flies straight from one place to another at cruise speed from the first moment on, and stays there.
+     *
+     * @param from where it is at time 0, m
+     * @param to where it ends, m
+     */
+    record Approach(Position from, Position to) implements FlightPathSettings {
+        /** Checks that there is a way to go. */
+        public Approach {
+            Check.present("from", from);
+            Check.present("to", to);
+            Check.positive("distance from 'from' to 'to'", from.distance(to), Quantity.LENGTH);
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration) {
+            Position way = to.minus(from);
+            double length = way.length();
+            Position direction = way.times(1.0 / length);
+            double heading = headingOf(way);
+            return time -> {
+                double flown = speed * time;
+                return flown < length
+                        ? new FlightState(from.plus(direction.times(flown)), direction.times(speed), heading)
+                        : new FlightState(to, new Position(0, 0, 0), heading);
+            };
+        }
+    }
+
+    /**
+     * Flies from waypoint to waypoint, starting and ending at rest, never faster than the cruise speed, and stopping at
+     * each waypoint where the way bends; there it stays at the last one.
+     *
+     * @param points at least two, no two neighbours in the same place, m
+     */
+    record Waypoints(List<Position> points) implements FlightPathSettings {
+        /** Checks the limits and keeps its own list. */
+        public Waypoints {
+            points = List.copyOf(Check.present("points", points));
+            if (points.size() < 2) {
+                throw new IllegalArgumentException("points has " + points.size() + " waypoints, needs 2 or more");
+            }
+            for (int i = 1; i < points.size(); i++) {
+                Check.positive(
+                        "distance to waypoint " + i, points.get(i).distance(points.get(i - 1)), Quantity.LENGTH);
+            }
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration) {
+            return new WaypointPath(points, speed, acceleration);
+        }
+    }
+}

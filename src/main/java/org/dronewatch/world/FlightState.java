@@ -1,0 +1,12 @@
+package org.dronewatch.world;
+
+import org.dronewatch.geometry.Position;
+
+/**
+ * Where a drone is at one moment and how it moves.
+ *
+ * @param position place of the drone's origin, m
+ * @param velocity m/s
+ * @param heading where its nose points, clockwise from north, rad
+ */
+public record FlightState(Position position, Position velocity, double heading) {}

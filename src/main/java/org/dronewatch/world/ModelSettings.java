@@ -1,0 +1,72 @@
+package org.dronewatch.world;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * Which model file to load and how to place it. The model is first turned upright, then scaled, then turned to its
+ * heading, then moved.
+ *
+ * @param file path of an .obj file, or {@code packaged:NAME} for a model that comes with the library
+ * @param upAxis which axis of the file points up
+ * @param scale metres for each unit of the file, above 0
+ * @param position where the model's origin goes, m
+ * @param heading turn about the vertical, clockwise seen from above as on a compass, rad
+ */
+public record ModelSettings(
+        String file,
+        UpAxis upAxis,
+        @In(Quantity.NUMBER) double scale,
+        @In(Quantity.LENGTH) Position position,
+        @In(Quantity.ANGLE) double heading) {
+    /** The prefix of models that come with the library. */
+    public static final String PACKAGED = "packaged:";
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public ModelSettings {
+        Check.present("file", file);
+        if (file.isBlank()) {
+            throw new IllegalArgumentException("file is empty: it must name an .obj file");
+        }
+        Check.present("upAxis", upAxis);
+        Check.positive("scale", scale, Quantity.NUMBER);
+        Check.present("position", position);
+        Check.finite("heading", heading, Quantity.ANGLE);
+    }
+
+    /** A y-up file in metres, at the origin, as most OBJ files are. */
+    public static ModelSettings of(String file) {
+        return new ModelSettings(file, UpAxis.Y, 1.0, new Position(0, 0, 0), 0.0);
+    }
+
+    /** A model that comes with the library, such as {@code hill.obj}. */
+    public static ModelSettings packaged(String name) {
+        return of(PACKAGED + name);
+    }
+
+    /** These settings with another axis up. */
+    public ModelSettings withUpAxis(UpAxis axis) {
+        return new ModelSettings(file, axis, scale, position, heading);
+    }
+
+    /** These settings with another scale, metres for each unit of the file. */
+    public ModelSettings withScale(double factor) {
+        return new ModelSettings(file, upAxis, factor, position, heading);
+    }
+
+    /** These settings with another place, m. */
+    public ModelSettings withPosition(Position place) {
+        return new ModelSettings(file, upAxis, scale, place, heading);
+    }
+
+    /** These settings with another heading, rad clockwise from above. */
+    public ModelSettings withHeading(double angle) {
+        return new ModelSettings(file, upAxis, scale, position, angle);
+    }
+}

@@ -1,0 +1,131 @@
+package org.dronewatch.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Hit;
+import org.dronewatch.geometry.Ray;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.KDTree;
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Vector3d;
+
+/**
+ * The site: all that stands still, as one mesh with one tree, and the noise in it. World frame: metres, right-handed, x
+ * east, y north, z up. Immutable, shared by all threads.
+ */
+public final class World {
+    private final KDTree tree;
+    private final double backgroundNoise;
+
+    /**
+     * A world around a finished tree.
+     *
+     * @param tree tree over the mesh, in the world's frame
+     * @param backgroundNoise sound pressure level of the background, dB re 20 uPa
+     */
+    public World(KDTree tree, double backgroundNoise) {
+        this.tree = tree;
+        this.backgroundNoise = backgroundNoise;
+    }
+
+    /** A world of a mesh without noise worth the name (0 dB). */
+    public static World of(TriangleMesh mesh) {
+        return new World(KDTree.of(mesh), 0.0);
+    }
+
+    /** Merges meshes into one, so that one tree holds them all; source numbers run on from mesh to mesh. */
+    public static TriangleMesh merge(List<TriangleMesh> meshes) {
+        if (meshes.size() == 1) {
+            return meshes.get(0);
+        }
+        Floats vertices = new Floats();
+        Ints corners = new Ints();
+        Ints materials = new Ints();
+        Ints numbers = new Ints();
+        List<String> names = new ArrayList<>();
+        for (TriangleMesh mesh : meshes) {
+            append(mesh, vertices, corners, numbers);
+            for (int i = 0; i < mesh.triangleCount(); i++) {
+                String name = mesh.materialNames().get(mesh.material(i));
+                if (!names.contains(name)) {
+                    names.add(name);
+                }
+                materials.add(names.indexOf(name));
+            }
+        }
+        return new TriangleMesh(
+                vertices.toArray(), corners.toArray(), materials.toArray(), numbers.toArray(), names);
+    }
+
+    private static void append(TriangleMesh mesh, Floats vertices, Ints corners, Ints numbers) {
+        int firstVertex = vertices.size() / 3;
+        int firstNumber = numbers.size();
+        for (int i = 0; i < mesh.vertexCount(); i++) {
+            for (int axis = 0; axis < 3; axis++) {
+                vertices.add(mesh.vertexCoordinate(i, axis));
+            }
+        }
+        for (int i = 0; i < mesh.triangleCount(); i++) {
+            for (int corner = 0; corner < 3; corner++) {
+                corners.add(firstVertex + mesh.vertexIndex(i, corner));
+            }
+            numbers.add(firstNumber + i);
+        }
+    }
+
+    /** The nearest triangle along a ray, or empty. Convenient; loops use one {@link #newTraversal()} for many rays. */
+    public Optional<Hit> closestHit(Ray ray) {
+        return newTraversal().closestHit(ray);
+    }
+
+    /** Whether something stands between two points; a surface at either point hides nothing. */
+    public boolean isOccluded(Point3d from, Point3d to) {
+        Vector3d way = new Vector3d(to);
+        way.sub(from);
+        return newTraversal().isOccluded(from.x, from.y, from.z, way.x, way.y, way.z, 0.0, 1.0);
+    }
+
+    /**
+     * The height of the highest surface at a place.
+     *
+     * @param x east, m
+     * @param y north, m
+     * @return its z in metres, empty where the world has nothing
+     */
+    public OptionalDouble surfaceHeight(double x, double y) {
+        AABB bounds = bounds();
+        double above = bounds.maxZ() + 1.0;
+        return closestHit(new Ray(new Point3d(x, y, above), new Vector3d(0, 0, -1)))
+                .map(hit -> OptionalDouble.of(above - hit.distance()))
+                .orElse(OptionalDouble.empty());
+    }
+
+    /** A traversal of the world's tree for the use of one thread. */
+    public KDTraversal newTraversal() {
+        return tree.newTraversal();
+    }
+
+    /** The world's tree. */
+    public KDTree tree() {
+        return tree;
+    }
+
+    /** The world's mesh. */
+    public TriangleMesh mesh() {
+        return tree.mesh();
+    }
+
+    /** The box around the world, m. */
+    public AABB bounds() {
+        return tree.bounds();
+    }
+
+    /** Sound pressure level of the background, dB re 20 uPa. */
+    public double backgroundNoise() {
+        return backgroundNoise;
+    }
+}
