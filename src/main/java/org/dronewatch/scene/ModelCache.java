@@ -1,0 +1,70 @@
+package org.dronewatch.scene;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.world.LoadedModel;
+import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.ObjLoader;
+import org.dronewatch.world.World;
+
+/** Loads each model and builds each tree once, however many runs need them, and measures how long that took. */
+final class ModelCache {
+    private static final double NANO = 1e-9;
+
+    private final ObjLoader loader;
+    private final Consumer<String> notes;
+    private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
+    private final Map<List<ModelSettings>, KDTree> trees = new HashMap<>();
+    private double loadSeconds;
+    private double buildSeconds;
+
+    /**
+     * An empty cache.
+     *
+     * @param directory where relative paths start
+     * @param notes is told in a line what was read, and each warning
+     */
+    ModelCache(Path directory, Consumer<String> notes) {
+        this.loader = new ObjLoader(directory);
+        this.notes = notes;
+    }
+
+    /** The tree over some models as one mesh. */
+    KDTree tree(List<ModelSettings> settings) {
+        return trees.computeIfAbsent(settings, this::build);
+    }
+
+    private KDTree build(List<ModelSettings> settings) {
+        List<TriangleMesh> meshes = new ArrayList<>();
+        for (ModelSettings model : settings) {
+            meshes.add(models.computeIfAbsent(model, this::load).mesh());
+        }
+        long start = System.nanoTime();
+        KDTree tree = KDTree.of(World.merge(meshes));
+        buildSeconds += NANO * (System.nanoTime() - start);
+        return tree;
+    }
+
+    private LoadedModel load(ModelSettings settings) {
+        long start = System.nanoTime();
+        LoadedModel model = loader.load(settings);
+        loadSeconds += NANO * (System.nanoTime() - start);
+        notes.accept("read " + model.describe());
+        model.warnings().forEach(warning -> notes.accept("warning: " + warning));
+        return model;
+    }
+
+    double loadSeconds() {
+        return loadSeconds;
+    }
+
+    double buildSeconds() {
+        return buildSeconds;
+    }
+}

@@ -1,0 +1,22 @@
+package org.dronewatch.scene;
+
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+
+/**
+ * What a scene needs to know for one run.
+ *
+ * @param info number and settings of the run
+ * @param models where models come from
+ * @param pool who does the work
+ * @param frames is given each frame
+ * @param pace keeps time
+ * @param cancelled says when to stop early
+ */
+record RunPlan(
+        RunInfo info,
+        ModelCache models,
+        ObservationPool pool,
+        Consumer<Frame> frames,
+        Pace pace,
+        BooleanSupplier cancelled) {}

@@ -1,0 +1,184 @@
+package org.dronewatch.scene;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import nl.tudelft.simulation.dsol.experiment.ExperimentReplication;
+import nl.tudelft.simulation.dsol.formalisms.eventscheduling.SimEventInterface;
+import nl.tudelft.simulation.dsol.model.AbstractDsolModel;
+import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
+import org.djutils.event.EventType;
+import org.djutils.metadata.MetaData;
+import org.djutils.metadata.ObjectDescriptor;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.ModelSettings;
+
+/**
+ * A site, what flies over it and what watches. Users extend it and override {@link #build()}, in which {@code load...}
+ * names models and {@code add} takes settings; nothing is loaded or created there. {@link #run()} runs it here and now;
+ * {@link SceneRunner} runs it with other settings, threads or pace.
+ *
+ * <p>A scene is a DSOL model: given to a DSOL simulator of one's own, it runs beside other DSOL models and under DSOL's
+ * experiments, whose replications each have their own seed. It then fires {@link #OBSERVATION} to its listeners. A sweep
+ * is {@link SceneRunner}'s doing; under another simulator the scene runs with its settings as they are.
+ */
+public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInterface<Double>> {
+    /** The event of one sensor having looked at one drone, with the {@link Observation}. */
+    public static final EventType OBSERVATION = new EventType(
+            "OBSERVATION",
+            new MetaData(
+                    "OBSERVATION",
+                    "a sensor looked at a drone",
+                    new ObjectDescriptor("observation", "what it measured", Observation.class)));
+
+    private static final long serialVersionUID = 1L;
+
+    private transient SceneBuilder builder;
+    private transient RunPlan plan;
+    private transient Stage stage;
+    private transient ModelCache ownModels;
+
+    /** A scene with a simulator of its own, for {@link #run()} and {@link SceneRunner}. */
+    protected Scene() {
+        this(SceneSimulator.create("dronewatch"));
+    }
+
+    /** A scene as a model for a DSOL simulator. */
+    protected Scene(DevsSimulatorInterface<Double> simulator) {
+        super(simulator);
+    }
+
+    /** Says what the scene is: calls {@code loadWorld}, {@code add}, {@code runFor}. Called once for each description. */
+    protected abstract void build();
+
+    /** The scene's name in results: the class's name in small letters with dashes, {@code CameraRange} camera-range. */
+    public String name() {
+        return getClass().getSimpleName().replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-").toLowerCase(Locale.ROOT);
+    }
+
+    /** Names a model file: y up, metres, unless changed by the settings' {@code with...} methods. */
+    protected final ModelSettings load(String file) {
+        return ModelSettings.of(file);
+    }
+
+    /** Names a model that comes with the library, such as {@code quadrotor.obj}. */
+    protected final ModelSettings loadPackaged(String name) {
+        return ModelSettings.packaged(name);
+    }
+
+    /** Adds a model to the world: a hill, then a house on it. */
+    protected final void loadWorld(ModelSettings model) {
+        building().addToWorld(model);
+    }
+
+    /** Sets the sound pressure level of the background, dB re 20 uPa. */
+    protected final void setBackgroundNoise(double level) {
+        building().setBackgroundNoise(level);
+    }
+
+    /** Adds a drone. */
+    protected final void add(String id, DroneSettings drone) {
+        building().addDrone(id, drone);
+    }
+
+    /** Adds a sensor of any kind. */
+    protected final void add(String id, SensorSettings<?> sensor) {
+        building().addSensor(id, sensor);
+    }
+
+    /** Sets duration and seed of a run. */
+    protected final void setRun(RunSettings run) {
+        building().setRun(run);
+    }
+
+    /**
+     * Lets a setting take one value after another, a run for each.
+     *
+     * @param parameter path of the setting, such as {@code sensors.camera.fov}
+     * @param values numbers in the setting's unit
+     */
+    protected final void sweep(String parameter, double... values) {
+        List<String> texts = Arrays.stream(values).mapToObj(Double::toString).toList();
+        building().setSweep(new SweepSettings(parameter, texts));
+    }
+
+    private SceneBuilder building() {
+        if (builder == null) {
+            throw new IllegalStateException("a scene is described in its build() method only");
+        }
+        return builder;
+    }
+
+    /** The settings that {@link #build()} describes, before any override. */
+    public final SceneSettings describe() {
+        builder = new SceneBuilder();
+        try {
+            build();
+            return builder.toSettings();
+        } finally {
+            builder = null;
+        }
+    }
+
+    /** Runs the scene to its end on this thread, as fast as possible, with as many helpers as there are cores. */
+    public final SceneResult run() {
+        return new SceneRunner(this).run();
+    }
+
+    /** What this scene is to do when the simulator next constructs it. */
+    final void prepare(RunPlan next) {
+        this.plan = next;
+    }
+
+    /** Creates world, drones and sensors and schedules the first look; DSOL calls this for each replication. */
+    @Override
+    public final void constructModel() {
+        if (plan == null) {
+            if (ownModels == null) {
+                ownModels = new ModelCache(Path.of(""), note -> {});
+            }
+            RunInfo info = new RunInfo(0, 1, describe().withoutSweep());
+            plan = new RunPlan(info, ownModels, new ObservationPool(1), f -> {}, Pace.AS_FAST_AS_POSSIBLE, () -> false);
+        }
+        int replication = getSimulator().getReplication() instanceof ExperimentReplication<?, ?> numbered
+                ? numbered.getReplicationNr()
+                : 0;
+        RunInfo info = plan.info();
+        long runSeed = Sample.mix(Sample.mix(info.settings().run().seed(), info.run()), replication);
+        stage = new Stage(info.settings(), plan.models(), runSeed);
+        scheduleNextLook();
+    }
+
+    /** World, drones and sensors of the current run. */
+    final Stage stage() {
+        return stage;
+    }
+
+    private void scheduleNextLook() {
+        double time = stage.nextLook();
+        double absolute = getSimulator().getReplication().getStartTime() + time;
+        if (absolute <= getSimulator().getReplication().getEndTime()) {
+            getSimulator().scheduleEventAbs(absolute, SimEventInterface.NORMAL_PRIORITY, () -> look(time));
+        }
+    }
+
+    private void look(double time) {
+        if (plan.cancelled().getAsBoolean()) {
+            return;
+        }
+        plan.pace().await(time);
+        List<Drone> drones = stage.dronesAt(time);
+        List<Observation> observations = stage.look(time, drones, plan.pool());
+        double now = getSimulator().getSimulatorTime();
+        for (Observation observation : observations) {
+            fireTimedEvent(OBSERVATION, observation, now);
+        }
+        plan.frames().accept(new Frame(plan.info().run(), time, drones, observations));
+        scheduleNextLook();
+    }
+}

@@ -1,0 +1,54 @@
+package org.dronewatch.scene;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.WorldSettings;
+
+/** Collects what a scene's {@code build()} says. */
+final class SceneBuilder {
+    private WorldSettings world;
+    private double backgroundNoise = WorldSettings.QUIET;
+    private final Map<String, DroneSettings> drones = new LinkedHashMap<>();
+    private final Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
+    private RunSettings run = RunSettings.DEFAULT;
+    private Optional<SweepSettings> sweep = Optional.empty();
+
+    void addToWorld(ModelSettings model) {
+        world = world == null ? WorldSettings.of(model) : world.withModel(model);
+    }
+
+    void setBackgroundNoise(double level) {
+        backgroundNoise = level;
+    }
+
+    void addDrone(String id, DroneSettings settings) {
+        if (drones.putIfAbsent(id, settings) != null) {
+            throw new IllegalArgumentException("drone '" + id + "' is there already: every drone needs its own id");
+        }
+    }
+
+    void addSensor(String id, SensorSettings<?> settings) {
+        if (sensors.putIfAbsent(id, settings) != null) {
+            throw new IllegalArgumentException("sensor '" + id + "' is there already: every sensor needs its own id");
+        }
+    }
+
+    void setRun(RunSettings settings) {
+        run = settings;
+    }
+
+    void setSweep(SweepSettings settings) {
+        sweep = Optional.of(settings);
+    }
+
+    SceneSettings toSettings() {
+        if (world == null) {
+            throw new IllegalArgumentException("the scene has no world: its build() must call loadWorld");
+        }
+        return new SceneSettings(world.withBackgroundNoise(backgroundNoise), drones, sensors, run, sweep);
+    }
+}

@@ -1,0 +1,184 @@
+package org.dronewatch.scene;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.dronewatch.setting.InputException;
+
+/**
+ * Runs a scene on the caller's thread: once, or once for each value of its sweep. The results depend on the scene, its
+ * settings and the seed only, not on threads or pace. One use by one thread.
+ */
+public final class SceneRunner {
+    private static final double NANO = 1e-9;
+
+    private final Scene scene;
+    private final Map<String, String> overrides = new LinkedHashMap<>();
+    private final List<SceneListener> listeners = new ArrayList<>();
+    private int threads = Runtime.getRuntime().availableProcessors();
+    private Path directory = Path.of("");
+    private Pace pace = Pace.AS_FAST_AS_POSSIBLE;
+    private BooleanSupplier cancelled = () -> false;
+    private Consumer<String> notes = note -> {};
+
+    /** A runner of a scene that has a simulator of its own. */
+    public SceneRunner(Scene scene) {
+        this.scene = scene;
+    }
+
+    /** Overrides a setting; setting what the scene sweeps ends the sweep. */
+    public SceneRunner set(String path, String value) {
+        overrides.put(path, value);
+        return this;
+    }
+
+    /** Overrides the seed. */
+    public SceneRunner seed(long seed) {
+        return set("run.seed", Long.toString(seed));
+    }
+
+    /**
+     * Sets how many threads let sensors look.
+     *
+     * @throws IllegalArgumentException when below 1 or above 1024
+     */
+    public SceneRunner threads(int number) {
+        if (number < 1 || number > 1024) {
+            throw new IllegalArgumentException("threads " + number + " must be 1 to 1024");
+        }
+        this.threads = number;
+        return this;
+    }
+
+    /** Sets where relative model paths start; the working directory unless set. */
+    public SceneRunner directory(Path path) {
+        this.directory = path;
+        return this;
+    }
+
+    /** Sets the pace; as fast as possible unless set. */
+    public SceneRunner pace(Pace newPace) {
+        this.pace = newPace;
+        return this;
+    }
+
+    /** Adds a listener. */
+    public SceneRunner listener(SceneListener listener) {
+        listeners.add(listener);
+        return this;
+    }
+
+    /** Asked before each look: once it says true, the run ends with what it has. */
+    public SceneRunner cancelWhen(BooleanSupplier condition) {
+        this.cancelled = condition;
+        return this;
+    }
+
+    /** Is told in a line each what was read and what looked odd. */
+    public SceneRunner notes(Consumer<String> target) {
+        this.notes = target;
+        return this;
+    }
+
+    /**
+     * The scene's settings with all overrides, checked; nothing is loaded.
+     *
+     * @throws InputException when an override does not fit
+     */
+    public SceneSettings settings() {
+        SceneSettings settings = scene.describe();
+        for (Map.Entry<String, String> override : overrides.entrySet()) {
+            boolean sweptPath = settings.sweep()
+                    .map(sweep -> sweep.parameter().equals(override.getKey()))
+                    .orElse(false);
+            settings = new SettingsPath(override.getKey()).write(settings, override.getValue());
+            settings = sweptPath ? settings.withoutSweep() : settings;
+        }
+        settingsOfRuns(settings);
+        return settings;
+    }
+
+    /** The settings of each run; reads every value of the sweep, so that the last cannot fail after the first has run. */
+    private static List<SceneSettings> settingsOfRuns(SceneSettings settings) {
+        Optional<SweepSettings> sweep = settings.sweep();
+        if (sweep.isEmpty()) {
+            return List.of(settings);
+        }
+        SettingsPath path = new SettingsPath(sweep.get().parameter());
+        return sweep.get().values().stream().map(value -> path.write(settings, value)).toList();
+    }
+
+    /**
+     * Loads the models and creates what the scene's first run shows, without running it.
+     *
+     * @throws InputException when an override or a model is wrong
+     */
+    public Stage stage() {
+        return new Stage(settingsOfRuns(settings()).get(0), new ModelCache(directory, notes), 0L);
+    }
+
+    /**
+     * Runs the scene.
+     *
+     * @throws InputException when an override or a model is wrong
+     * @throws IllegalStateException when the scene was made for a simulator of the user's
+     */
+    public SceneResult run() {
+        if (!(scene.getSimulator() instanceof SceneSimulator simulator)) {
+            throw new IllegalStateException("this scene was made for another simulator: start that one");
+        }
+        SceneSettings settings = settings();
+        List<SceneSettings> settingsOfRuns = settingsOfRuns(settings);
+        ModelCache models = new ModelCache(directory, notes);
+        List<RunResult> results = new ArrayList<>();
+        boolean complete = true;
+        long start = System.nanoTime();
+        try (ObservationPool pool = new ObservationPool(threads)) {
+            for (int run = 0; run < settingsOfRuns.size() && complete; run++) {
+                RunInfo info = new RunInfo(run, settingsOfRuns.size(), settingsOfRuns.get(run));
+                results.add(runOnce(simulator, info, models, pool));
+                complete = !cancelled.getAsBoolean();
+            }
+        } finally {
+            scene.prepare(null);
+        }
+        double all = NANO * (System.nanoTime() - start);
+        double wall = all - models.loadSeconds() - models.buildSeconds();
+        Timing timing = new Timing(models.loadSeconds(), models.buildSeconds(), wall);
+        return new SceneResult(scene.name(), settings.run().seed(), threads, complete, results, timing);
+    }
+
+    private RunResult runOnce(SceneSimulator simulator, RunInfo info, ModelCache models, ObservationPool pool) {
+        DetectionLog log = new DetectionLog(
+                info.run(),
+                info.settings(),
+                event -> listeners.forEach(listener -> listener.detectionChanged(event)));
+        LastTime last = new LastTime();
+        scene.prepare(new RunPlan(
+                info,
+                models,
+                pool,
+                frame -> {
+                    last.time = frame.time();
+                    frame.observations().forEach(log::add);
+                    listeners.forEach(listener -> listener.observed(frame));
+                },
+                pace,
+                cancelled));
+        listeners.forEach(listener -> listener.runStarted(info));
+        double duration = info.settings().run().duration();
+        simulator.run(scene, new SceneReplication(scene.name(), duration));
+        double simulated = cancelled.getAsBoolean() ? last.time : duration;
+        return new RunResult(info.run(), info.settings(), simulated, log.events(), log.pairs());
+    }
+
+    /** When the last frame was. */
+    private static final class LastTime {
+        private double time;
+    }
+}

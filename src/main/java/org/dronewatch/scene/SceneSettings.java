@@ -1,0 +1,51 @@
+package org.dronewatch.scene;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Check;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.WorldSettings;
+
+/**
+ * All that a scene is: one tree of records. Java scenes, overrides and sweeps write it; only then are meshes loaded and
+ * sensors created from it. The order of drones and sensors is kept.
+ *
+ * @param world the site
+ * @param drones drones by id
+ * @param sensors sensors by id
+ * @param run duration and seed
+ * @param sweep a setting that changes from run to run, or empty for a single run
+ */
+public record SceneSettings(
+        WorldSettings world,
+        Map<String, DroneSettings> drones,
+        Map<String, SensorSettings<?>> sensors,
+        RunSettings run,
+        Optional<SweepSettings> sweep) {
+
+    /** Checks ids and keeps its own maps. */
+    public SceneSettings {
+        Check.present("world", world);
+        Check.present("run", run);
+        Check.present("sweep", sweep);
+        drones = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("drones", drones)));
+        sensors = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("sensors", sensors)));
+        drones.keySet().forEach(SceneSettings::checkId);
+        sensors.keySet().forEach(SceneSettings::checkId);
+    }
+
+    private static void checkId(String id) {
+        if (!id.matches("[A-Za-z0-9_-]{1,64}")) {
+            throw new IllegalArgumentException(
+                    "id '" + id + "' must be 1 to 64 letters, digits, '-' or '_': it is part of settings' paths");
+        }
+    }
+
+    /** These settings without a sweep. */
+    public SceneSettings withoutSweep() {
+        return new SceneSettings(world, drones, sensors, run, Optional.empty());
+    }
+}

@@ -1,0 +1,91 @@
+package org.dronewatch.scene;
+
+import nl.tudelft.simulation.dsol.SimRuntimeException;
+import nl.tudelft.simulation.dsol.experiment.Replication;
+import nl.tudelft.simulation.dsol.simulators.DevsSimulator;
+import nl.tudelft.simulation.dsol.simulators.ReplicationState;
+import nl.tudelft.simulation.dsol.simulators.RunState;
+import nl.tudelft.simulation.dsol.simulators.SimulatorInterface;
+
+/**
+ * A DSOL simulator that runs on the caller's thread and lets what an event throws surface there. DSOL's own start() runs
+ * on a worker thread and only logs failures.
+ */
+final class SceneSimulator extends DevsSimulator<Double> {
+    private static final long serialVersionUID = 1L;
+    private static final Object CONSTRUCTION = new Object();
+
+    private transient Thread caller;
+    private transient RuntimeException failure;
+
+    private SceneSimulator(String id) {
+        super(id);
+    }
+
+    /** A simulator; DSOL's constructor touches static state, so they are made one at a time. */
+    static SceneSimulator create(String id) {
+        synchronized (CONSTRUCTION) {
+            return new SceneSimulator(id);
+        }
+    }
+
+    /** Runs a scene's replication from start to end on this thread, and leaves no thread behind. */
+    void run(Scene scene, SceneReplication replication) {
+        caller = Thread.currentThread();
+        failure = null;
+        try {
+            synchronized (CONSTRUCTION) {
+                initialize(scene, replication);
+            }
+            runToEnd();
+        } finally {
+            cleanUp();
+            caller = null;
+        }
+    }
+
+    private void runToEnd() {
+        runUntilTime = getReplication().getEndTime();
+        runUntilIncluding = true;
+        fireTimedEvent(Replication.START_REPLICATION_EVENT, null, getSimulatorTime());
+        replicationState = ReplicationState.STARTED;
+        runState = RunState.STARTED;
+        fireTimedEvent(SimulatorInterface.START_EVENT, null, getSimulatorTime());
+        run();
+        runState = RunState.STOPPED;
+        fireTimedEvent(SimulatorInterface.STOP_EVENT, null, getSimulatorTime());
+        if (failure != null) {
+            throw failure;
+        }
+        replicationState = ReplicationState.ENDED;
+        runState = RunState.ENDED;
+        fireTimedEvent(Replication.END_REPLICATION_EVENT, null, getSimulatorTime());
+    }
+
+    /** Ends the run without waking the worker thread, which would be interrupted. */
+    @Override
+    public void endReplication() {
+        if (Thread.currentThread() == caller) {
+            replicationState = ReplicationState.ENDING;
+            runState = RunState.STOPPING;
+            eventList.clear();
+        } else {
+            super.endReplication();
+        }
+    }
+
+    /** Keeps the exception for the caller. */
+    @Override
+    protected void handleSimulationException(Exception exception) {
+        if (Thread.currentThread() != caller) {
+            super.handleSimulationException(exception);
+            return;
+        }
+        Throwable cause = exception;
+        while (cause instanceof SimRuntimeException && cause.getCause() != null) {
+            cause = cause.getCause();
+        }
+        failure = cause instanceof RuntimeException known ? known : new IllegalStateException(cause);
+        runState = RunState.STOPPING;
+    }
+}

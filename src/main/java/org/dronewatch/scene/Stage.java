@@ -1,0 +1,79 @@
+package org.dronewatch.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.FlightPath;
+import org.dronewatch.world.World;
+
+/** A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. */
+public final class Stage {
+    private final World world;
+    private final List<Flier> fliers = new ArrayList<>();
+    private final List<Looker> lookers = new ArrayList<>();
+    private final long runSeed;
+
+    Stage(SceneSettings settings, ModelCache models, long runSeed) {
+        this.world = new World(models.tree(settings.world().models()), settings.world().backgroundNoise());
+        this.runSeed = runSeed;
+        settings.drones().forEach((id, drone) -> {
+            Drone created = drone.create(id, models.tree(List.of(drone.model())));
+            fliers.add(new Flier(created, drone.createFlight()));
+        });
+        settings.sensors().forEach((id, sensor) -> lookers.add(new Looker(id, lookers.size(), sensor)));
+    }
+
+    /** The world. */
+    public World world() {
+        return world;
+    }
+
+    /** The drones at a time, seconds since the start of the run. */
+    public List<Drone> dronesAt(double time) {
+        return fliers.stream().map(flier -> flier.drone.at(flier.path.at(time))).toList();
+    }
+
+    /** The earliest time at which a sensor looks next; infinity when there is no sensor. */
+    double nextLook() {
+        return lookers.stream().mapToDouble(Looker::nextTime).min().orElse(Double.POSITIVE_INFINITY);
+    }
+
+    /** Lets every sensor that is due at a time look. */
+    List<Observation> look(double time, List<Drone> drones, ObservationPool pool) {
+        List<Callable<List<Observation>>> looks = new ArrayList<>();
+        for (Looker looker : lookers) {
+            if (looker.nextTime() == time) {
+                Sample sample = Sample.of(runSeed, looker.number, looker.id, looker.nextIndex++, time);
+                looks.add(() -> looker.sensor.observe(world, drones, sample));
+            }
+        }
+        return pool.all(looks).stream().flatMap(List::stream).toList();
+    }
+
+    private record Flier(Drone drone, FlightPath path) {}
+
+    private static final class Looker {
+        private final String id;
+        private final int number;
+        private final Sensor sensor;
+        private final double rate;
+        private long nextIndex;
+
+        Looker(String id, int number, SensorSettings<?> settings) {
+            this.id = id;
+            this.number = number;
+            this.sensor = settings.create();
+            this.rate = settings.rate();
+        }
+
+        /** From the index, not from the last time: adding up intervals drifts. */
+        double nextTime() {
+            return nextIndex / rate;
+        }
+    }
+}
