@@ -21,8 +21,8 @@ public record AABB(double minX, double minY, double minZ, double maxX, double ma
      */
     public AABB {
         if (!(minX <= maxX && minY <= maxY && minZ <= maxZ)) {
-            throw new IllegalArgumentException("box [" + minX + ", " + minY + ", " + minZ + "] to [" + maxX + ", " + maxY
-                    + ", " + maxZ + "] must have each minimum at or below its maximum");
+            throw new IllegalArgumentException("box [" + minX + ", " + minY + ", " + minZ + "] to [" + maxX + ", "
+                    + maxY + ", " + maxZ + "] must have each minimum at or below its maximum");
         }
     }
 
@@ -54,8 +54,8 @@ public record AABB(double minX, double minY, double minZ, double maxX, double ma
     public Point3d[] corners() {
         Point3d[] corners = new Point3d[8];
         for (int i = 0; i < corners.length; i++) {
-            corners[i] = new Point3d(
-                    (i & 1) == 0 ? minX : maxX, (i & 2) == 0 ? minY : maxY, (i & 4) == 0 ? minZ : maxZ);
+            corners[i] =
+                    new Point3d((i & 1) == 0 ? minX : maxX, (i & 2) == 0 ? minY : maxY, (i & 4) == 0 ? minZ : maxZ);
         }
         return corners;
     }

@@ -47,9 +47,7 @@ public final class IntersectionHandler {
         }
 
         double t = scale * edgeC.dot(q);
-        return t >= ray.tMin() && t <= ray.tMax()
-                ? Optional.of(new Hit(t, triangle.id(), u, v))
-                : Optional.empty();
+        return t >= ray.tMin() && t <= ray.tMax() ? Optional.of(new Hit(t, triangle.id(), u, v)) : Optional.empty();
     }
 
     /**

@@ -30,8 +30,8 @@ public final class TriangleMesh {
     public TriangleMesh(
             float[] vertices, int[] corners, int[] materials, int[] sourceNumbers, List<String> materialNames) {
         if (vertices.length % 3 != 0 || corners.length % 3 != 0) {
-            throw new IllegalArgumentException("mesh arrays of " + vertices.length + " coordinates and " + corners.length
-                    + " corners must come in threes");
+            throw new IllegalArgumentException("mesh arrays of " + vertices.length + " coordinates and "
+                    + corners.length + " corners must come in threes");
         }
         int triangles = corners.length / 3;
         if (materials.length != triangles || sourceNumbers.length != triangles) {
@@ -119,7 +119,8 @@ public final class TriangleMesh {
     }
 
     private Position position(int triangle, int corner) {
-        return new Position(coordinate(triangle, corner, 0), coordinate(triangle, corner, 1), coordinate(triangle, corner, 2));
+        return new Position(
+                coordinate(triangle, corner, 0), coordinate(triangle, corner, 1), coordinate(triangle, corner, 2));
     }
 
     /** The material number of a triangle, an index into {@link #materialNames()}. */

@@ -23,11 +23,9 @@ final class DetectionLog {
     DetectionLog(int run, SceneSettings settings, Consumer<DetectionEvent> target) {
         this.run = run;
         this.target = target;
-        settings.sensors()
-                .forEach((sensor, sensorSettings) -> settings.drones()
-                        .keySet()
-                        .forEach(drone ->
-                                pairs.put(List.of(sensor, drone), new Pair(sensor, sensorSettings.kind(), drone))));
+        settings.sensors().forEach((sensor, sensorSettings) -> settings.drones()
+                .keySet()
+                .forEach(drone -> pairs.put(List.of(sensor, drone), new Pair(sensor, sensorSettings.kind(), drone))));
     }
 
     void add(Observation observation) {

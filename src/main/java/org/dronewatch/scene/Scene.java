@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import nl.tudelft.simulation.dsol.experiment.ExperimentReplication;
 import nl.tudelft.simulation.dsol.formalisms.eventscheduling.SimEventInterface;
 import nl.tudelft.simulation.dsol.model.AbstractDsolModel;
@@ -58,7 +59,21 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
 
     /** The scene's name in results: the class's name in small letters with dashes, {@code CameraRange} camera-range. */
     public String name() {
-        return getClass().getSimpleName().replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-").toLowerCase(Locale.ROOT);
+        return getClass()
+                .getSimpleName()
+                .replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-")
+                .toLowerCase(Locale.ROOT);
+    }
+
+    /**
+     * The range at which a simple law expects a sensor to detect first, m: drawn beside the results of a sweep. None
+     * unless a scene knows one.
+     *
+     * @param settings settings of one run
+     * @param sensor name of the sensor
+     */
+    public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
+        return OptionalDouble.empty();
     }
 
     /** Names a model file: y up, metres, unless changed by the settings' {@code with...} methods. */

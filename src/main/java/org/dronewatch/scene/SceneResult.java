@@ -14,8 +14,7 @@ import java.util.OptionalDouble;
  * @param runs the runs: one, or one for each value of a sweep
  * @param timing where the time went
  */
-public record SceneResult(
-        String scene, long seed, int threads, boolean complete, List<RunResult> runs, Timing timing) {
+public record SceneResult(String scene, long seed, int threads, boolean complete, List<RunResult> runs, Timing timing) {
     /** Keeps its own list. */
     public SceneResult {
         runs = List.copyOf(runs);

@@ -91,7 +91,7 @@ public final class SceneRunner {
      * @throws InputException when an override does not fit
      */
     public SceneSettings settings() {
-        SceneSettings settings = scene.describe();
+        SceneSettings settings = described();
         for (Map.Entry<String, String> override : overrides.entrySet()) {
             boolean sweptPath = settings.sweep()
                     .map(sweep -> sweep.parameter().equals(override.getKey()))
@@ -103,6 +103,19 @@ public final class SceneRunner {
         return settings;
     }
 
+    private SceneSettings described() {
+        try {
+            return scene.describe();
+        } catch (IllegalArgumentException e) {
+            throw new InputException("scene " + scene.name() + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** The settings of each run, in order, with all overrides and the sweep's values. */
+    public List<SceneSettings> settingsOfRuns() {
+        return settingsOfRuns(settings());
+    }
+
     /** The settings of each run; reads every value of the sweep, so that the last cannot fail after the first has run. */
     private static List<SceneSettings> settingsOfRuns(SceneSettings settings) {
         Optional<SweepSettings> sweep = settings.sweep();
@@ -110,16 +123,19 @@ public final class SceneRunner {
             return List.of(settings);
         }
         SettingsPath path = new SettingsPath(sweep.get().parameter());
-        return sweep.get().values().stream().map(value -> path.write(settings, value)).toList();
+        return sweep.get().values().stream()
+                .map(value -> path.write(settings, value))
+                .toList();
     }
 
     /**
-     * Loads the models and creates what the scene's first run shows, without running it.
+     * Loads the models and creates what one of the scene's runs shows, without running it.
      *
-     * @throws InputException when an override or a model is wrong
+     * @param settings one of {@link #settingsOfRuns()}
+     * @throws InputException when a model is wrong
      */
-    public Stage stage() {
-        return new Stage(settingsOfRuns(settings()).get(0), new ModelCache(directory, notes), 0L);
+    public Stage stage(SceneSettings settings) {
+        return new Stage(settings, new ModelCache(directory, notes), 0L);
     }
 
     /**
@@ -155,9 +171,7 @@ public final class SceneRunner {
 
     private RunResult runOnce(SceneSimulator simulator, RunInfo info, ModelCache models, ObservationPool pool) {
         DetectionLog log = new DetectionLog(
-                info.run(),
-                info.settings(),
-                event -> listeners.forEach(listener -> listener.detectionChanged(event)));
+                info.run(), info.settings(), event -> listeners.forEach(listener -> listener.detectionChanged(event)));
         LastTime last = new LastTime();
         scene.prepare(new RunPlan(
                 info,

@@ -69,8 +69,8 @@ final class SettingValue {
         return constants.stream()
                 .filter(constant -> constant.toString().equals(wanted))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("'" + text + "' is none of "
-                        + constants.toString().toLowerCase(Locale.ROOT)));
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "'" + text + "' is none of " + constants.toString().toLowerCase(Locale.ROOT)));
     }
 
     private static Position position(String text) {

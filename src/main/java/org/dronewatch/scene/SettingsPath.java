@@ -9,7 +9,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
 
 /**
  * The way to one setting through a tree of records, such as {@code sensors.camera.fov} or {@code world.models.0.scale}:
@@ -51,6 +53,18 @@ public final class SettingsPath {
         return here;
     }
 
+    /** The quantity of the setting at this path: what it is measured in; a plain number if nothing is said. */
+    public Quantity quantity(Object tree) {
+        Object here = tree;
+        for (int depth = 0; depth < names.size() - 1; depth++) {
+            here = child(here, depth);
+        }
+        In annotation = here instanceof Record settings
+                ? component(settings, names.size() - 1).getAnnotation(In.class)
+                : null;
+        return annotation == null ? Quantity.NUMBER : annotation.value();
+    }
+
     private Object replaced(Object here, int depth, String text) {
         Object unwrapped = here instanceof Optional<?> optional ? optional.orElse(null) : here;
         if (unwrapped instanceof Record settings) {
@@ -75,9 +89,7 @@ public final class SettingsPath {
         for (int i = 0; i < components.length; i++) {
             values[i] = valueOf(settings, components[i]);
             if (components[i].equals(target)) {
-                values[i] = depth == names.size() - 1
-                        ? parsed(target, text)
-                        : replaced(values[i], depth + 1, text);
+                values[i] = depth == names.size() - 1 ? parsed(target, text) : replaced(values[i], depth + 1, text);
             }
         }
         return construct(settings.getClass(), components, values, text);
@@ -92,7 +104,8 @@ public final class SettingsPath {
     }
 
     private Record construct(Class<?> type, RecordComponent[] components, Object[] values, String text) {
-        Class<?>[] types = Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new);
+        Class<?>[] types =
+                Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new);
         try {
             Constructor<?> constructor = type.getDeclaredConstructor(types);
             constructor.setAccessible(true);
@@ -112,7 +125,14 @@ public final class SettingsPath {
         }
         if (unwrapped instanceof Map<?, ?> map) {
             if (!map.containsKey(name)) {
-                throw unknown(depth, "has: " + String.join(", ", map.keySet().stream().map(String::valueOf).toList()));
+                throw unknown(
+                        depth,
+                        "has: "
+                                + String.join(
+                                        ", ",
+                                        map.keySet().stream()
+                                                .map(String::valueOf)
+                                                .toList()));
             }
             return map.get(name);
         }
@@ -132,7 +152,12 @@ public final class SettingsPath {
                 .findFirst()
                 .orElseThrow(() -> unknown(
                         depth,
-                        "has: " + String.join(", ", Arrays.stream(components).map(RecordComponent::getName).toList())));
+                        "has: "
+                                + String.join(
+                                        ", ",
+                                        Arrays.stream(components)
+                                                .map(RecordComponent::getName)
+                                                .toList())));
     }
 
     private InputException unknown(int depth, String what) {

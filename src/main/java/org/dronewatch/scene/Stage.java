@@ -19,7 +19,8 @@ public final class Stage {
     private final long runSeed;
 
     Stage(SceneSettings settings, ModelCache models, long runSeed) {
-        this.world = new World(models.tree(settings.world().models()), settings.world().backgroundNoise());
+        this.world = new World(
+                models.tree(settings.world().models()), settings.world().backgroundNoise());
         this.runSeed = runSeed;
         settings.drones().forEach((id, drone) -> {
             Drone created = drone.create(id, models.tree(List.of(drone.model())));

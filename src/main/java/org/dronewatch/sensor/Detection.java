@@ -14,8 +14,8 @@ public record Detection(Observation observation) {
      */
     public Detection {
         if (!observation.isDetected()) {
-            throw new IllegalArgumentException("value " + observation.value() + " " + observation.unit() + " of sensor '"
-                    + observation.sensor() + "' is below the threshold " + observation.threshold());
+            throw new IllegalArgumentException("value " + observation.value() + " " + observation.unit()
+                    + " of sensor '" + observation.sensor() + "' is below the threshold " + observation.threshold());
         }
     }
 

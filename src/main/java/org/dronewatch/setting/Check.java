@@ -50,7 +50,8 @@ public final class Check {
     /** A count between two limits or on one of them. */
     public static int between(String name, int value, int low, int high, Quantity quantity) {
         if (value < low || value > high) {
-            throw new IllegalArgumentException(named(name, Integer.toString(value), quantity) + " must be " + low + " to " + high);
+            throw new IllegalArgumentException(
+                    named(name, Integer.toString(value), quantity) + " must be " + low + " to " + high);
         }
         return value;
     }

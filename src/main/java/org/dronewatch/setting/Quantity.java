@@ -81,7 +81,9 @@ public enum Quantity {
     }
 
     private String orWithUnit() {
-        return unit.isEmpty() ? " without a unit" : " in " + unit + " or another unit of " + name().toLowerCase(Locale.ROOT);
+        return unit.isEmpty()
+                ? " without a unit"
+                : " in " + unit + " or another unit of " + name().toLowerCase(Locale.ROOT);
     }
 
     private static double unitOfItself(String text) {

@@ -51,8 +51,7 @@ public record DroneSettings(
 
     /** These settings with another mesh. */
     public DroneSettings withModel(ModelSettings other) {
-        return new DroneSettings(
-                other, flight, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel);
+        return new DroneSettings(other, flight, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel);
     }
 
     /** These settings with another way to fly. */

@@ -85,8 +85,7 @@ public sealed interface FlightPathSettings {
                 throw new IllegalArgumentException("points has " + points.size() + " waypoints, needs 2 or more");
             }
             for (int i = 1; i < points.size(); i++) {
-                Check.positive(
-                        "distance to waypoint " + i, points.get(i).distance(points.get(i - 1)), Quantity.LENGTH);
+                Check.positive("distance to waypoint " + i, points.get(i).distance(points.get(i - 1)), Quantity.LENGTH);
             }
         }
 

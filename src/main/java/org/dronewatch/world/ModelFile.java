@@ -46,7 +46,8 @@ final class ModelFile {
             throw new InputException("model file '" + file + "' is not a path: " + e.getReason(), e);
         }
         if (!Files.isRegularFile(path)) {
-            throw new InputException("model file " + path + " does not exist" + (Files.exists(path) ? " as a file" : ""));
+            throw new InputException(
+                    "model file " + path + " does not exist" + (Files.exists(path) ? " as a file" : ""));
         }
         return onDisk(path);
     }

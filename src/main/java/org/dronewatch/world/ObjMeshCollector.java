@@ -102,8 +102,8 @@ final class ObjMeshCollector implements WritableObj {
     void finish() {
         for (int i = 0; i < corners.size(); i++) {
             if (corners.get(i) >= vertexCount()) {
-                throw new InputException(file + ":" + lineOfTriangle.get(i / 3) + ": vertex index " + (corners.get(i) + 1)
-                        + " is beyond the last of " + vertexCount() + " vertices");
+                throw new InputException(file + ":" + lineOfTriangle.get(i / 3) + ": vertex index "
+                        + (corners.get(i) + 1) + " is beyond the last of " + vertexCount() + " vertices");
             }
         }
         if (corners.size() == 0) {
@@ -130,7 +130,11 @@ final class ObjMeshCollector implements WritableObj {
             throw new InputException(name + ": none of its " + materials.size() + " triangles has an area: not a mesh");
         }
         return new TriangleMesh(
-                vertices.toArray(), keptCorners.toArray(), keptMaterials.toArray(), sourceNumbers.toArray(), materialNames());
+                vertices.toArray(),
+                keptCorners.toArray(),
+                keptMaterials.toArray(),
+                sourceNumbers.toArray(),
+                materialNames());
     }
 
     private boolean hasArea(int triangle) {

@@ -57,8 +57,7 @@ public final class World {
                 materials.add(names.indexOf(name));
             }
         }
-        return new TriangleMesh(
-                vertices.toArray(), corners.toArray(), materials.toArray(), numbers.toArray(), names);
+        return new TriangleMesh(vertices.toArray(), corners.toArray(), materials.toArray(), numbers.toArray(), names);
     }
 
     private static void append(TriangleMesh mesh, Floats vertices, Ints corners, Ints numbers) {

@@ -3,11 +3,11 @@ package org.dronewatch.sensor.camera;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.Ray;
-import org.joml.Matrix4d;
-import org.joml.Vector4d;
 import org.jogamp.vecmath.Point2d;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
+import org.joml.Matrix4d;
+import org.joml.Vector4d;
 
 /**
  * Pose and projection of a camera. Its own frame has x to the right, y up, and looks along -z; pixel (0, 0) is the top
@@ -58,8 +58,7 @@ public final class CameraObject {
                         top.y,
                         top.z);
         double fovY = 2.0 * Math.atan(0.5 * height / focalLength);
-        this.projection =
-                new Matrix4d().perspective(fovY, (double) width / height, NEAR, Double.POSITIVE_INFINITY);
+        this.projection = new Matrix4d().perspective(fovY, (double) width / height, NEAR, Double.POSITIVE_INFINITY);
     }
 
     /** The matrix from the world to the camera's frame. */
@@ -75,10 +74,8 @@ public final class CameraObject {
     /** The matrix from a model's space to clip space: projection times view times model. */
     public Matrix4d modelViewProjection(org.jogamp.vecmath.Matrix4d model) {
         Matrix4d m = new Matrix4d(
-                model.m00, model.m10, model.m20, model.m30,
-                model.m01, model.m11, model.m21, model.m31,
-                model.m02, model.m12, model.m22, model.m32,
-                model.m03, model.m13, model.m23, model.m33);
+                model.m00, model.m10, model.m20, model.m30, model.m01, model.m11, model.m21, model.m31, model.m02,
+                model.m12, model.m22, model.m32, model.m03, model.m13, model.m23, model.m33);
         return projection().mul(view).mul(m);
     }
 

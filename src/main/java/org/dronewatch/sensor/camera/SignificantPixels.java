@@ -2,9 +2,9 @@ package org.dronewatch.sensor.camera;
 
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.world.Drone;
+import org.jogamp.vecmath.Point3d;
 import org.joml.Matrix4d;
 import org.joml.Vector4d;
-import org.jogamp.vecmath.Point3d;
 
 /**
  * The pixels that can show a drone: those inside the projection of its bounding box. Corners behind the camera would flip

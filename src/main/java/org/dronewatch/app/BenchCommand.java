@@ -1,0 +1,162 @@
+package org.dronewatch.app;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import me.tongfei.progressbar.ProgressBar;
+import org.dronewatch.bench.KernelBench;
+import org.dronewatch.bench.Measurement;
+import org.dronewatch.bench.RayFile;
+import org.dronewatch.bench.RayGenerator;
+import org.dronewatch.bench.RaySet;
+import org.dronewatch.bench.TraversalKind;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.world.LoadedModel;
+import org.dronewatch.world.ObjLoader;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
+
+/** Measures the ray kernel. */
+@Command(
+        name = "bench",
+        mixinStandardHelpOptions = true,
+        description = "Measures how fast rays are traced through a model; a JSON line for each set of rays.",
+        footer = {"", "Example: dronewatch bench models/hill.obj --passes 9"})
+final class BenchCommand implements Callable<Integer> {
+    private static final JsonMapper MAPPER = JsonMapper.builder().build();
+
+    @Parameters(index = "0", paramLabel = "MODEL.obj", description = "Model, in its own coordinates.")
+    private String model;
+
+    @Option(
+            names = "--rays",
+            paramLabel = "FILE",
+            description = "Rays: int32 count, then six float32 each (origin, unit direction), little endian."
+                    + " Without it, camera rays and diffuse-bounce rays are made from the seed.")
+    private Path rays;
+
+    @Option(names = "--width", paramLabel = "W", description = "The rays are a picture of that width, row by row.")
+    private Integer width;
+
+    @Option(
+            names = "--passes",
+            defaultValue = "5",
+            paramLabel = "N",
+            description = "Passes that count; 5 unless given.")
+    private int passes;
+
+    @Option(names = "--threads", defaultValue = "1", paramLabel = "N", description = "Threads; 1 unless given.")
+    private int threads;
+
+    @Option(
+            names = "--traversal",
+            defaultValue = "stack",
+            paramLabel = "NAME",
+            description = "stack or sequential; stack unless given.")
+    private TraversalKind traversal;
+
+    @Option(
+            names = "--hits",
+            paramLabel = "FILE",
+            description = "Writes float32 distance and int32 triangle of each ray.")
+    private Path hits;
+
+    @Option(
+            names = "--seed",
+            defaultValue = "1",
+            paramLabel = "N",
+            description = "Seed of rays that are made; 1 unless given.")
+    private long seed;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        check();
+        RaySet given = rays == null ? null : readRays();
+        LoadedModel loaded = new ObjLoader(Path.of("")).loadAsWritten(model);
+        spec.commandLine().getErr().println("read " + loaded.describe());
+        KernelBench bench = new KernelBench(loaded.mesh(), traversal, threads);
+        spec.commandLine().getErr().println(bench.tree().stats());
+        List<RaySet> sets = given == null ? madeRays(bench) : List.of(given);
+        for (RaySet set : sets) {
+            measure(bench, set);
+        }
+        if (hits != null) {
+            RayFile.writeHits(hits, bench.distances(), bench.sourceTriangles());
+        }
+        return 0;
+    }
+
+    private void check() {
+        require(passes >= 1 && passes <= 1000, "--passes " + passes + ": must be 1 to 1000");
+        require(threads >= 1 && threads <= 1024, "--threads " + threads + ": must be 1 to 1024");
+        require(hits == null || rays != null, "--hits needs --rays: hits belong to the rays of a file");
+        require(width == null || rays != null, "--width needs --rays: it says how the rays of a file lie in a picture");
+        require(width == null || width >= 1, "--width " + width + ": must be 1 or more");
+    }
+
+    private static void require(boolean holds, String otherwise) {
+        if (!holds) {
+            throw new InputException(otherwise);
+        }
+    }
+
+    private RaySet readRays() {
+        RaySet set = new RaySet("file", RayFile.read(rays), width == null ? 0 : width);
+        require(
+                set.width() == 0 || set.count() % set.width() == 0,
+                "--width " + width + ": does not divide the " + set.count() + " rays of " + rays + " into whole rows");
+        return set;
+    }
+
+    private List<RaySet> madeRays(KernelBench bench) {
+        RayGenerator generator = new RayGenerator(bench.tree(), seed);
+        List<RaySet> sets = new ArrayList<>();
+        sets.add(generator.camera());
+        RaySet diffuse = generator.diffuse(sets.get(0));
+        if (diffuse.count() > 0) {
+            sets.add(diffuse);
+        } else {
+            spec.commandLine().getErr().println("no diffuse rays: the camera sees nothing of this model");
+        }
+        return sets;
+    }
+
+    private void measure(KernelBench bench, RaySet set) {
+        Measurement measured;
+        try (ProgressBar bar = Progress.barOf(set.name(), KernelBench.allPasses(passes))) {
+            measured = bench.measure(set, passes, name -> {
+                if (bar != null) {
+                    bar.step();
+                }
+            });
+        }
+        ObjectNode line = MAPPER.createObjectNode();
+        line.put("set", measured.set());
+        line.put("rays", measured.rays());
+        line.put("hits", measured.hits());
+        line.put("mrays", rounded(measured.median()));
+        line.put("mrays_min", rounded(measured.slowest()));
+        line.put("mrays_max", rounded(measured.fastest()));
+        line.put("build_s", rounded(bench.buildSeconds()));
+        line.put("traversal", traversal.name().toLowerCase(Locale.ROOT));
+        line.put("threads", threads);
+        if (rays == null) {
+            line.put("seed", seed);
+        }
+        spec.commandLine().getOut().println(MAPPER.writeValueAsString(line));
+    }
+
+    private static double rounded(double value) {
+        return Math.rint(value * 1e4) / 1e4;
+    }
+}

@@ -1,0 +1,85 @@
+package org.dronewatch.app;
+
+import java.io.PrintWriter;
+import org.dronewatch.setting.InputException;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The entry point of the command line. */
+@Command(
+        name = "dronewatch",
+        version = "dronewatch 0.1.0",
+        mixinStandardHelpOptions = true,
+        description = "Simulates how a set of sensors sees drones in a site's own 3D model.",
+        subcommands = {
+            ListCommand.class,
+            RunCommand.class,
+            CheckCommand.class,
+            RenderCommand.class,
+            BenchCommand.class,
+            ModelsCommand.class
+        },
+        footer = {"", "Example: dronewatch run camera-range --out results"})
+public final class Main implements Runnable {
+    /** Exit code of wrong usage and bad input. */
+    static final int BAD_INPUT = 2;
+    /** Exit code of anything else that went wrong. */
+    static final int FAILED = 1;
+
+    @Spec
+    private CommandSpec spec;
+
+    /** Runs a command and ends the process with its exit code unless that is 0. */
+    public static void main(String[] arguments) {
+        int code = execute(new PrintWriter(System.out, true), new PrintWriter(System.err, true), arguments);
+        if (code != 0) {
+            System.exit(code);
+        }
+    }
+
+    /**
+     * Runs a command.
+     *
+     * @param out where results go
+     * @param err where messages go
+     * @return 0 done, 2 wrong usage or bad input, 3 no display, 1 anything else
+     */
+    public static int execute(PrintWriter out, PrintWriter err, String... arguments) {
+        Logging.silence();
+        CommandLine commands = new CommandLine(new Main());
+        commands.setOut(out);
+        commands.setErr(err);
+        commands.setCaseInsensitiveEnumValuesAllowed(true);
+        commands.setParameterExceptionHandler((problem, given) -> {
+            err.println(oneLine(problem) + " (see '"
+                    + problem.getCommandLine().getCommandSpec().qualifiedName() + " --help')");
+            return BAD_INPUT;
+        });
+        commands.setExecutionExceptionHandler((problem, command, given) -> {
+            err.println(oneLine(problem));
+            return problem instanceof InputException ? BAD_INPUT : FAILED;
+        });
+        return commands.execute(arguments);
+    }
+
+    private static String oneLine(Exception problem) {
+        if (problem instanceof InputException || problem instanceof ParameterException) {
+            return problem.getMessage().replaceAll("\\p{Cntrl}+", " ");
+        }
+        StackTraceElement[] trace = problem.getStackTrace();
+        String place = trace.length == 0 ? "" : " at " + trace[0];
+        return "internal error: " + problem.toString().replaceAll("\\p{Cntrl}+", " ") + place;
+    }
+
+    /** Without a subcommand: says what there is. */
+    @Override
+    public void run() {
+        throw new ParameterException(
+                spec.commandLine(),
+                "Missing command: one of "
+                        + String.join(", ", spec.subcommands().keySet()));
+    }
+}

@@ -1,0 +1,136 @@
+package org.dronewatch.app;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.concurrent.Callable;
+import org.dronewatch.report.RunReport;
+import org.dronewatch.scene.Pace;
+import org.dronewatch.scene.PairResult;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scene.SettingsPath;
+import org.dronewatch.scene.SweepSettings;
+import org.dronewatch.setting.InputException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Runs a scene and writes its results. */
+@Command(
+        name = "run",
+        mixinStandardHelpOptions = true,
+        description = "Runs a scene; prints who was detected where, and writes tables, a summary and plots.",
+        footer = {
+            "",
+            "Example: dronewatch run camera-range --set drones.quadrotor.speed='36 km/h' --out results",
+        })
+final class RunCommand implements Callable<Integer> {
+    @Mixin
+    private SceneChoice choice;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Directory for results; target/runs/SCENE unless given.")
+    private String out;
+
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
+    private Long seed;
+
+    @Option(names = "--threads", paramLabel = "N", description = "Threads to use, 1 to 1024; all cores unless given.")
+    private Integer threads;
+
+    @Option(
+            names = "--real-time",
+            paramLabel = "FACTOR",
+            description = "Runs so many times as fast as real time instead of as fast as possible.")
+    private Double realTime;
+
+    @Option(names = "--observations", description = "Writes every single observation to observations.csv.")
+    private boolean observations;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        Scene scene = choice.create();
+        SceneRunner runner = choice.runner(scene);
+        PrintWriter err = spec.commandLine().getErr();
+        runner.notes(err::println);
+        configure(runner);
+        runner.settings();
+        Path directory = directory(scene);
+        try (RunReport report = new RunReport(scene, directory, observations);
+                Progress progress = new Progress(scene.name());
+                Interruption interruption = new Interruption()) {
+            SceneResult result = runner.listener(report)
+                    .listener(progress)
+                    .cancelWhen(interruption::happened)
+                    .run();
+            report.finish(result);
+            progress.finish();
+            print(result, spec.commandLine().getOut());
+            err.println("results in " + directory);
+        }
+        return 0;
+    }
+
+    private void configure(SceneRunner runner) {
+        try {
+            if (seed != null) {
+                runner.seed(seed);
+            }
+            if (threads != null) {
+                runner.threads(threads);
+            }
+            if (realTime != null) {
+                runner.pace(Pace.realTime(realTime));
+            }
+        } catch (IllegalArgumentException e) {
+            throw new InputException(e.getMessage(), e);
+        }
+    }
+
+    private Path directory(Scene scene) {
+        try {
+            return out == null ? Path.of("target", "runs", scene.name()) : Path.of(out);
+        } catch (InvalidPathException e) {
+            throw new InputException("--out " + out + ": not a path: " + e.getReason(), e);
+        }
+    }
+
+    private static void print(SceneResult result, PrintWriter target) {
+        target.printf(
+                "%-4s %-34s %-16s %-16s %14s %10s%n", "run", "with", "sensor", "drone", "first seen [s]", "range [m]");
+        for (PairResult pair : result.pairs()) {
+            String with = result.runs()
+                    .get(pair.run())
+                    .settings()
+                    .sweep()
+                    .map(sweep -> describe(result, pair.run(), sweep))
+                    .orElse("");
+            target.printf(
+                    "%-4d %-34s %-16s %-16s %14s %10s%n",
+                    pair.run(), with, pair.sensor(), pair.drone(), text(pair.firstDetected()), text(pair.range()));
+        }
+    }
+
+    private static String describe(SceneResult result, int run, SweepSettings sweep) {
+        Object value =
+                new SettingsPath(sweep.parameter()).read(result.runs().get(run).settings());
+        String unit = new SettingsPath(sweep.parameter())
+                .quantity(result.runs().get(run).settings())
+                .unit();
+        String text = value instanceof Double number ? String.format(Locale.ROOT, "%.4f", number) : value.toString();
+        return (sweep.parameter() + "=" + text + " " + unit).strip();
+    }
+
+    private static String text(OptionalDouble value) {
+        return value.isPresent() ? String.format(Locale.ROOT, "%.2f", value.getAsDouble()) : "never";
+    }
+}

@@ -1,0 +1,95 @@
+package org.dronewatch.bench;
+
+import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.BufferUnderflowException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import org.dronewatch.setting.InputException;
+
+/**
+ * Files of rays and hits, all little endian. Rays: an int32 count, then six float32 a ray (origin, unit direction). Hits:
+ * a float32 distance (infinity for none) and an int32 triangle (-1 for none) a ray.
+ */
+public final class RayFile {
+    private static final int RAY_BYTES = RaySet.FLOATS * Float.BYTES;
+    private static final int MAX_RAYS = 100_000_000;
+
+    private RayFile() {}
+
+    /**
+     * Reads a file of rays.
+     *
+     * @throws InputException when it is missing, its size does not fit its count, or a ray is not a ray
+     */
+    public static float[] read(Path file) {
+        try (InputStream stream = new BufferedInputStream(Files.newInputStream(file), 1 << 16)) {
+            int count = ByteBuffer.wrap(stream.readNBytes(Integer.BYTES))
+                    .order(ByteOrder.LITTLE_ENDIAN)
+                    .getInt();
+            long expected = Integer.BYTES + (long) count * RAY_BYTES;
+            if (count < 1 || count > MAX_RAYS || Files.size(file) != expected) {
+                throw new InputException(file + ": says " + count + " rays and has " + Files.size(file)
+                        + " bytes; needs 1 to " + MAX_RAYS + " rays and 4 + 24 bytes for each");
+            }
+            float[] rays = new float[count * RaySet.FLOATS];
+            ByteBuffer buffer = ByteBuffer.allocate(RAY_BYTES).order(ByteOrder.LITTLE_ENDIAN);
+            for (int ray = 0; ray < count; ray++) {
+                stream.readNBytes(buffer.array(), 0, RAY_BYTES);
+                buffer.rewind().asFloatBuffer().get(rays, ray * RaySet.FLOATS, RaySet.FLOATS);
+                check(file, ray, rays);
+            }
+            return rays;
+        } catch (BufferUnderflowException e) {
+            throw new InputException(file + ": is shorter than the 4 bytes of a count", e);
+        } catch (IOException e) {
+            throw new InputException("ray file " + file + " cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    private static void check(Path file, int ray, float[] rays) {
+        double squaredLength = 0.0;
+        for (int i = 0; i < RaySet.FLOATS; i++) {
+            float value = rays[ray * RaySet.FLOATS + i];
+            if (!Float.isFinite(value)) {
+                throw new InputException(file + ": ray " + ray + " has the number " + value + ", which must be finite");
+            }
+            squaredLength += i < 3 ? 0.0 : (double) value * value;
+        }
+        if (!(squaredLength > 0.0)) {
+            throw new InputException(file + ": ray " + ray + " has no direction");
+        }
+    }
+
+    /** Writes hits, complete or not at all. */
+    public static void writeHits(Path file, float[] distances, int[] triangles) {
+        try {
+            Path absolute = file.toAbsolutePath();
+            Path partial = Files.createTempFile(absolute.getParent(), ".partial-", ".tmp");
+            try {
+                write(partial, distances, triangles);
+                Files.move(partial, absolute, StandardCopyOption.REPLACE_EXISTING);
+            } finally {
+                Files.deleteIfExists(partial);
+            }
+        } catch (IOException e) {
+            throw new InputException("hits file " + file + " cannot be written: " + e, e);
+        }
+    }
+
+    private static void write(Path file, float[] distances, int[] triangles) throws IOException {
+        try (OutputStream stream = new BufferedOutputStream(Files.newOutputStream(file), 1 << 16)) {
+            ByteBuffer buffer = ByteBuffer.allocate(Float.BYTES + Integer.BYTES).order(ByteOrder.LITTLE_ENDIAN);
+            for (int i = 0; i < distances.length; i++) {
+                buffer.clear().putFloat(distances[i]).putInt(triangles[i]);
+                stream.write(buffer.array());
+            }
+        }
+    }
+}

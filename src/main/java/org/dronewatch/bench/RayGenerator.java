@@ -1,0 +1,124 @@
+package org.dronewatch.bench;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Triangle;
+import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.KDTree;
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Vector3d;
+
+/**
+ * Makes rays for a model without a ray file: those of a camera inside the model's box that looks at its middle, and those
+ * that diffuse walls send on from what the camera sees.
+ */
+public final class RayGenerator {
+    private static final int WIDTH = 1024;
+    private static final int HEIGHT = 768;
+    /** Where the eye is, from the box's middle, as a share of the box. */
+    private static final double[] EYE = {0.35, 0.30, 0.32};
+
+    private static final int DIFFUSE_RAYS = 1_000_000;
+    private static final int MAX_BOUNCES = 10;
+    private static final int MAX_PATHS = 50 * DIFFUSE_RAYS;
+    /** How far a bounced ray starts above its surface, as a share of the box's diagonal. */
+    private static final double OFFSET = 1e-5;
+
+    private final KDTree tree;
+    private final long seed;
+
+    /** A generator of rays for a tree; the same seed gives the same rays. */
+    public RayGenerator(KDTree tree, long seed) {
+        this.tree = tree;
+        this.seed = seed;
+    }
+
+    /** A picture of 1024 x 768 pixels, 90 degrees wide. */
+    public RaySet camera() {
+        AABB box = tree.bounds();
+        Point3d center = box.center();
+        Point3d eye = new Point3d(
+                center.x + EYE[0] * (box.maxX() - box.minX()),
+                center.y + EYE[1] * (box.maxY() - box.minY()),
+                center.z + EYE[2] * (box.maxZ() - box.minZ()));
+        Vector3d forward = new Vector3d(center);
+        forward.sub(eye);
+        forward.normalize();
+        Vector3d right = new Vector3d();
+        right.cross(forward, Math.abs(forward.y) < 0.99 ? new Vector3d(0, 1, 0) : new Vector3d(0, 0, 1));
+        right.normalize();
+        Vector3d up = new Vector3d();
+        up.cross(right, forward);
+
+        float[] rays = new float[WIDTH * HEIGHT * RaySet.FLOATS];
+        for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
+            double x = 2.0 * (pixel % WIDTH + 0.5) / WIDTH - 1.0;
+            double y = (HEIGHT - 2.0 * (pixel / WIDTH + 0.5)) / WIDTH;
+            Vector3d direction = new Vector3d(forward);
+            direction.scaleAdd(x, right, direction);
+            direction.scaleAdd(y, up, direction);
+            put(rays, pixel, eye, direction);
+        }
+        return new RaySet("camera", rays, WIDTH);
+    }
+
+    /**
+     * A million rays of paths that start where the camera's rays hit and bounce up to ten times, each in a direction
+     * drawn by Lambert's cosine law. None when the camera sees nothing.
+     */
+    public RaySet diffuse(RaySet camera) {
+        SplittableRandom random = new SplittableRandom(seed);
+        float[] rays = new float[DIFFUSE_RAYS * RaySet.FLOATS];
+        KDTraversal traversal = tree.newTraversal();
+        int made = 0;
+        for (int path = 0; path < MAX_PATHS && made < DIFFUSE_RAYS; path++) {
+            int start = random.nextInt(camera.count()) * RaySet.FLOATS;
+            float[] current = Arrays.copyOfRange(camera.rays(), start, start + RaySet.FLOATS);
+            for (int bounce = 0; bounce < MAX_BOUNCES && made < DIFFUSE_RAYS && hits(traversal, current); bounce++) {
+                bounce(traversal, current, random);
+                System.arraycopy(current, 0, rays, made * RaySet.FLOATS, RaySet.FLOATS);
+                made++;
+            }
+        }
+        return new RaySet("diffuse", Arrays.copyOf(rays, made * RaySet.FLOATS), 0);
+    }
+
+    private static boolean hits(KDTraversal traversal, float[] r) {
+        return traversal.closestHit(r[0], r[1], r[2], r[3], r[4], r[5], 0.0, Double.POSITIVE_INFINITY);
+    }
+
+    /** Replaces a ray by one that leaves the surface it hit. */
+    private void bounce(KDTraversal traversal, float[] ray, SplittableRandom random) {
+        Triangle triangle = tree.mesh().triangle(traversal.triangle());
+        Vector3d normal = triangle.areaNormal();
+        normal.normalize();
+        Vector3d incoming = new Vector3d(ray[3], ray[4], ray[5]);
+        if (normal.dot(incoming) > 0.0) {
+            normal.negate();
+        }
+        Point3d origin = new Point3d(ray[0], ray[1], ray[2]);
+        origin.scaleAdd(traversal.distance(), incoming, origin);
+        origin.scaleAdd(OFFSET * tree.bounds().diagonal(), normal, origin);
+
+        // The normal plus a uniform point of the unit sphere is distributed as the cosine.
+        double z = 1.0 - 2.0 * random.nextDouble();
+        double angle = 2.0 * Math.PI * random.nextDouble();
+        double radius = Math.sqrt(Math.max(0.0, 1.0 - z * z));
+        Vector3d direction = new Vector3d(radius * Math.cos(angle), radius * Math.sin(angle), z);
+        direction.add(normal);
+        put(ray, 0, origin, direction.lengthSquared() > 1e-12 ? direction : normal);
+    }
+
+    private static void put(float[] rays, int index, Point3d origin, Vector3d direction) {
+        Vector3d unit = new Vector3d(direction);
+        unit.normalize();
+        int start = index * RaySet.FLOATS;
+        rays[start] = (float) origin.x;
+        rays[start + 1] = (float) origin.y;
+        rays[start + 2] = (float) origin.z;
+        rays[start + 3] = (float) unit.x;
+        rays[start + 4] = (float) unit.y;
+        rays[start + 5] = (float) unit.z;
+    }
+}

@@ -1,0 +1,71 @@
+package org.dronewatch.report;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.knowm.xchart.BitmapEncoder;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.Styler.LegendPosition;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** The look that all plots share. */
+final class Charts {
+    private static final int WIDTH = 1000;
+    private static final int HEIGHT = 640;
+    private static final int TITLE_SIZE = 18;
+    private static final int TEXT_SIZE = 14;
+    private static final Color GRID = new Color(0xdddddd);
+    private static final Color[] SERIES = {
+        new Color(0x1f5fbf), new Color(0xff6a00), new Color(0x2a9d5c), new Color(0x9b3fb5), new Color(0xb58900),
+    };
+
+    private Charts() {}
+
+    /** An empty plot. */
+    static XYChart chart(String title, String xTitle, String yTitle) {
+        XYChart chart = new XYChartBuilder()
+                .width(WIDTH)
+                .height(HEIGHT)
+                .title(title)
+                .xAxisTitle(xTitle)
+                .yAxisTitle(yTitle)
+                .build();
+        chart.getStyler()
+                .setChartBackgroundColor(Color.WHITE)
+                .setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, TITLE_SIZE))
+                .setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_SIZE))
+                .setLegendPosition(LegendPosition.InsideNE)
+                .setSeriesColors(SERIES);
+        chart.getStyler()
+                .setPlotGridLinesColor(GRID)
+                .setAxisTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_SIZE))
+                .setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_SIZE))
+                .setYAxisMin(0.0);
+        return chart;
+    }
+
+    /** Draws a series as a thin grey dashed line without markers: a law or a threshold, not a result. */
+    static void asReference(XYSeries series) {
+        series.setMarker(SeriesMarkers.NONE);
+        series.setLineColor(Color.GRAY);
+        series.setLineStyle(
+                new BasicStroke(2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10f, new float[] {8f, 6f}, 0f));
+    }
+
+    /** Writes the plot as PNG. */
+    static void write(XYChart chart, Path file) {
+        try (OutputStream target = Files.newOutputStream(file)) {
+            ImageIO.write(BitmapEncoder.getBufferedImage(chart), "png", target);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

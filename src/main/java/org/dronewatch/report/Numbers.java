@@ -1,0 +1,22 @@
+package org.dronewatch.report;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+
+/** Numbers as files show them: six decimals at most, no exponent, no trailing zeros. */
+final class Numbers {
+    private static final int DECIMALS = 6;
+
+    private Numbers() {}
+
+    /** The number rounded, as text. */
+    static String text(double value) {
+        return Double.isFinite(value) ? rounded(value).toPlainString() : Double.toString(value);
+    }
+
+    /** The number rounded. */
+    static BigDecimal rounded(double value) {
+        BigDecimal rounded = BigDecimal.valueOf(value).setScale(DECIMALS, RoundingMode.HALF_EVEN);
+        return rounded.signum() == 0 ? BigDecimal.ZERO : rounded.stripTrailingZeros();
+    }
+}

@@ -1,0 +1,90 @@
+package org.dronewatch.report;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronewatch.setting.InputException;
+
+/**
+ * A directory of results that appears whole: files are written into a directory beside it and moved into place at the
+ * end. Whatever else the target holds stays as it is.
+ */
+final class OutputDirectory implements AutoCloseable {
+    private final Path target;
+    private final Path staging;
+
+    /**
+     * Makes the directory to write into, so that a target that cannot be written is found out before the work.
+     *
+     * @throws InputException when the target is a file or cannot be written
+     */
+    OutputDirectory(Path target) {
+        this.target = target.toAbsolutePath().normalize();
+        if (Files.exists(this.target) && !Files.isDirectory(this.target)) {
+            throw new InputException("output directory " + target + " is a file");
+        }
+        try {
+            Path parent = this.target.getParent() == null ? this.target : this.target.getParent();
+            Files.createDirectories(parent);
+            if (Files.isDirectory(this.target) && !Files.isWritable(this.target)) {
+                throw new InputException("output directory " + target + " cannot be written: no permission");
+            }
+            this.staging = Files.createTempDirectory(parent, ".partial-" + this.target.getFileName() + "-");
+        } catch (IOException e) {
+            throw new InputException("output directory " + target + " cannot be written: " + reason(e), e);
+        }
+    }
+
+    private static String reason(IOException problem) {
+        String why = problem instanceof FileSystemException known ? known.getReason() : problem.getMessage();
+        return why == null ? problem.getClass().getSimpleName() : why;
+    }
+
+    /** Where to write a file, given by its path inside the directory; its folders are made. */
+    Path file(String relative) throws IOException {
+        Path file = staging.resolve(relative);
+        Files.createDirectories(file.getParent());
+        return file;
+    }
+
+    /**
+     * Moves all that was written into place.
+     *
+     * @param obsolete files of an earlier run that must not stay if they were not written anew
+     */
+    void publish(List<String> obsolete) throws IOException {
+        Files.createDirectories(target);
+        for (String name : obsolete) {
+            Files.deleteIfExists(target.resolve(name));
+        }
+        for (Path file : filesIn(staging)) {
+            Path place = target.resolve(staging.relativize(file));
+            Files.createDirectories(place.getParent());
+            Files.move(file, place, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+        }
+    }
+
+    private static List<Path> filesIn(Path directory) throws IOException {
+        try (Stream<Path> files = Files.walk(directory)) {
+            return files.filter(Files::isRegularFile).sorted().toList();
+        }
+    }
+
+    /** Removes what was not published. */
+    @Override
+    public void close() {
+        try (Stream<Path> files = Files.walk(staging)) {
+            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                Files.deleteIfExists(file);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException("temporary directory " + staging + " cannot be removed", e);
+        }
+    }
+}

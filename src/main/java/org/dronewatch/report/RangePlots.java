@@ -1,0 +1,98 @@
+package org.dronewatch.report;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Function;
+import org.dronewatch.scene.Frame;
+import org.dronewatch.scene.RunResult;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SettingsPath;
+import org.dronewatch.sensor.Observation;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** For each sensor, what it measured over the range, with its threshold: shows how close each decision was. */
+final class RangePlots {
+    /** More points than a plot can show; what comes later is left out. */
+    private static final int MAX_POINTS = 200_000;
+
+    /** Above so many thresholds the drone is certain, and the plot would only lose its scale. */
+    private static final double TOP = 10.0;
+
+    private final Map<String, Map<List<Object>, Series>> sensors = new LinkedHashMap<>();
+    private int points;
+
+    void add(Frame frame) {
+        for (Observation observation : frame.observations()) {
+            if (points < MAX_POINTS) {
+                points++;
+                sensors.computeIfAbsent(observation.sensor(), name -> new LinkedHashMap<>())
+                        .computeIfAbsent(List.of(frame.run(), observation.drone()), key -> new Series(observation))
+                        .add(observation);
+            }
+        }
+    }
+
+    /**
+     * Writes a plot for each sensor.
+     *
+     * @param files where the plot of a sensor's name goes
+     */
+    void write(SceneResult result, Function<String, Path> files) {
+        sensors.forEach((sensor, series) -> {
+            Series any = series.values().iterator().next();
+            XYChart chart = Charts.chart(
+                    result.scene() + ": what '" + sensor + "' measured over the range",
+                    "range [m]",
+                    "value [" + any.unit + "]");
+            double farthest =
+                    series.values().stream().mapToDouble(Series::farthest).max().orElse(1.0);
+            series.forEach((key, values) -> {
+                String name = name((int) key.get(0), (String) key.get(1), result);
+                chart.addSeries(name, values.range, values.value).setMarker(SeriesMarkers.NONE);
+            });
+            Charts.asReference(chart.addSeries(
+                    "threshold", new double[] {0.0, farthest}, new double[] {any.threshold, any.threshold}));
+            chart.getStyler().setYAxisMax(TOP * any.threshold);
+            Charts.write(chart, files.apply(sensor));
+        });
+    }
+
+    private static String name(int run, String drone, SceneResult result) {
+        RunResult settled = result.runs().get(run);
+        return settled.settings()
+                .sweep()
+                .map(sweep -> drone + ", " + sweep.parameter() + " "
+                        + shortened(new SettingsPath(sweep.parameter()).read(settled.settings())))
+                .orElse(drone);
+    }
+
+    private static String shortened(Object value) {
+        return value instanceof Double number ? String.format(Locale.ROOT, "%.4g", number) : value.toString();
+    }
+
+    private static final class Series {
+        private final List<Double> range = new ArrayList<>();
+        private final List<Double> value = new ArrayList<>();
+        private final double threshold;
+        private final String unit;
+
+        Series(Observation first) {
+            this.threshold = first.threshold();
+            this.unit = first.unit();
+        }
+
+        void add(Observation observation) {
+            range.add(observation.range());
+            value.add(Math.min(observation.value(), TOP * threshold));
+        }
+
+        double farthest() {
+            return range.stream().mapToDouble(Double::doubleValue).max().orElse(0.0);
+        }
+    }
+}

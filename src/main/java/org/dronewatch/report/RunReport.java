@@ -1,0 +1,146 @@
+package org.dronewatch.report;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.scene.Frame;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneListener;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.sensor.Observation;
+
+/**
+ * Writes the files of a run: {@code detections.csv} and, when asked for, {@code observations.csv} while it goes on,
+ * {@code summary.json} and {@code plots/} at its end. They appear in the directory together, once all is done.
+ */
+public final class RunReport implements SceneListener, AutoCloseable {
+    private static final String DETECTIONS = "detections.csv";
+    private static final String OBSERVATIONS = "observations.csv";
+
+    private final Scene scene;
+    private final OutputDirectory directory;
+    private final Table detections;
+    private final Table observations;
+    private final RangePlots rangePlots = new RangePlots();
+
+    /**
+     * Opens the report.
+     *
+     * @param scene what will be run
+     * @param target the directory in which the files will appear
+     * @param withObservations whether to write every single observation too
+     * @throws org.dronewatch.setting.InputException when the directory cannot be written
+     */
+    public RunReport(Scene scene, Path target, boolean withObservations) {
+        this.scene = scene;
+        this.directory = new OutputDirectory(target);
+        try {
+            this.detections = new Table(
+                    directory.file(DETECTIONS),
+                    "run",
+                    "time_s",
+                    "event",
+                    "sensor",
+                    "kind",
+                    "drone",
+                    "range_m",
+                    "value",
+                    "threshold",
+                    "unit");
+            this.observations = withObservations
+                    ? new Table(
+                            directory.file(OBSERVATIONS),
+                            "run",
+                            "time_s",
+                            "sample",
+                            "sensor",
+                            "kind",
+                            "drone",
+                            "range_m",
+                            "value",
+                            "threshold",
+                            "unit",
+                            "detected")
+                    : null;
+        } catch (IOException e) {
+            directory.close();
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    @Override
+    public void observed(Frame frame) {
+        rangePlots.add(frame);
+        if (observations == null) {
+            return;
+        }
+        for (Observation o : frame.observations()) {
+            observations.row(
+                    Integer.toString(frame.run()),
+                    Numbers.text(o.time()),
+                    Long.toString(o.sample()),
+                    o.sensor(),
+                    o.kind(),
+                    o.drone(),
+                    Numbers.text(o.range()),
+                    Numbers.text(o.value()),
+                    Numbers.text(o.threshold()),
+                    o.unit(),
+                    Boolean.toString(o.isDetected()));
+        }
+    }
+
+    @Override
+    public void detectionChanged(DetectionEvent event) {
+        Observation o = event.observation();
+        detections.row(
+                Integer.toString(event.run()),
+                Numbers.text(o.time()),
+                event.gained() ? "gained" : "lost",
+                o.sensor(),
+                o.kind(),
+                o.drone(),
+                Numbers.text(o.range()),
+                Numbers.text(o.value()),
+                Numbers.text(o.threshold()),
+                o.unit());
+    }
+
+    /** Writes summary and plots and moves everything into place. */
+    public void finish(SceneResult result) throws IOException {
+        closeTables();
+        new Summary(result).write(directory.file("summary.json"));
+        SweepPlot.of(scene, result).ifPresent(plot -> plot.write(plotFile("range-over-" + plot.fileName())));
+        rangePlots.write(result, name -> plotFile("value-over-range-" + name));
+        List<String> obsolete = new ArrayList<>();
+        if (observations == null) {
+            obsolete.add(OBSERVATIONS);
+        }
+        directory.publish(obsolete);
+    }
+
+    private Path plotFile(String name) {
+        try {
+            return directory.file("plots/" + name + ".png");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private void closeTables() {
+        detections.close();
+        if (observations != null) {
+            observations.close();
+        }
+    }
+
+    /** Ends the report; what was not finished leaves nothing behind. */
+    @Override
+    public void close() {
+        closeTables();
+        directory.close();
+    }
+}

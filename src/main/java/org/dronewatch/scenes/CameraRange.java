@@ -1,0 +1,59 @@
+package org.dronewatch.scenes;
+
+import java.util.OptionalDouble;
+import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scene.RunSettings;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.FlightPathSettings.Approach;
+
+/**
+ * How far away does a full HD camera detect a small quadrotor? The camera stands on a hill and looks north; the drone
+ * comes along its axis at 5 m/s. The flight is repeated for five fields of view.
+ */
+public final class CameraRange extends Scene {
+    /** What the quadrotor shows to the camera: its silhouette from the front, m2. */
+    public static final double FRONTAL_AREA = 0.053;
+
+    private static final Position CAMERA = new Position(0, 0, 120);
+
+    /** The scene with a simulator of its own. */
+    public CameraRange() {}
+
+    /** The scene as a model for another DSOL simulator. */
+    public CameraRange(DevsSimulatorInterface<Double> simulator) {
+        super(simulator);
+    }
+
+    @Override
+    protected void build() {
+        loadWorld(loadPackaged("hill.obj"));
+
+        Position far = CAMERA.plus(new Position(0, 200, 0));
+        Position near = CAMERA.plus(new Position(0, 5, 0));
+        add(
+                "quadrotor",
+                DroneSettings.of(loadPackaged("quadrotor.obj"), new Approach(far, near))
+                        .withSpeed(5.0));
+        add(
+                "camera",
+                CameraSettings.at(CAMERA)
+                        .withLookAt(far)
+                        .withResolution(1920, 1080)
+                        .withRate(10.0));
+
+        setRun(RunSettings.DEFAULT.withDuration(39.0));
+        sweep("sensors.camera.fov", Math.PI / 6, Math.PI / 5, Math.PI / 4, Math.PI / 3, Math.PI / 2);
+    }
+
+    /** The mean law: a silhouette of A m2 at d metres covers {@code A (f/d)^2} pixels; solved for the threshold. */
+    @Override
+    public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
+        CameraSettings camera = (CameraSettings) settings.sensors().get(sensor);
+        double threshold = camera.detection().threshold();
+        return OptionalDouble.of(camera.focalLength() * Math.sqrt(FRONTAL_AREA / threshold));
+    }
+}

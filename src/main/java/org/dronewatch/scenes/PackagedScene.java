@@ -1,0 +1,30 @@
+package org.dronewatch.scenes;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.dronewatch.scene.Scene;
+
+/**
+ * The scenes that can be run by name.
+ *
+ * @param name what a user types
+ * @param summary one line that says what it shows
+ * @param factory makes a new one
+ */
+public record PackagedScene(String name, String summary, Supplier<Scene> factory) {
+    private static final List<PackagedScene> ALL = List.of(new PackagedScene(
+            "camera-range",
+            "a quadrotor flies towards a full HD camera on a hill; range of first detection for five fields of view",
+            CameraRange::new));
+
+    /** All of them, in the order in which to show them. */
+    public static List<PackagedScene> all() {
+        return ALL;
+    }
+
+    /** The one of a name. */
+    public static Optional<PackagedScene> find(String name) {
+        return ALL.stream().filter(scene -> scene.name().equals(name)).findFirst();
+    }
+}
