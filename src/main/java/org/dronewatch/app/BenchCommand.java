@@ -12,6 +12,7 @@ import org.dronewatch.bench.RayFile;
 import org.dronewatch.bench.RayGenerator;
 import org.dronewatch.bench.RaySet;
 import org.dronewatch.bench.TraversalKind;
+import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.world.LoadedModel;
 import org.dronewatch.world.ObjLoader;
@@ -66,7 +67,7 @@ final class BenchCommand implements Callable<Integer> {
             names = "--hits",
             paramLabel = "FILE",
             description = "Writes float32 distance and int32 triangle of each ray.")
-    private Path hits;
+    private String hits;
 
     @Option(
             names = "--seed",
@@ -81,6 +82,7 @@ final class BenchCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         check();
+        WholeFile hitsFile = hits == null ? null : new WholeFile("--hits", hits);
         RaySet given = rays == null ? null : readRays();
         LoadedModel loaded = new ObjLoader(Path.of("")).loadAsWritten(model);
         spec.commandLine().getErr().println("read " + loaded.describe());
@@ -90,8 +92,8 @@ final class BenchCommand implements Callable<Integer> {
         for (RaySet set : sets) {
             measure(bench, set);
         }
-        if (hits != null) {
-            RayFile.writeHits(hits, bench.distances(), bench.sourceTriangles());
+        if (hitsFile != null) {
+            hitsFile.write(stream -> RayFile.writeHits(stream, bench.distances(), bench.sourceTriangles()));
         }
         return 0;
     }

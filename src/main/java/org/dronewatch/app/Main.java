@@ -1,6 +1,7 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
+import java.nio.charset.Charset;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -34,7 +35,10 @@ public final class Main implements Runnable {
 
     /** Runs a command and ends the process with its exit code unless that is 0. */
     public static void main(String[] arguments) {
-        int code = execute(new PrintWriter(System.out, true), new PrintWriter(System.err, true), arguments);
+        // The console's own character set, so that names and paths come out as they were typed.
+        PrintWriter out = new PrintWriter(System.out, true, Charset.defaultCharset());
+        PrintWriter err = new PrintWriter(System.err, true, Charset.defaultCharset());
+        int code = execute(out, err, arguments);
         if (code != 0) {
             System.exit(code);
         }

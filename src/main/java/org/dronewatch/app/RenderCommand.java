@@ -1,14 +1,9 @@
 package org.dronewatch.app;
 
-import java.io.IOException;
-import java.io.OutputStream;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.dronewatch.report.WholeFile;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
@@ -59,7 +54,7 @@ final class RenderCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Target target = new Target(out);
+        WholeFile target = target();
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
         runner.notes(spec.commandLine().getErr()::println);
@@ -69,7 +64,7 @@ final class RenderCommand implements Callable<Integer> {
         checkThreads();
         Stage stage = runner.stage(settings);
         DepthImage image = camera.create().depthImage(stage.world(), stage.dronesAt(seconds), threads);
-        target.write(image);
+        target.write(isPng() ? image::writePng : image::writePfm);
         spec.commandLine()
                 .getOut()
                 .printf(
@@ -115,47 +110,14 @@ final class RenderCommand implements Callable<Integer> {
         }
     }
 
-    /** The file to write, checked before any work is done, and written whole or not at all. */
-    private static final class Target {
-        private final Path file;
-        private final boolean png;
-
-        Target(String name) {
-            String lower = name.toLowerCase(Locale.ROOT);
-            this.png = lower.endsWith(".png");
-            if (!png && !lower.endsWith(".pfm")) {
-                throw new InputException("--out " + name + ": must end in .png or .pfm");
-            }
-            try {
-                this.file = Path.of(name).toAbsolutePath();
-            } catch (InvalidPathException e) {
-                throw new InputException("--out " + name + ": not a path: " + e.getReason(), e);
-            }
-            if (!Files.isDirectory(file.getParent())
-                    || !Files.isWritable(file.getParent())
-                    || Files.isDirectory(file)) {
-                throw new InputException("--out " + name + ": cannot be written there");
-            }
+    private WholeFile target() {
+        if (!isPng() && !out.toLowerCase(Locale.ROOT).endsWith(".pfm")) {
+            throw new InputException("--out " + out + ": must end in .png or .pfm");
         }
+        return new WholeFile("--out", out);
+    }
 
-        void write(DepthImage image) {
-            try {
-                Path partial = Files.createTempFile(file.getParent(), ".partial-", ".tmp");
-                try {
-                    try (OutputStream stream = Files.newOutputStream(partial)) {
-                        if (png) {
-                            image.writePng(stream);
-                        } else {
-                            image.writePfm(stream);
-                        }
-                    }
-                    Files.move(partial, file, StandardCopyOption.REPLACE_EXISTING);
-                } finally {
-                    Files.deleteIfExists(partial);
-                }
-            } catch (IOException e) {
-                throw new InputException("--out " + file + ": cannot be written: " + e, e);
-            }
-        }
+    private boolean isPng() {
+        return out.toLowerCase(Locale.ROOT).endsWith(".png");
     }
 }

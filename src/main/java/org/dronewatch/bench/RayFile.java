@@ -1,7 +1,6 @@
 package org.dronewatch.bench;
 
 import java.io.BufferedInputStream;
-import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -10,7 +9,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import org.dronewatch.setting.InputException;
 
 /**
@@ -67,29 +65,12 @@ public final class RayFile {
         }
     }
 
-    /** Writes hits, complete or not at all. */
-    public static void writeHits(Path file, float[] distances, int[] triangles) {
-        try {
-            Path absolute = file.toAbsolutePath();
-            Path partial = Files.createTempFile(absolute.getParent(), ".partial-", ".tmp");
-            try {
-                write(partial, distances, triangles);
-                Files.move(partial, absolute, StandardCopyOption.REPLACE_EXISTING);
-            } finally {
-                Files.deleteIfExists(partial);
-            }
-        } catch (IOException e) {
-            throw new InputException("hits file " + file + " cannot be written: " + e, e);
-        }
-    }
-
-    private static void write(Path file, float[] distances, int[] triangles) throws IOException {
-        try (OutputStream stream = new BufferedOutputStream(Files.newOutputStream(file), 1 << 16)) {
-            ByteBuffer buffer = ByteBuffer.allocate(Float.BYTES + Integer.BYTES).order(ByteOrder.LITTLE_ENDIAN);
-            for (int i = 0; i < distances.length; i++) {
-                buffer.clear().putFloat(distances[i]).putInt(triangles[i]);
-                stream.write(buffer.array());
-            }
+    /** Writes hits, a distance and a triangle for each ray. */
+    public static void writeHits(OutputStream stream, float[] distances, int[] triangles) throws IOException {
+        ByteBuffer buffer = ByteBuffer.allocate(Float.BYTES + Integer.BYTES).order(ByteOrder.LITTLE_ENDIAN);
+        for (int i = 0; i < distances.length; i++) {
+            buffer.clear().putFloat(distances[i]).putInt(triangles[i]);
+            stream.write(buffer.array());
         }
     }
 }

@@ -53,8 +53,9 @@ public final class RayGenerator {
 
         float[] rays = new float[WIDTH * HEIGHT * RaySet.FLOATS];
         for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
+            int row = pixel / WIDTH;
             double x = 2.0 * (pixel % WIDTH + 0.5) / WIDTH - 1.0;
-            double y = (HEIGHT - 2.0 * (pixel / WIDTH + 0.5)) / WIDTH;
+            double y = (HEIGHT - 2.0 * (row + 0.5)) / WIDTH;
             Vector3d direction = new Vector3d(forward);
             direction.scaleAdd(x, right, direction);
             direction.scaleAdd(y, up, direction);

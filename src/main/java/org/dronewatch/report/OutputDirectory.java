@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.Stream;
 import org.dronewatch.setting.InputException;
 
@@ -26,11 +27,14 @@ final class OutputDirectory implements AutoCloseable {
      */
     OutputDirectory(Path target) {
         this.target = target.toAbsolutePath().normalize();
+        Path parent = this.target.getParent();
+        if (parent == null) {
+            throw new InputException("output directory " + target + " is the root of a file system");
+        }
         if (Files.exists(this.target) && !Files.isDirectory(this.target)) {
             throw new InputException("output directory " + target + " is a file");
         }
         try {
-            Path parent = this.target.getParent() == null ? this.target : this.target.getParent();
             Files.createDirectories(parent);
             if (Files.isDirectory(this.target) && !Files.isWritable(this.target)) {
                 throw new InputException("output directory " + target + " cannot be written: no permission");
@@ -48,9 +52,7 @@ final class OutputDirectory implements AutoCloseable {
 
     /** Where to write a file, given by its path inside the directory; its folders are made. */
     Path file(String relative) throws IOException {
-        Path file = staging.resolve(relative);
-        Files.createDirectories(file.getParent());
-        return file;
+        return withFolder(staging.resolve(relative));
     }
 
     /**
@@ -64,10 +66,14 @@ final class OutputDirectory implements AutoCloseable {
             Files.deleteIfExists(target.resolve(name));
         }
         for (Path file : filesIn(staging)) {
-            Path place = target.resolve(staging.relativize(file));
-            Files.createDirectories(place.getParent());
+            Path place = withFolder(target.resolve(staging.relativize(file)));
             Files.move(file, place, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
         }
+    }
+
+    private static Path withFolder(Path file) throws IOException {
+        Files.createDirectories(Objects.requireNonNull(file.getParent()));
+        return file;
     }
 
     private static List<Path> filesIn(Path directory) throws IOException {

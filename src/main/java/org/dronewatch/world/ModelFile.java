@@ -80,8 +80,11 @@ final class ModelFile {
         }
         try {
             Path directory = path.toAbsolutePath().normalize().getParent();
-            Path other = directory.resolve(sibling).normalize();
-            return other.startsWith(directory) && Files.isRegularFile(other) && Files.size(other) <= MAX_BYTES
+            Path other = path.resolveSibling(sibling).toAbsolutePath().normalize();
+            return directory != null
+                            && other.startsWith(directory)
+                            && Files.isRegularFile(other)
+                            && Files.size(other) <= MAX_BYTES
                     ? Optional.of(new ModelFile(other.toString(), other, null))
                     : Optional.empty();
         } catch (InvalidPathException | IOException e) {
