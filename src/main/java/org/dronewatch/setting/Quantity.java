@@ -76,7 +76,7 @@ public enum Quantity {
             return number * ofOneUnit.applyAsDouble("1 " + written);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException(
-                    "unit '" + shortened(written) + "' does not fit: expected a number" + orWithUnit(), e);
+                    "'" + text.strip() + "': unit '" + written + "' does not fit: expected a number" + orWithUnit(), e);
         }
     }
 

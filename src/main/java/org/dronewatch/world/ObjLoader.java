@@ -60,7 +60,10 @@ public final class ObjLoader {
             ObjMeshCollector collector = new ObjMeshCollector(file.name(), lines, placement);
             try {
                 ObjReader.read(lines, collector);
-            } catch (IOException | IndexOutOfBoundsException e) {
+            } catch (InputException e) {
+                throw e;
+            } catch (IOException | RuntimeException e) {
+                // The parser throws whatever its string handling happens to throw on a line it did not expect.
                 throw new InputException(lines.at(file.name()) + reason(e), e);
             }
             collector.finish();

@@ -14,8 +14,8 @@ import org.joml.Vector4d;
  * left one; a pixel's ray goes through its centre. Immutable.
  */
 public final class CameraObject {
-    /** Nearest distance that the projection sees, m: what is closer has no place in the picture. */
-    public static final double NEAR = 1e-3;
+    /** Least depth that is projected, m: so little that no ray can meet a drone before it. */
+    public static final double NEAR = 1e-6;
 
     /** Beyond this share of the vertical the camera counts as looking straight up or down. */
     private static final double VERTICAL = 1.0 - 1e-12;

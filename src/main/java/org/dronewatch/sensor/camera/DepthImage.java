@@ -12,6 +12,9 @@ import javax.imageio.ImageIO;
 public final class DepthImage {
     private static final int SKY = 0xfff6e8;
     private static final int HIT = 0xff6a00;
+    /** Distance of the darkest blue there can be, m: the logarithm needs an end. */
+    private static final double NEAREST_SHADE = 1e-3;
+
     private static final int[] NEAR_BLUE = {6, 20, 64};
     private static final int[] FAR_BLUE = {206, 228, 250};
 
@@ -71,7 +74,7 @@ public final class DepthImage {
         double farthest = 0.0;
         for (float distance : distances) {
             if (distance < Float.POSITIVE_INFINITY) {
-                nearest = Math.min(nearest, Math.max(distance, CameraObject.NEAR));
+                nearest = Math.min(nearest, Math.max(distance, NEAREST_SHADE));
                 farthest = Math.max(farthest, distance);
             }
         }
@@ -80,7 +83,7 @@ public final class DepthImage {
         for (int row = 0; row < height; row++) {
             for (int column = 0; column < width; column++) {
                 int pixel = row * width + column;
-                double share = Math.log(Math.max(distances[pixel], CameraObject.NEAR) / nearest) / span;
+                double share = Math.log(Math.max(distances[pixel], NEAREST_SHADE) / nearest) / span;
                 image.setRGB(column, row, hits[pixel] ? HIT : colour(distances[pixel], share));
             }
         }

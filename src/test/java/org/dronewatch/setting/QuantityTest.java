@@ -1,0 +1,73 @@
+package org.dronewatch.setting;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class QuantityTest {
+
+    @ParameterizedTest
+    @CsvSource({
+        "LENGTH, 12, 12",
+        "LENGTH, 1.5 km, 1500",
+        "LENGTH, 250mm, 0.25",
+        "LENGTH, -3 ft, -0.9144",
+        "ANGLE, 180 deg, 3.141592653589793",
+        "ANGLE, 0.5, 0.5",
+        "DURATION, 2 min, 120",
+        "SPEED, 18 km/h, 5",
+        "ACCELERATION, 2 m/s2, 2",
+        "FREQUENCY, 2.4 GHz, 2.4e9",
+        "AREA, 100 cm^2, 0.01",
+        "LEVEL, 55 dB, 55",
+        "PIXELS, 12 px, 12",
+        "NUMBER, 1e-3, 0.001",
+    })
+    void aNumberMayHaveAUnit(Quantity quantity, String text, double expected) {
+        assertThat(quantity.parse(text)).isCloseTo(expected, within(1e-12 * Math.abs(expected)));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "LENGTH, 12 kg",
+        "LENGTH, 12 s",
+        "ANGLE, 30 m",
+        "LEVEL, 3 m",
+        "NUMBER, 3 m",
+        "LENGTH, twelve",
+        "LENGTH, NaN",
+        "LENGTH, Infinity",
+        "LENGTH, 0x10",
+        "LENGTH, '1,5'",
+        "LENGTH, 1 2",
+        "LENGTH, ''",
+    })
+    void whatIsNoValueOfTheQuantityIsRefused(Quantity quantity, String text) {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> quantity.parse(text))
+                .withMessageContaining("'" + text + "'");
+    }
+
+    @Test
+    void readingDoesNotDependOnTheLocale() {
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.GERMANY);
+            assertThat(Quantity.LENGTH.parse("1.5 km")).isEqualTo(1500.0);
+        } finally {
+            Locale.setDefault(before);
+        }
+    }
+
+    @Test
+    void aLongTextIsNotRepeatedInFull() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> Quantity.LENGTH.parse("9".repeat(5000)))
+                .satisfies(e -> assertThat(e.getMessage()).hasSizeLessThan(200));
+    }
+}

@@ -1,0 +1,110 @@
+package org.dronewatch.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.assertj.core.data.Offset;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.world.FlightPathSettings.Approach;
+import org.dronewatch.world.FlightPathSettings.Hover;
+import org.dronewatch.world.FlightPathSettings.Waypoints;
+import org.junit.jupiter.api.Test;
+
+class FlightPathTest {
+    private static final Offset<Double> EXACT = within(1e-9);
+    private static final double SPEED = 5.0;
+    private static final double ACCELERATION = 2.0;
+
+    @Test
+    void aHoveringDroneStaysWhereItIs() {
+        Position place = new Position(1, 2, 3);
+        FlightState state = new Hover(place, 0.7).create(SPEED, ACCELERATION).at(1234.5);
+
+        assertThat(state).isEqualTo(new FlightState(place, new Position(0, 0, 0), 0.7));
+    }
+
+    @Test
+    void anApproachFliesAtCruiseSpeedFromTheFirstMomentAndEndsAtItsEnd() {
+        FlightPath path = new Approach(new Position(100, 0, 20), new Position(0, 0, 20)).create(SPEED, ACCELERATION);
+
+        assertThat(path.at(4.0).position()).isEqualTo(new Position(80, 0, 20));
+        assertThat(path.at(4.0).velocity()).isEqualTo(new Position(-5, 0, 0));
+        assertThat(path.at(4.0).heading()).isCloseTo(-Math.PI / 2, EXACT);
+        assertThat(path.at(20.0).position()).isEqualTo(new Position(0, 0, 20));
+        assertThat(path.at(99.0).velocity().length()).isZero();
+    }
+
+    /** A straight of 100 m at 5 m/s and 2 m/s2: 2.5 s and 6.25 m to speed up, 17.5 s of cruise, 2.5 s to slow down. */
+    @Test
+    void aStraightIsFlownFromRestToRest() {
+        FlightPath path = waypoints(new Position(0, 0, 0), new Position(0, 100, 0));
+
+        assertThat(path.at(0.0).velocity().length()).isZero();
+        assertThat(path.at(1.0).position().y()).isCloseTo(1.0, EXACT);
+        assertThat(path.at(2.5).position().y()).isCloseTo(6.25, EXACT);
+        assertThat(path.at(12.5).position().y()).isCloseTo(56.25, EXACT);
+        assertThat(path.at(20.0).position().y()).isCloseTo(93.75, EXACT);
+        assertThat(path.at(22.5).position().y()).isCloseTo(100.0, EXACT);
+        assertThat(path.at(22.5).velocity().length()).isCloseTo(0.0, EXACT);
+    }
+
+    /** 4 m at 2 m/s2: the top speed is sqrt(2 * 4) m/s in the middle, after sqrt(2) s. */
+    @Test
+    void aShortStraightNeverReachesCruiseSpeed() {
+        FlightPath path = waypoints(new Position(0, 0, 0), new Position(4, 0, 0));
+
+        assertThat(path.at(Math.sqrt(2.0)).position().x()).isCloseTo(2.0, EXACT);
+        assertThat(path.at(Math.sqrt(2.0)).velocity().x()).isCloseTo(Math.sqrt(8.0), EXACT);
+        assertThat(path.at(2.0 * Math.sqrt(2.0)).position().x()).isCloseTo(4.0, EXACT);
+    }
+
+    @Test
+    void aWaypointInTheMiddleOfAStraightIsFlownThrough() {
+        FlightPath direct = waypoints(new Position(0, 0, 0), new Position(0, 0, 100));
+        FlightPath through = waypoints(new Position(0, 0, 0), new Position(0, 0, 40), new Position(0, 0, 100));
+
+        for (double time = 0.0; time < 30.0; time += 0.37) {
+            assertThat(through.at(time).position().distance(direct.at(time).position()))
+                    .isCloseTo(0.0, EXACT);
+        }
+    }
+
+    /** Differences of what the path says, against the limits: no jump in place or speed, at corners least of all. */
+    @Test
+    void speedAndAccelerationStayWithinTheirLimits() {
+        FlightPath path = waypoints(
+                new Position(0, 0, 10),
+                new Position(50, 0, 10),
+                new Position(50, 1, 10),
+                new Position(0, 30, 60),
+                new Position(0, 30, 10));
+        double dt = 1e-3;
+        for (double time = 0.0; time < 60.0; time += dt) {
+            FlightState now = path.at(time);
+            FlightState next = path.at(time + dt);
+            assertThat(now.velocity().length()).isLessThanOrEqualTo(SPEED + 1e-9);
+            assertThat(next.velocity().distance(now.velocity())).isLessThanOrEqualTo(ACCELERATION * dt + 1e-9);
+            assertThat(next.position().distance(now.position())).isLessThanOrEqualTo(SPEED * dt + 1e-9);
+            Position mean = now.velocity().plus(next.velocity()).times(0.5 * dt);
+            assertThat(next.position().minus(now.position()).distance(mean)).isLessThan(1e-5);
+        }
+        assertThat(path.at(60.0).position()).isEqualTo(new Position(0, 30, 10));
+    }
+
+    @Test
+    void pathsThatLeadNowhereAreRefused() {
+        Position here = new Position(1, 1, 1);
+        assertThatIllegalArgumentException().isThrownBy(() -> new Approach(here, here));
+        assertThatIllegalArgumentException().isThrownBy(() -> new Waypoints(List.of(here)));
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Waypoints(List.of(new Position(0, 0, 0), here, here)))
+                .withMessageContaining("waypoint 2");
+        assertThatIllegalArgumentException().isThrownBy(() -> new Hover(here, Double.NaN));
+    }
+
+    private static FlightPath waypoints(Position... points) {
+        return new Waypoints(List.of(points)).create(SPEED, ACCELERATION);
+    }
+}
