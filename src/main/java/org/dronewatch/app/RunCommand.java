@@ -8,13 +8,13 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.dronewatch.report.RunReport;
+import org.dronewatch.report.SweptValue;
 import org.dronewatch.scene.Pace;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
-import org.dronewatch.scene.SettingsPath;
-import org.dronewatch.scene.SweepSettings;
+import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -108,26 +108,14 @@ final class RunCommand implements Callable<Integer> {
         target.printf(
                 "%-4s %-34s %-16s %-16s %14s %10s%n", "run", "with", "sensor", "drone", "first seen [s]", "range [m]");
         for (PairResult pair : result.pairs()) {
-            String with = result.runs()
-                    .get(pair.run())
-                    .settings()
-                    .sweep()
-                    .map(sweep -> describe(result, pair.run(), sweep))
+            SceneSettings settings = result.runs().get(pair.run()).settings();
+            String with = settings.sweep()
+                    .map(sweep -> new SweptValue(settings, sweep.parameter()).text())
                     .orElse("");
             target.printf(
                     "%-4d %-34s %-16s %-16s %14s %10s%n",
                     pair.run(), with, pair.sensor(), pair.drone(), text(pair.firstDetected()), text(pair.range()));
         }
-    }
-
-    private static String describe(SceneResult result, int run, SweepSettings sweep) {
-        Object value =
-                new SettingsPath(sweep.parameter()).read(result.runs().get(run).settings());
-        String unit = new SettingsPath(sweep.parameter())
-                .quantity(result.runs().get(run).settings())
-                .unit();
-        String text = value instanceof Double number ? String.format(Locale.ROOT, "%.4f", number) : value.toString();
-        return (sweep.parameter() + "=" + text + " " + unit).strip();
     }
 
     private static String text(OptionalDouble value) {

@@ -4,13 +4,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
 import org.dronewatch.scene.Frame;
-import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.SceneResult;
-import org.dronewatch.scene.SettingsPath;
+import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.sensor.Observation;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.markers.SeriesMarkers;
@@ -63,16 +61,10 @@ final class RangePlots {
     }
 
     private static String name(int run, String drone, SceneResult result) {
-        RunResult settled = result.runs().get(run);
-        return settled.settings()
-                .sweep()
-                .map(sweep -> drone + ", " + sweep.parameter() + " "
-                        + shortened(new SettingsPath(sweep.parameter()).read(settled.settings())))
+        SceneSettings settings = result.runs().get(run).settings();
+        return settings.sweep()
+                .map(sweep -> drone + ", " + new SweptValue(settings, sweep.parameter()).shortText())
                 .orElse(drone);
-    }
-
-    private static String shortened(Object value) {
-        return value instanceof Double number ? String.format(Locale.ROOT, "%.4g", number) : value.toString();
     }
 
     private static final class Series {

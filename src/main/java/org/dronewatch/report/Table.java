@@ -11,6 +11,7 @@ import java.nio.file.Path;
 /** A CSV file that is written row by row; a row is in the file as soon as it is written. */
 final class Table implements AutoCloseable {
     private final CsvWriter writer;
+    private boolean closed;
 
     Table(Path file, String... header) throws IOException {
         this.writer = CsvWriter.builder()
@@ -24,8 +25,13 @@ final class Table implements AutoCloseable {
         writer.writeRecord(values);
     }
 
+    /** Closes the file; twice is no harm. */
     @Override
     public void close() {
+        if (closed) {
+            return;
+        }
+        closed = true;
         try {
             writer.close();
         } catch (IOException e) {

@@ -73,6 +73,16 @@ public final class SceneRunner {
         return this;
     }
 
+    /** Is given each frame: every sampling time with its drones and observations. */
+    public SceneRunner onFrame(Consumer<Frame> target) {
+        return listener(new SceneListener() {
+            @Override
+            public void observed(Frame frame) {
+                target.accept(frame);
+            }
+        });
+    }
+
     /** Asked before each look: once it says true, the run ends with what it has. */
     public SceneRunner cancelWhen(BooleanSupplier condition) {
         this.cancelled = condition;

@@ -84,12 +84,13 @@ public final class SettingsPath {
 
     private Record replacedInRecord(Record settings, int depth, String text) {
         RecordComponent[] components = settings.getClass().getRecordComponents();
-        RecordComponent target = component(settings, depth);
+        String target = component(settings, depth).getName();
         Object[] values = new Object[components.length];
         for (int i = 0; i < components.length; i++) {
             values[i] = valueOf(settings, components[i]);
-            if (components[i].equals(target)) {
-                values[i] = depth == names.size() - 1 ? parsed(target, text) : replaced(values[i], depth + 1, text);
+            if (components[i].getName().equals(target)) {
+                values[i] =
+                        depth == names.size() - 1 ? parsed(components[i], text) : replaced(values[i], depth + 1, text);
             }
         }
         return construct(settings.getClass(), components, values, text);

@@ -1,7 +1,6 @@
 package org.dronewatch.scenes;
 
 import java.util.OptionalDouble;
-import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.RunSettings;
 import org.dronewatch.scene.Scene;
@@ -18,15 +17,8 @@ public final class CameraRange extends Scene {
     /** What the quadrotor shows to the camera: its silhouette from the front, m2. */
     public static final double FRONTAL_AREA = 0.053;
 
-    private static final Position CAMERA = new Position(0, 0, 120);
-
-    /** The scene with a simulator of its own. */
-    public CameraRange() {}
-
-    /** The scene as a model for another DSOL simulator. */
-    public CameraRange(DevsSimulatorInterface<Double> simulator) {
-        super(simulator);
-    }
+    /** On a mast of 2 m on the hill's level top. */
+    private static final Position CAMERA = new Position(0, 0, 134);
 
     @Override
     protected void build() {

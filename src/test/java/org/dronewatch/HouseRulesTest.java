@@ -1,0 +1,102 @@
+package org.dronewatch;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+
+/** The rooms of the house and the one way in which they may know each other. */
+@AnalyzeClasses(packages = "org.dronewatch", importOptions = ImportOption.DoNotIncludeTests.class)
+class HouseRulesTest {
+
+    @ArchTest
+    static final ArchRule ARROWS_LEAD_DOWN = layeredArchitecture()
+            .consideringOnlyDependenciesInLayers()
+            .layer("app")
+            .definedBy("org.dronewatch.app..")
+            .layer("bench")
+            .definedBy("org.dronewatch.bench..")
+            .layer("models")
+            .definedBy("org.dronewatch.models..")
+            .layer("report")
+            .definedBy("org.dronewatch.report..")
+            .layer("scenes")
+            .definedBy("org.dronewatch.scenes..")
+            .layer("scene")
+            .definedBy("org.dronewatch.scene..")
+            .layer("camera")
+            .definedBy("org.dronewatch.sensor.camera..")
+            .layer("sensor")
+            .definedBy("org.dronewatch.sensor")
+            .layer("world")
+            .definedBy("org.dronewatch.world..")
+            .layer("kdtree")
+            .definedBy("org.dronewatch.kdtree..")
+            .layer("geometry")
+            .definedBy("org.dronewatch.geometry..")
+            .layer("setting")
+            .definedBy("org.dronewatch.setting..")
+            .whereLayer("app")
+            .mayNotBeAccessedByAnyLayer()
+            .whereLayer("bench")
+            .mayOnlyBeAccessedByLayers("app")
+            .whereLayer("models")
+            .mayOnlyBeAccessedByLayers("app")
+            .whereLayer("report")
+            .mayOnlyBeAccessedByLayers("app")
+            .whereLayer("scenes")
+            .mayOnlyBeAccessedByLayers("app")
+            .whereLayer("scene")
+            .mayOnlyBeAccessedByLayers("app", "report", "scenes")
+            .whereLayer("camera")
+            .mayOnlyBeAccessedByLayers("app", "scenes")
+            .whereLayer("sensor")
+            .mayOnlyBeAccessedByLayers("app", "report", "scenes", "scene", "camera")
+            .whereLayer("world")
+            .mayOnlyBeAccessedByLayers("app", "bench", "report", "scenes", "scene", "camera", "sensor")
+            .whereLayer("kdtree")
+            .mayOnlyBeAccessedByLayers("app", "bench", "scene", "camera", "world")
+            .whereLayer("geometry")
+            .mayOnlyBeAccessedByLayers(
+                    "app", "bench", "report", "scenes", "scene", "camera", "sensor", "world", "kdtree");
+
+    @ArchTest
+    static final ArchRule NO_CIRCLES =
+            slices().matching("org.dronewatch.(**)").should().beFreeOfCycles();
+
+    @ArchTest
+    static final ArchRule ONLY_THE_SCENE_KNOWS_DSOL = noClasses()
+            .that()
+            .resideOutsideOfPackage("org.dronewatch.scene")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("nl.tudelft..");
+
+    @ArchTest
+    static final ArchRule NOTHING_BELOW_THE_VIEWER_KNOWS_SWING = noClasses()
+            .that()
+            .resideOutsideOfPackages("org.dronewatch.app..", "org.dronewatch.viewer..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("javax.swing..");
+
+    @ArchTest
+    static final ArchRule GENERATED_MODELS_STAND_ALONE = classes()
+            .that()
+            .resideInAPackage("org.dronewatch.models..")
+            .should()
+            .onlyDependOnClassesThat()
+            .resideInAnyPackage("org.dronewatch.models..", "java..");
+
+    @ArchTest
+    static final ArchRule ONLY_THE_COMMAND_LINE_ENDS_THE_PROCESS = noClasses()
+            .that()
+            .resideOutsideOfPackage("org.dronewatch.app")
+            .should()
+            .callMethod(System.class, "exit", int.class);
+}

@@ -1,0 +1,366 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+class CommandLineTest {
+    private static final JsonMapper JSON = JsonMapper.builder().build();
+    private static final String TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+    @TempDir
+    private Path directory;
+
+    private record Outcome(int code, String out, String err) {}
+
+    private Outcome command(String... arguments) {
+        StringWriter out = new StringWriter();
+        StringWriter err = new StringWriter();
+        int code = Main.execute(new PrintWriter(out, true), new PrintWriter(err, true), arguments);
+        return new Outcome(code, out.toString(), err.toString());
+    }
+
+    /** Runs a command line in which DIR stands for the test's directory. */
+    private Outcome commandIn(String line) {
+        return command(Stream.of(line.strip().split("\\s+"))
+                .map(word -> word.replace("DIR", directory.toString()))
+                .toArray(String[]::new));
+    }
+
+    private Map<String, String> files() throws IOException {
+        Map<String, String> files = new TreeMap<>();
+        try (Stream<Path> all = Files.walk(directory)) {
+            for (Path file : all.filter(Files::isRegularFile).toList()) {
+                files.put(
+                        directory.relativize(file).toString().replace('\\', '/'),
+                        new String(Files.readAllBytes(file), java.nio.charset.StandardCharsets.ISO_8859_1));
+            }
+        }
+        return files;
+    }
+
+    private void assertRefused(String line, String... parts) throws IOException {
+        Map<String, String> before = files();
+        Outcome outcome = commandIn(line);
+        assertThat(outcome.code()).as(outcome.err()).isEqualTo(2);
+        assertThat(outcome.out()).isEmpty();
+        assertThat(outcome.err().strip())
+                .isNotEmpty()
+                .doesNotContain("Exception")
+                .doesNotContain("\tat ");
+        String last = outcome.err().strip().lines().reduce((a, b) -> b).orElseThrow();
+        assertThat(last).contains(parts);
+        // What was read well is noted before the mistake; the mistake itself takes one line.
+        assertThat(outcome.err().strip().lines().filter(text -> !text.startsWith("read ")))
+                .hasSize(1);
+        assertThat(files()).isEqualTo(before);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "run no-such-scene                                        | no-such-scene | camera-range",
+                "run java.lang.String                                     | java.lang.String | must extend",
+                "run org.dronewatch.scene.Scene                           | org.dronewatch.scene.Scene | must extend",
+                "run camera-range --set sensors.camera.width=0            | width 0 px    | 1 to 16384",
+                "run camera-range --set sensors.camera.height=-1          | height -1 px  | 1 to 16384",
+                "run camera-range --set sensors.camera.fov=0              | fov 0.0 rad   | above 0.0",
+                "run camera-range --set sensors.camera.fov=180deg         | fov 3.14159   | below 3.14159",
+                "run camera-range --set sensors.camera.fov=3.141592653589793 | fov 3.14159 | below 3.14159",
+                "run camera-range --set sensors.camera.rate=0             | rate 0.0 Hz   | above 0",
+                "run camera-range --set drones.quadrotor.speed=-5         | speed -5.0 m/s | above 0",
+                "run camera-range --set drones.quadrotor.speed=NaN        | NaN           | number",
+                "run camera-range --set run.duration=0                    | duration 0.0 s | above 0",
+                "run camera-range --set sensors.camera                    | sensors.camera | PATH=VALUE",
+                "run camera-range --set sensor.camera.fov=1               | 'sensor'      | sensors",
+                "run camera-range --set world.models.0.file=DIR/none.obj  | none.obj      | does not exist",
+                "run camera-range --set world.models.0.file=packaged:no.obj | no.obj      | no packaged model",
+                "run camera-range --threads 0                             | 0             | 1 to 1024",
+                "run camera-range --threads many                          | many          | --threads",
+                "run camera-range --seed 1.5                              | 1.5           | --seed",
+                "run camera-range --real-time -1                          | -1.0          | above 0",
+                "run camera-range --colour                                | --colour      | --help",
+                "run                                                      | SCENE         | --help",
+                "check camera-range --set sensors.camera.fov=4            | fov 4.0 rad   | below 3.14159",
+                "render camera-range --camera eye --time 1 --out DIR/a.png | eye          | camera",
+                "render camera-range --camera camera --time 40 --out DIR/a.png | 40        | 0 to 39",
+                "render camera-range --camera camera --time soon --out DIR/a.png | soon    | number",
+                "render camera-range --camera camera --time 1 --out DIR/a.gif | a.gif      | .png",
+                "render camera-range --camera camera --time 1 --out DIR/no/a.png | no/a.png | no directory",
+                "render camera-range --camera camera --time 1 --run 5 --out DIR/a.png | 5  | 0 to 4",
+                "bench DIR/none.obj                                       | none.obj      | does not exist",
+                "bench packaged:quadrotor.obj --passes 0                  | --passes 0    | 1 to 1000",
+                "bench packaged:quadrotor.obj --traversal fast            | fast          | stack",
+                "bench packaged:quadrotor.obj --rays DIR/none.rays        | none.rays     | cannot be read",
+                "bench packaged:quadrotor.obj --width 10                  | --width       | --rays",
+                "bench packaged:quadrotor.obj --hits DIR/hits             | --hits        | --rays",
+                "models --out DIR/no/such/place                           | no/such/place | ",
+                "''                                                       | command       | run",
+                "fly                                                      | fly           | --help",
+            })
+    void aMistakeIsOneLineAndLeavesNothing(String line, String value, String limit) throws IOException {
+        assertRefused(
+                line + (line.startsWith("run camera-range") ? " --out DIR/results" : ""),
+                value,
+                limit == null ? "" : limit);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "v 0 0 0;v 1 0 0;v 0 1 0;f 1 2 9     | bad.obj:4: | 9",
+                "v 0 0 0;v 1 0 0;v 0 NaN 0;f 1 2 3   | bad.obj:3: | NaN",
+                "v 0 0 0;v 1 0 0;v 0 1 0;f 1 2 3;f 1 | bad.obj:5: | 3",
+                "v 0 0 0;v 1 0 0;v 0 1               | bad.obj:3: | 3",
+                "v 0 0 0;v 1 0 0                     | bad.obj    | no faces",
+                "''                                  | bad.obj    | no faces",
+            })
+    void aBadModelIsNamedWithItsLine(String text, String place, String what) throws IOException {
+        Files.writeString(directory.resolve("bad.obj"), text.replace(';', '\n'));
+
+        assertRefused("run camera-range --out DIR/results --set world.models.0.file=DIR/bad.obj", place, what);
+        assertRefused("check camera-range --set drones.quadrotor.model.file=DIR/bad.obj", place, what);
+        assertRefused("bench DIR/bad.obj", place, what);
+    }
+
+    @Test
+    void outputThatCannotBeWrittenIsFoundBeforeTheWork() throws IOException {
+        Files.writeString(directory.resolve("file"), "keep me");
+
+        assertRefused("run camera-range --out DIR/file", "file", "is a file");
+        assertRefused("run camera-range --out DIR/file/below", "file", "cannot be written");
+        assertRefused("render camera-range --camera camera --time 1 --out DIR/file/a.png", "file", "no directory");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 3, 10, 27, 29})
+    void aRayFileOfTheWrongSizeIsRefused(int bytes) throws IOException {
+        Files.writeString(directory.resolve("model.obj"), TRIANGLE + "f 1 2 3\n");
+        byte[] file = new byte[bytes];
+        if (bytes > 4) {
+            file[0] = 1;
+        }
+        Files.write(directory.resolve("bad.rays"), file);
+
+        assertRefused("bench DIR/model.obj --rays DIR/bad.rays --hits DIR/hits", "bad.rays");
+    }
+
+    @Test
+    void aRayWithoutDirectionIsRefused() throws IOException {
+        Files.writeString(directory.resolve("model.obj"), TRIANGLE + "f 1 2 3\n");
+        Files.write(directory.resolve("bad.rays"), rays(new float[] {0, 0, 0, 0, 0, 0}));
+        assertRefused("bench DIR/model.obj --rays DIR/bad.rays", "ray 0", "direction");
+        Files.write(directory.resolve("bad.rays"), rays(new float[] {0, 0, Float.NaN, 0, 0, 1}));
+        assertRefused("bench DIR/model.obj --rays DIR/bad.rays", "ray 0", "NaN");
+    }
+
+    private static byte[] rays(float[]... rays) {
+        ByteBuffer buffer = ByteBuffer.allocate(4 + 24 * rays.length).order(ByteOrder.LITTLE_ENDIAN);
+        buffer.putInt(rays.length);
+        for (float[] ray : rays) {
+            for (float value : ray) {
+                buffer.putFloat(value);
+            }
+        }
+        return buffer.array();
+    }
+
+    @Test
+    void benchTracesTheRaysOfAFile() throws IOException {
+        Files.writeString(directory.resolve("model.obj"), TRIANGLE + "v 1 1 1\nf 1 2 2\nf 1 2 3\n");
+        Files.write(
+                directory.resolve("my.rays"),
+                rays(new float[] {0.2f, 0.2f, -2, 0, 0, 1}, new float[] {0.2f, 0.2f, -2, 0, 0, -1}));
+        for (String traversal : List.of("stack", "sequential")) {
+            Outcome outcome =
+                    commandIn("bench DIR/model.obj --rays DIR/my.rays --hits DIR/my.hits --passes 2 --threads 2"
+                            + " --traversal " + traversal);
+
+            assertThat(outcome.code()).isZero();
+            JsonNode line = JSON.readTree(outcome.out());
+            assertThat(line.get("set").asString()).isEqualTo("file");
+            assertThat(line.get("rays").asInt()).isEqualTo(2);
+            assertThat(line.get("hits").asInt()).isEqualTo(1);
+            assertThat(line.get("traversal").asString()).isEqualTo(traversal);
+            assertThat(line.get("threads").asInt()).isEqualTo(2);
+            assertThat(line.get("mrays_min").asDouble())
+                    .isLessThanOrEqualTo(line.get("mrays").asDouble());
+            assertThat(line.get("mrays").asDouble())
+                    .isLessThanOrEqualTo(line.get("mrays_max").asDouble());
+            assertThat(line.has("build_s")).isTrue();
+            ByteBuffer hits = ByteBuffer.wrap(Files.readAllBytes(directory.resolve("my.hits")))
+                    .order(ByteOrder.LITTLE_ENDIAN);
+            // The triangle without area is dropped, but counts: the hit is the file's second triangle.
+            assertThat(hits.getFloat()).isEqualTo(2.0f);
+            assertThat(hits.getInt()).isEqualTo(1);
+            assertThat(hits.getFloat()).isInfinite();
+            assertThat(hits.getInt()).isEqualTo(-1);
+            assertThat(hits.hasRemaining()).isFalse();
+        }
+    }
+
+    @Test
+    void benchMakesCameraAndDiffuseRaysItself() {
+        Outcome outcome = commandIn("bench packaged:house.obj --passes 1");
+
+        assertThat(outcome.code()).isZero();
+        assertThat(outcome.out().lines()).hasSize(2);
+        assertThat(outcome.out()
+                        .lines()
+                        .map(line -> JSON.readTree(line).get("set").asString()))
+                .containsExactly("camera", "diffuse");
+    }
+
+    @Test
+    void everyCommandHasHelpWithAnExample() {
+        for (String name : List.of("run", "check", "render", "bench", "list", "models")) {
+            Outcome outcome = command(name, "--help");
+            assertThat(outcome.code()).isZero();
+            assertThat(outcome.out()).contains("Usage:").contains(name);
+            if (!name.equals("list")) {
+                assertThat(outcome.out()).contains("Example");
+            }
+        }
+        assertThat(command("--help").out()).contains("Example");
+    }
+
+    @Test
+    void listTellsEachSceneInALine() {
+        assertThat(command("list").out().lines()).hasSize(1).first().asString().startsWith("camera-range");
+    }
+
+    @Test
+    void checkRunsNothing() throws IOException {
+        Outcome outcome = command("check", "camera-range");
+
+        assertThat(outcome.code()).isZero();
+        assertThat(outcome.out()).contains("camera-range is valid").contains("5 run(s)");
+        assertThat(files()).isEmpty();
+    }
+
+    @Test
+    void renderDrawsThePictureOfACamera() throws IOException {
+        Outcome outcome = commandIn("render camera-range --camera camera --time 35 --out DIR/view.png"
+                + " --set sensors.camera.width=480 --set sensors.camera.height=270");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        BufferedImage image = ImageIO.read(directory.resolve("view.png").toFile());
+        assertThat(image.getWidth()).isEqualTo(480);
+        assertThat(image.getHeight()).isEqualTo(270);
+
+        commandIn("render camera-range --camera camera --time 35 --out DIR/view.pfm"
+                + " --set sensors.camera.width=480 --set sensors.camera.height=270");
+        assertThat(Files.size(directory.resolve("view.pfm")))
+                .isEqualTo("Pf\n480 270\n-1.0\n".length() + 4L * 480 * 270);
+        assertThat(files()).containsOnlyKeys("view.png", "view.pfm");
+    }
+
+    /** The same files for the same seed, whatever the number of threads, but for what depends on the clock. */
+    @Test
+    void aRunWritesTheSameFilesForAnyNumberOfThreads() throws IOException {
+        String scene = "run camera-range --observations --set sensors.camera.width=480 --set sensors.camera.height=270"
+                + " --seed 5 --out DIR/";
+        assertThat(commandIn(scene + "one --threads 1").code()).isZero();
+        assertThat(commandIn(scene + "two --threads 2").code()).isZero();
+        assertThat(commandIn(scene + "again --threads 2").code()).isZero();
+
+        Map<String, String> files = files();
+        List<String> names = files.keySet().stream()
+                .filter(name -> name.startsWith("one/"))
+                .map(name -> name.substring(4))
+                .toList();
+        assertThat(names)
+                .contains(
+                        "detections.csv",
+                        "observations.csv",
+                        "summary.json",
+                        "plots/range-over-sensors-camera-fov.png");
+        assertThat(files).hasSize(3 * names.size());
+        for (String name : names) {
+            String expected = withoutClock(name, files.get("one/" + name));
+            assertThat(withoutClock(name, files.get("two/" + name))).isEqualTo(expected);
+            assertThat(withoutClock(name, files.get("again/" + name))).isEqualTo(expected);
+        }
+    }
+
+    private static String withoutClock(String name, String text) {
+        return name.endsWith(".json")
+                ? text.replaceAll("\"(load_s|build_s|wall_s|real_time_factor|threads)\" : [-+.0-9eE]+", "")
+                : text;
+    }
+
+    @Test
+    void theFilesOfARunAreWhatScriptsRelyOn() throws IOException {
+        Outcome outcome = commandIn("run camera-range --out DIR/results --set sensors.camera.fov=0.6 --seed 9");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+
+        JsonNode summary = JSON.readTree(Files.readString(directory.resolve("results/summary.json")));
+        for (String key : List.of("scene", "seed", "threads", "simulated_s", "load_s", "build_s", "wall_s")) {
+            assertThat(summary.has(key)).as(key).isTrue();
+        }
+        assertThat(summary.get("scene").asString()).isEqualTo("camera-range");
+        assertThat(summary.get("seed").asLong()).isEqualTo(9);
+        assertThat(summary.get("simulated_s").asDouble()).isEqualTo(39.0);
+        assertThat(summary.get("real_time_factor").asDouble()).isPositive();
+        assertThat(summary.get("complete").asBoolean()).isTrue();
+        assertThat(summary.has("sweep")).isFalse();
+        JsonNode pair = summary.get("pairs").get(0);
+        assertThat(pair.get("sensor").asString()).isEqualTo("camera");
+        assertThat(pair.get("kind").asString()).isEqualTo("camera");
+        assertThat(pair.get("drone").asString()).isEqualTo("quadrotor");
+        assertThat(pair.get("range_m").asDouble()).isBetween(50.0, 200.0);
+        assertThat(pair.get("max_range_m").asDouble())
+                .isGreaterThanOrEqualTo(pair.get("range_m").asDouble());
+
+        List<String> rows = Files.readAllLines(directory.resolve("results/detections.csv"));
+        assertThat(rows.get(0)).isEqualTo("run,time_s,event,sensor,kind,drone,range_m,value,threshold,unit");
+        assertThat(rows.get(1))
+                .startsWith("0,")
+                .contains(",gained,camera,camera,quadrotor,")
+                .endsWith(",12,px");
+    }
+
+    @Test
+    void aRunKeepsTheOtherFilesOfItsDirectory() throws IOException {
+        Path results = Files.createDirectory(directory.resolve("results"));
+        Files.writeString(results.resolve("notes.txt"), "mine");
+        Files.writeString(results.resolve("observations.csv"), "of an older run");
+
+        commandIn("run camera-range --out DIR/results --set sensors.camera.fov=1 --set run.duration=1");
+
+        assertThat(files()).containsEntry("results/notes.txt", "mine");
+        assertThat(files()).containsKey("results/summary.json").doesNotContainKey("results/observations.csv");
+    }
+
+    @Test
+    void modelsAreWrittenAsTheyAreShipped() throws IOException {
+        Outcome outcome = commandIn("models --out DIR");
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        for (Map.Entry<String, String> file : files().entrySet()) {
+            assertThat(file.getValue().getBytes(java.nio.charset.StandardCharsets.ISO_8859_1))
+                    .isEqualTo(Files.readAllBytes(Path.of("models", file.getKey())));
+        }
+        assertThat(files()).containsKeys("hill.obj", "quadrotor.obj", "house.obj", "house.mtl");
+    }
+}

@@ -1,0 +1,42 @@
+package org.dronewatch.scene;
+
+import java.util.List;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.World;
+
+/** A sensor of pure chance, written as a user would write one of an own kind: it shows which random numbers are drawn. */
+record DiceSettings(Position position, @In(Quantity.FREQUENCY) double rate, @In(Quantity.NUMBER) double luck)
+        implements SensorSettings<Sensor> {
+
+    @Override
+    public String kind() {
+        return "dice";
+    }
+
+    @Override
+    public Sensor create() {
+        return this::observe;
+    }
+
+    private List<Observation> observe(World world, List<Drone> drones, Sample sample) {
+        return drones.stream()
+                .map(drone -> new Observation(
+                        sample.sensor(),
+                        kind(),
+                        drone.id(),
+                        sample.index(),
+                        sample.time(),
+                        drone.distance(position),
+                        sample.random().nextDouble(),
+                        luck,
+                        ""))
+                .toList();
+    }
+}

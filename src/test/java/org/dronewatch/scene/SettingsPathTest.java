@@ -1,0 +1,87 @@
+package org.dronewatch.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.within;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.world.FlightPathSettings.Approach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class SettingsPathTest {
+    private final SceneSettings settings = new HillScene().describe();
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "world.backgroundNoise          | 20        | 20.0",
+                "world.models.0.scale           | 2         | 2.0",
+                "world.models.0.file            | my.obj    | my.obj",
+                "sensors.wide.rate              | 2 kHz     | 2000.0",
+                "sensors.wide.width             | 640       | 640",
+                "sensors.wide.detection.pixels  | 30        | 30.0",
+                "drones.comer.speed             | 36 km/h   | 10.0",
+                "drones.comer.flight.from.z     | 200 m     | 200.0",
+                "drones.crosser.flight.points.1.x | 7       | 7.0",
+                "sensors.dice.luck              | .5        | 0.5",
+                "run.seed                       | 77        | 77",
+                "run.duration                   | 1 min     | 60.0",
+            })
+    void aValueIsWrittenWhereThePathLeads(String path, String text, String expected) {
+        SettingsPath setting = new SettingsPath(path);
+        SceneSettings changed = setting.write(settings, text);
+
+        assertThat(setting.read(changed).toString()).isEqualTo(expected);
+        assertThat(setting.read(settings)).isNotEqualTo(setting.read(changed));
+        assertThat(new SettingsPath(path).write(changed, setting.read(settings).toString()))
+                .isEqualTo(settings);
+    }
+
+    @Test
+    void positionsAndNamesAreWrittenAsPeopleWriteThem() {
+        SceneSettings moved = new SettingsPath("drones.comer.flight.from").write(settings, "1, 2 km, -3");
+        assertThat(((Approach) moved.drones().get("comer").flight()).from()).isEqualTo(new Position(1, 2000, -3));
+
+        SceneSettings horizontal = new SettingsPath("sensors.wide.fovAxis").write(settings, "horizontal");
+        assertThat(((CameraSettings) horizontal.sensors().get("wide")).focalLength())
+                .isCloseTo(160 / Math.tan(0.6), within(1e-9));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "world.noise                    | 3       | no 'noise'    | backgroundNoise",
+                "sensors.tall.fov               | 3       | no 'tall'     | wide, narrow, dice, more-dice",
+                "sensors.wide.fov.deg           | 3       | no 'deg'      | single value",
+                "sensors.wide.fov               | 0       | fov 0.0 rad   | above 0.0 and below 3.14",
+                "sensors.wide.fov               | 180 deg | fov 3.14      | above 0.0 and below 3.14",
+                "sensors.wide.fov               | 3 m     | '3 m'         | rad",
+                "sensors.wide.width             | 0       | width 0 px    | 1 to 16384",
+                "sensors.wide.width             | 12.5    | 12.5          | whole number",
+                "sensors.wide.fovAxis           | round   | round         | vertical, horizontal",
+                "sensors.wide.position          | 1, 2    | 1, 2          | east, north, up",
+                "sensors.wide                   | 1       | sensors.wide  | parts",
+                "drones.comer.speed             | -5      | speed -5.0 m/s | above 0",
+                "drones.comer.speed             | NaN     | NaN           | number",
+                "drones.crosser.flight.points.9.x | 1     | no '9'        | 0 to 1",
+                "drones.crosser.flight.points.-1.x | 1    | no '-1'       | 0 to 1",
+                "run.seed                       | x       | 'x'           | whole number",
+                "world.models.0.scale           | -1      | scale -1.0    | above 0",
+                "nothing                        | 1       | no 'nothing'  | world, drones, sensors, run, sweep",
+                "''                             | 1       | no ''         | world",
+                "sweep.parameter                | 1       | parameter     | not set",
+            })
+    void aMistakeIsNamedWithPathValueAndLimit(String path, String text, String what, String limit) {
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> new SettingsPath(path).write(settings, text))
+                .withMessageContaining(path)
+                .withMessageContaining(what)
+                .withMessageContaining(limit);
+    }
+}
