@@ -1,5 +1,7 @@
 package org.dronewatch.geometry;
 
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Quantity;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Tuple3d;
 import org.jogamp.vecmath.Vector3d;
@@ -12,7 +14,7 @@ import org.jogamp.vecmath.Vector3d;
  * @param y north, m
  * @param z up, m
  */
-public record Position(double x, double y, double z) {
+public record Position(@In(Quantity.LENGTH) double x, @In(Quantity.LENGTH) double y, @In(Quantity.LENGTH) double z) {
 
     /**
      * Checks that the position is a place.

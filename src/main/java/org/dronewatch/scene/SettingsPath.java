@@ -66,6 +66,10 @@ public final class SettingsPath {
     }
 
     private Object replaced(Object here, int depth, String text) {
+        if (depth == names.size()) {
+            throw new InputException(
+                    path + "=" + text + ": '" + path + "' is not a single value: name one of its parts");
+        }
         Object unwrapped = here instanceof Optional<?> optional ? optional.orElse(null) : here;
         if (unwrapped instanceof Record settings) {
             Object changed = replacedInRecord(settings, depth, text);
