@@ -3,7 +3,6 @@ package org.dronewatch.app;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.Callable;
 import me.tongfei.progressbar.ProgressBar;
 import org.dronewatch.bench.KernelBench;
@@ -150,7 +149,7 @@ final class BenchCommand implements Callable<Integer> {
         line.put("mrays_min", rounded(measured.slowest()));
         line.put("mrays_max", rounded(measured.fastest()));
         line.put("build_s", rounded(bench.buildSeconds()));
-        line.put("traversal", traversal.name().toLowerCase(Locale.ROOT));
+        line.put("traversal", traversal.toString());
         line.put("threads", threads);
         if (rays == null) {
             line.put("seed", seed);

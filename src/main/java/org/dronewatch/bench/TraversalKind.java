@@ -1,5 +1,6 @@
 package org.dronewatch.bench;
 
+import java.util.Locale;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.SequentialTraversal;
@@ -15,5 +16,11 @@ public enum TraversalKind {
     /** A traversal of this kind for one thread. */
     public KDTraversal create(KDTree tree) {
         return this == STACK ? new StackTraversal(tree) : new SequentialTraversal(tree);
+    }
+
+    /** As it is written on the command line. */
+    @Override
+    public String toString() {
+        return name().toLowerCase(Locale.ROOT);
     }
 }

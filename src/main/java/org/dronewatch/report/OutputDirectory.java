@@ -31,8 +31,10 @@ final class OutputDirectory implements AutoCloseable {
         if (parent == null) {
             throw new InputException("output directory " + target + " is the root of a file system");
         }
-        if (Files.exists(this.target) && !Files.isDirectory(this.target)) {
-            throw new InputException("output directory " + target + " is a file");
+        for (Path place = this.target; place != null; place = place.getParent()) {
+            if (Files.exists(place) && !Files.isDirectory(place)) {
+                throw new InputException("output directory " + target + " cannot be written: " + place + " is a file");
+            }
         }
         try {
             Files.createDirectories(parent);

@@ -41,7 +41,8 @@ class CommandLineTest {
 
     /** Runs a command line in which DIR stands for the test's directory. */
     private Outcome commandIn(String line) {
-        return command(Stream.of(line.strip().split("\\s+"))
+        return command(Stream.of(line.split("\\s+"))
+                .filter(word -> !word.isEmpty())
                 .map(word -> word.replace("DIR", directory.toString()))
                 .toArray(String[]::new));
     }
@@ -149,7 +150,7 @@ class CommandLineTest {
         Files.writeString(directory.resolve("file"), "keep me");
 
         assertRefused("run camera-range --out DIR/file", "file", "is a file");
-        assertRefused("run camera-range --out DIR/file/below", "file", "cannot be written");
+        assertRefused("run camera-range --out DIR/file/below", "file", "is a file");
         assertRefused("render camera-range --camera camera --time 1 --out DIR/file/a.png", "file", "no directory");
     }
 
@@ -247,7 +248,7 @@ class CommandLineTest {
 
     @Test
     void listTellsEachSceneInALine() {
-        assertThat(command("list").out().lines()).hasSize(1).first().asString().startsWith("camera-range");
+        assertThat(command("list").out().lines()).hasSize(1).first().asString().contains("camera-range");
     }
 
     @Test

@@ -19,7 +19,8 @@ class DroneTest {
             DroneSettings.of(ModelSettings.of("none.obj"), new Hover(new Position(0, 0, 0), 0.0));
 
     private final Drone drone = new Drone(
-            "drone", SETTINGS, KDTree.of(TriangleMesh.of(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2})));
+            "drone", SETTINGS, KDTree.of(TriangleMesh.of(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2
+            })));
 
     @Test
     void turnsAreRightHanded() {
@@ -67,7 +68,10 @@ class DroneTest {
 
     @Test
     void theInverseLeadsBack() {
-        Drone moved = drone.move(new Vector3d(1, 2, 3)).rotateX(0.3, 1).rotateY(-1.1, 1).rotateZ(2.0, 1);
+        Drone moved = drone.move(new Vector3d(1, 2, 3))
+                .rotateX(0.3, 1)
+                .rotateY(-1.1, 1)
+                .rotateZ(2.0, 1);
         Matrix4d product = moved.worldToModel();
         product.mul(moved.modelMatrix());
         Matrix4d identity = new Matrix4d();

@@ -88,7 +88,8 @@ class ObjLoaderTest {
     @Test
     void materialNamesAreKept() throws IOException {
         Files.writeString(directory.resolve("my.mtl"), "newmtl brick\nKd 1 0 0\nnewmtl glass\nKd 0 0 1\n");
-        LoadedModel model = load("mtllib my.mtl\n" + SQUARE + "f 1 2 3\nusemtl glass\nf 1 3 4\nusemtl brick\nf 2 3 4\n");
+        LoadedModel model =
+                load("mtllib my.mtl\n" + SQUARE + "f 1 2 3\nusemtl glass\nf 1 3 4\nusemtl brick\nf 2 3 4\n");
 
         TriangleMesh mesh = model.mesh();
         assertThat(mesh.materialNames()).containsExactly("default", "glass", "brick");

@@ -27,8 +27,7 @@ class CameraObjectTest {
     /** The outermost pixels' centres lie half a pixel inside the edges of the field of view. */
     @Test
     void theFieldOfViewSpansTheWholeSide() {
-        CameraObject vertical =
-                new CameraObject(NORTH.withResolution(200, 100).withVerticalFov(1.2));
+        CameraObject vertical = new CameraObject(NORTH.withResolution(200, 100).withVerticalFov(1.2));
         assertThat(vertical.focalLength()).isCloseTo(50 / Math.tan(0.6), within(1e-12));
         CameraObject horizontal =
                 new CameraObject(NORTH.withResolution(200, 100).withHorizontalFov(1.2));
@@ -42,7 +41,8 @@ class CameraObjectTest {
         Random random = new Random(11);
         for (int i = 0; i < 1000; i++) {
             Position way = new Position(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
-            CameraObject camera = new CameraObject(NORTH.withLookAt(NORTH.position().plus(way)));
+            CameraObject camera =
+                    new CameraObject(NORTH.withLookAt(NORTH.position().plus(way)));
             int column = random.nextInt(camera.width());
             int row = random.nextInt(camera.height());
             Point3d point = camera.ray(column, row).pointAt(0.1 + 500 * random.nextDouble());

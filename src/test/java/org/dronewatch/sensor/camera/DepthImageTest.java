@@ -47,8 +47,8 @@ class DepthImageTest {
         for (int i = 0; i < corners.length; i++) {
             corners[i] = sphere.vertexIndex(i / 3, i % 3);
         }
-        return World.of(World.merge(List.of(
-                Shapes.ground(2000, 0), Shapes.box(BOX_LOW, BOX_HIGH), TriangleMesh.of(vertices, corners))));
+        return World.of(World.merge(
+                List.of(Shapes.ground(2000, 0), Shapes.box(BOX_LOW, BOX_HIGH), TriangleMesh.of(vertices, corners))));
     }
 
     private static double plane(Point3d from, Vector3d way) {
@@ -142,7 +142,8 @@ class DepthImageTest {
         byte[] bytes = pfm(image);
         String header = "Pf\n2 3\n-1.0\n";
 
-        assertThat(new String(bytes, 0, header.length(), StandardCharsets.US_ASCII)).isEqualTo(header);
+        assertThat(new String(bytes, 0, header.length(), StandardCharsets.US_ASCII))
+                .isEqualTo(header);
         ByteBuffer floats = ByteBuffer.wrap(bytes, header.length(), bytes.length - header.length())
                 .order(ByteOrder.LITTLE_ENDIAN);
         for (float expected : new float[] {5, 6, 3, sky, 1, 2}) {

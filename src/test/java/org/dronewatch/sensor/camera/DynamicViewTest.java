@@ -50,7 +50,8 @@ class DynamicViewTest {
 
     @Test
     void inTheOpen() {
-        assertThat(count(ground, Shapes.drone("ball", ball, new Position(0.3, 5, 2.2)))).isGreaterThan(100);
+        assertThat(count(ground, Shapes.drone("ball", ball, new Position(0.3, 5, 2.2))))
+                .isGreaterThan(100);
     }
 
     @Test
@@ -86,7 +87,10 @@ class DynamicViewTest {
     @Test
     void partlyOutsideTheFrame() {
         for (Position place : List.of(
-                new Position(4.5, 5, 2), new Position(-4.5, 5, 2), new Position(0, 5, 4.6), new Position(4.5, 5, 4.6))) {
+                new Position(4.5, 5, 2),
+                new Position(-4.5, 5, 2),
+                new Position(0, 5, 4.6),
+                new Position(4.5, 5, 4.6))) {
             assertThat(count(ground, Shapes.drone("ball", ball, place))).isPositive();
         }
     }
