@@ -3,6 +3,7 @@ package org.dronewatch.models;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /** The surface of one part as a loose set of flat facets, before its corners are merged into shared vertices. */
 final class Solid {
@@ -52,6 +53,20 @@ final class Solid {
     double signedVolume() {
         Point apex = facets.get(0).corners().get(0);
         return facets.stream().mapToDouble(f -> f.sixfoldVolume(apex)).sum() / 6;
+    }
+
+    /** The same solid with every corner somewhere else. */
+    Solid moved(UnaryOperator<Point> way) {
+        Solid other = new Solid();
+        for (Facet facet : facets) {
+            other.add(facet.material(), facet.corners().stream().map(way).toList());
+        }
+        return other;
+    }
+
+    /** All corners, once for each facet that has them. */
+    List<Point> corners() {
+        return facets.stream().flatMap(facet -> facet.corners().stream()).toList();
     }
 
     /** The facets, turned over as a whole if they happened to face inward. */

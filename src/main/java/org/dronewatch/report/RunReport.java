@@ -140,7 +140,10 @@ public final class RunReport implements SceneListener, AutoCloseable {
     /** Ends the report; what was not finished leaves nothing behind. */
     @Override
     public void close() {
-        closeTables();
-        directory.close();
+        try {
+            closeTables();
+        } finally {
+            directory.close();
+        }
     }
 }

@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.UUID;
 import org.dronewatch.setting.InputException;
 
 /** A file that the user named for output: checked before any work is done, and written whole or not at all. */
@@ -57,9 +59,12 @@ public final class WholeFile {
      */
     public void write(Content content) {
         try {
-            Path partial = Files.createTempFile(directory, ".partial-", ".tmp");
+            // Not a temporary file of the library, which nobody else may read.
+            Path partial = directory.resolve(".partial-" + UUID.randomUUID());
             try {
-                try (OutputStream stream = new BufferedOutputStream(Files.newOutputStream(partial), BUFFER_BYTES)) {
+                try (OutputStream stream = new BufferedOutputStream(
+                        Files.newOutputStream(partial, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+                        BUFFER_BYTES)) {
                     content.writeTo(stream);
                 }
                 Files.move(partial, file, StandardCopyOption.REPLACE_EXISTING);

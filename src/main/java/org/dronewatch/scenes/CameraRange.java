@@ -15,10 +15,10 @@ import org.dronewatch.world.FlightPathSettings.Approach;
  */
 public final class CameraRange extends Scene {
     /** What the quadrotor shows to the camera: its silhouette from the front, m2. */
-    public static final double FRONTAL_AREA = 0.053;
+    public static final double FRONTAL_AREA = 0.0528;
 
-    /** On a mast of 2 m on the hill's level top. */
-    private static final Position CAMERA = new Position(0, 0, 134);
+    /** On a mast of 12 m on the hill's level top, from where it sees over the edge into the valleys. */
+    private static final Position CAMERA = new Position(0, 0, 144);
 
     @Override
     protected void build() {

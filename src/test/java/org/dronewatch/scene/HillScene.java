@@ -21,18 +21,18 @@ class HillScene extends Scene {
 
     @Override
     protected void build() {
-        Position camera = new Position(0, 0, 140);
+        Position camera = new Position(0, 0, 144);
         loadWorld(loadPackaged("hill.obj"));
         add(
                 "comer",
                 DroneSettings.of(
                         loadPackaged("quadrotor.obj"),
-                        new Approach(new Position(2, 30, 141), new Position(2, 5, 141))));
+                        new Approach(new Position(2, 30, 145), new Position(2, 5, 145))));
         add(
                 "crosser",
                 DroneSettings.of(
                         loadPackaged("quadrotor.obj"),
-                        new Waypoints(List.of(new Position(-5, 20, 140), new Position(5, 20, 140)))));
+                        new Waypoints(List.of(new Position(-5, 20, 144), new Position(5, 20, 144)))));
         CameraSettings north = CameraSettings.at(camera).withResolution(320, 180);
         add("wide", north.withVerticalFov(1.2));
         add("narrow", north.withVerticalFov(0.6).withRate(4.0));
