@@ -1,0 +1,43 @@
+package org.dronewatch.geometry;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class PositionTest {
+    private static final Position P = new Position(1, 2, 3);
+    private static final Position Q = new Position(4, 6, 3);
+
+    @Test
+    void addsSubtractsAndScales() {
+        assertThat(P.plus(Q)).isEqualTo(new Position(5, 8, 6));
+        assertThat(Q.minus(P)).isEqualTo(new Position(3, 4, 0));
+        assertThat(P.times(-2)).isEqualTo(new Position(-2, -4, -6));
+    }
+
+    @Test
+    void measures() {
+        assertThat(Q.minus(P).length()).isEqualTo(5.0);
+        assertThat(P.distance(Q)).isEqualTo(5.0);
+    }
+
+    @Test
+    void goesToVecmathAndBack() {
+        assertThat(P.toPoint3d()).isEqualTo(new Point3d(1, 2, 3));
+        assertThat(P.toVector3d()).isEqualTo(new Vector3d(1, 2, 3));
+        assertThat(Position.of(P.toPoint3d())).isEqualTo(P);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
+    void refusesWhatIsNoPlace(double bad) {
+        assertThatIllegalArgumentException().isThrownBy(() -> new Position(bad, 0, 0));
+        assertThatIllegalArgumentException().isThrownBy(() -> new Position(0, bad, 0));
+        assertThatIllegalArgumentException().isThrownBy(() -> new Position(0, 0, bad));
+    }
+}
