@@ -1,0 +1,34 @@
+package org.dronewatch.jmh;
+
+import java.nio.file.Path;
+import org.dronewatch.bench.RayGenerator;
+import org.dronewatch.bench.RaySet;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.ObjLoader;
+
+/** What the benchmarks measure with: the project's models, read from the working directory, and rays of one seed. */
+final class Bench {
+    private static final Path MODELS = Path.of("models");
+    private static final long SEED = 1;
+
+    private Bench() {}
+
+    /** A model in the coordinates of its file. */
+    static TriangleMesh mesh(String model) {
+        return new ObjLoader(MODELS).loadAsWritten(model + ".obj").mesh();
+    }
+
+    /** A model with z up, as scenes load it. */
+    static TriangleMesh worldMesh(String model) {
+        return new ObjLoader(MODELS).load(ModelSettings.of(model + ".obj")).mesh();
+    }
+
+    /** The rays of a picture ("camera"), or those that bounce about what it shows ("diffuse"). */
+    static RaySet rays(KDTree tree, String kind) {
+        RayGenerator generator = new RayGenerator(tree, SEED);
+        RaySet camera = generator.camera();
+        return kind.equals("camera") ? camera : generator.diffuse(camera);
+    }
+}

@@ -1,0 +1,76 @@
+package org.dronewatch.jmh;
+
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.camera.CameraSensor;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.FlightPath;
+import org.dronewatch.world.FlightPathSettings;
+import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.World;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/** Time of one frame of a full HD camera on the hill that looks at a drone on its way. */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Fork(1)
+@Warmup(iterations = 2, time = 2)
+@Measurement(iterations = 3, time = 2)
+public class CameraFrame {
+    private static final int FRAMES = 100;
+    private static final double FRAMES_PER_SECOND = 10.0;
+
+    /** How far the drone is from the camera when it passes, m. */
+    @Param({"10", "50"})
+    public double distance;
+
+    private World world;
+    private CameraSensor camera;
+    private Drone drone;
+    private FlightPath flight;
+    private long frame;
+
+    /** Puts a camera on the hill and a drone before it. */
+    @Setup
+    public void load() {
+        world = World.of(Bench.worldMesh("hill"));
+        double x = world.bounds().center().x;
+        double y = world.bounds().center().y;
+        double z = world.surfaceHeight(x, y).orElseThrow() + 2.0;
+        Position eye = new Position(x, y, z);
+        Position middle = new Position(x, y + distance, z + 1.0);
+        camera = CameraSettings.at(eye).withLookAt(middle).create();
+
+        FlightPathSettings path = new FlightPathSettings.Approach(
+                middle.plus(new Position(-2.0, 0, 0)), middle.plus(new Position(2.0, 0, 0)));
+        DroneSettings settings =
+                DroneSettings.of(ModelSettings.of("quadrotor.obj"), path).withSpeed(0.4);
+        drone = settings.create("drone", KDTree.of(Bench.worldMesh("quadrotor")));
+        flight = settings.createFlight();
+    }
+
+    /** The next frame of the flight, which starts again when it is over. */
+    @Benchmark
+    public List<Observation> observe() {
+        long index = frame++ % FRAMES;
+        double time = index / FRAMES_PER_SECOND;
+        return camera.observe(world, List.of(drone.at(flight.at(time))), Sample.of(1, 0, "camera", index, time));
+    }
+}
