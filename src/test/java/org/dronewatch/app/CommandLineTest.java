@@ -111,7 +111,7 @@ class CommandLineTest {
                 "render camera-range --camera camera --time 1 --run 5 --out DIR/a.png | 5  | 0 to 4",
                 "bench DIR/none.obj                                       | none.obj      | does not exist",
                 "bench packaged:quadrotor.obj --passes 0                  | --passes 0    | 1 to 1000",
-                "bench packaged:quadrotor.obj --traversal fast            | fast          | stack",
+                "bench packaged:quadrotor.obj --traversal fast            | fast          | STACK",
                 "bench packaged:quadrotor.obj --rays DIR/none.rays        | none.rays     | cannot be read",
                 "bench packaged:quadrotor.obj --width 10                  | --width       | --rays",
                 "bench packaged:quadrotor.obj --hits DIR/hits             | --hits        | --rays",
