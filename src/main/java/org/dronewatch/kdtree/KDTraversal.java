@@ -57,8 +57,8 @@ public abstract class KDTraversal {
     }
 
     /**
-     * Whether any triangle lies strictly between two ray parameters: a surface exactly at either end hides nothing, so
-     * that points on surfaces can see each other.
+     * Whether any triangle lies strictly between two ray parameters. A computed point lies on a surface only up to
+     * rounding: between points on surfaces, leave a little room at both ends.
      */
     public final boolean isOccluded(
             double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {

@@ -13,6 +13,9 @@ public final class SequentialTraversal extends KDTraversal {
     private final double[] point = new double[3];
     private final double[] low = new double[3];
     private final double[] high = new double[3];
+    private final double[] leafPoint = new double[3];
+    private final double[] leafLow = new double[3];
+    private final double[] leafHigh = new double[3];
 
     /** A traversal of a tree for the use of one thread. */
     public SequentialTraversal(KDTree tree) {
@@ -30,15 +33,19 @@ public final class SequentialTraversal extends KDTraversal {
         for (int axis = 0; axis < 3; axis++) {
             point[axis] = clamp(origin[axis] + entry * direction[axis], root[axis], root[axis + 3]);
         }
+        double leafEntry = entry;
         while (true) {
             long leaf = locateLeaf();
             int exitAxis = exitAxis();
             double leafExit = exitAxis < 0 ? Double.POSITIVE_INFINITY : exitParameter(exitAxis);
             testLeaf(leaf, tMin);
+            testAround(leafEntry, -1, tMin);
+            testAround(leafExit, exitAxis, tMin);
             boolean hitHere = intersection.found() && (anyHit || intersection.distance() <= leafExit * (1.0 + OVERLAP));
             if (hitHere || exitAxis < 0 || leafExit * (1.0 - OVERLAP) > exit || !step(exitAxis, leafExit)) {
                 return;
             }
+            leafEntry = leafExit;
         }
     }
 
@@ -79,6 +86,68 @@ public final class SequentialTraversal extends KDTraversal {
             }
         }
         return nearest;
+    }
+
+    /**
+     * Tests the other leaves about the edge or corner of the leaf that the ray passes at a parameter: rounding alone says
+     * which of them it enters, and a step leads to one of them only.
+     *
+     * @param known the axis on which the ray is known to be at the leaf's face, and alone to be so as a rule, or -1
+     */
+    private void testAround(double t, int known, double tMin) {
+        int ahead = 0;
+        int behind = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            if (direction[axis] == 0.0) {
+                ahead |= point[axis] == high[axis] ? 1 << axis : 0;
+            } else if (exitParameter(axis) * (1.0 - OVERLAP) <= t * (1.0 + OVERLAP)) {
+                ahead |= 1 << axis;
+            } else if (entryParameter(axis) * (1.0 + OVERLAP) >= t * (1.0 - OVERLAP)) {
+                behind |= 1 << axis;
+            }
+        }
+        int touched = ahead | behind;
+        if (Integer.bitCount(touched) < 2 && (known >= 0 || ahead == 0)) {
+            return;
+        }
+        copy(point, leafPoint);
+        copy(low, leafLow);
+        copy(high, leafHigh);
+        for (int crossed = touched; crossed > 0; crossed = crossed - 1 & touched) {
+            for (int axis = 0; axis < 3; axis++) {
+                int bit = crossed & 1 << axis;
+                point[axis] = bit == 0 ? onRay(axis, t) : across(axis, (bit & ahead) != 0);
+            }
+            testLeaf(locateLeaf(), tMin);
+        }
+        copy(leafPoint, point);
+        copy(leafLow, low);
+        copy(leafHigh, high);
+    }
+
+    /** A place just behind the leaf's face ahead, or before the one behind. */
+    private double across(int axis, boolean ahead) {
+        return inverse[axis] >= 0.0 == ahead ? Math.nextUp(leafHigh[axis]) : Math.nextDown(leafLow[axis]);
+    }
+
+    /** Where the ray is on an axis, held inside the leaf; the face behind it does not belong to the leaf. */
+    private double onRay(int axis, double t) {
+        if (direction[axis] == 0.0) {
+            return leafPoint[axis];
+        }
+        double place = origin[axis] + t * direction[axis];
+        return inverse[axis] >= 0.0
+                ? clamp(place, Math.nextUp(leafLow[axis]), leafHigh[axis])
+                : clamp(place, leafLow[axis], Math.nextDown(leafHigh[axis]));
+    }
+
+    private static void copy(double[] from, double[] to) {
+        System.arraycopy(from, 0, to, 0, 3);
+    }
+
+    private double entryParameter(int axis) {
+        double face = inverse[axis] >= 0.0 ? low[axis] : high[axis];
+        return (face - origin[axis]) * inverse[axis];
     }
 
     private double exitParameter(int axis) {

@@ -28,9 +28,10 @@ public final class StackTraversal extends KDTraversal {
         }
         int stacked = 0;
         int index = 0;
+        boolean inPlane = false;
         while (true) {
-            // Descend to a leaf. Comparisons with a parameter that is not a number (the ray runs inside the split
-            // plane) are false, and both children are visited.
+            // Descend to a leaf. Where the parameter is not a number the ray runs inside the split plane: both
+            // children are visited, over the same range.
             long node = nodes[index];
             int axis = KDNode.kind(node);
             while (axis != KDNode.LEAF) {
@@ -49,19 +50,25 @@ public final class StackTraversal extends KDTraversal {
                     index = far;
                 } else {
                     stackNode[stacked] = far;
-                    stackEntry[stacked] = t * (1.0 - OVERLAP);
                     stackExit[stacked] = exit;
+                    if (!Double.isNaN(t)) {
+                        stackEntry[stacked] = t * (1.0 - OVERLAP);
+                        exit = t * (1.0 + OVERLAP);
+                    } else {
+                        stackEntry[stacked] = entry;
+                        inPlane = true;
+                    }
                     stacked++;
                     index = near;
-                    exit = t * (1.0 + OVERLAP);
                 }
                 node = nodes[index];
                 axis = KDNode.kind(node);
             }
 
             testLeaf(node, tMin);
-            // A hit inside this cell is nearer than all that is still on the stack; a hit beyond it may not be.
-            if (intersection.found() && (anyHit || intersection.distance() <= exit)) {
+            // A hit inside this cell is nearer than all that is still on the stack; a hit beyond it may not be. A ray
+            // inside a split plane meets the cells on both sides at once, so that none of its hits is known to be first.
+            if (intersection.found() && (anyHit || !inPlane && intersection.distance() <= exit)) {
                 return;
             }
             if (stacked == 0) {

@@ -18,6 +18,9 @@ import org.jogamp.vecmath.Vector3d;
  * east, y north, z up. Immutable, shared by all threads.
  */
 public final class World {
+    /** How near to an end of a way a surface counts as the end's own: far above rounding, a micrometre in a kilometre. */
+    private static final double SURFACE = 1e-9;
+
     private final KDTree tree;
     private final double backgroundNoise;
 
@@ -81,11 +84,14 @@ public final class World {
         return newTraversal().closestHit(ray);
     }
 
-    /** Whether something stands between two points; a surface at either point hides nothing. */
+    /**
+     * Whether something stands between two points. A surface within a billionth of the way at either end hides nothing,
+     * so that points that were computed to lie on surfaces see each other.
+     */
     public boolean isOccluded(Point3d from, Point3d to) {
         Vector3d way = new Vector3d(to);
         way.sub(from);
-        return newTraversal().isOccluded(from.x, from.y, from.z, way.x, way.y, way.z, 0.0, 1.0);
+        return newTraversal().isOccluded(from.x, from.y, from.z, way.x, way.y, way.z, SURFACE, 1.0 - SURFACE);
     }
 
     /**
