@@ -25,7 +25,7 @@ public record LoadedModel(String name, TriangleMesh mesh, int dropped, List<Stri
         AABB bounds = mesh.bounds();
         return String.format(
                 Locale.ROOT,
-                "%s: %,d triangles (%d without area dropped), %.2f x %.2f x %.2f m (east, north, up), %d materials",
+                "%s: %,d triangles (%d without area dropped), %.2f x %.2f x %.2f m along x, y, z, %d materials",
                 name,
                 mesh.triangleCount(),
                 dropped,
