@@ -67,7 +67,8 @@ public final class StackTraversal extends KDTraversal {
 
             testLeaf(node, tMin);
             // A hit inside this cell is nearer than all that is still on the stack; a hit beyond it may not be. A ray
-            // inside a split plane meets the cells on both sides at once, so that none of its hits is known to be first.
+            // inside a split plane meets the cells on both sides at once, so that none of its hits is known to be
+            // first.
             if (intersection.found() && (anyHit || !inPlane && intersection.distance() <= exit)) {
                 return;
             }
