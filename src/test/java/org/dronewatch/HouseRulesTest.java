@@ -31,10 +31,14 @@ class HouseRulesTest {
             .definedBy("org.dronewatch.scene..")
             .layer("camera")
             .definedBy("org.dronewatch.sensor.camera..")
+            .layer("acoustic")
+            .definedBy("org.dronewatch.sensor.acoustic..")
             .layer("sensor")
             .definedBy("org.dronewatch.sensor")
             .layer("world")
             .definedBy("org.dronewatch.world..")
+            .layer("sound")
+            .definedBy("org.dronewatch.sound..")
             .layer("kdtree")
             .definedBy("org.dronewatch.kdtree..")
             .layer("geometry")
@@ -55,15 +59,19 @@ class HouseRulesTest {
             .mayOnlyBeAccessedByLayers("app", "report", "scenes")
             .whereLayer("camera")
             .mayOnlyBeAccessedByLayers("app", "scenes")
+            .whereLayer("acoustic")
+            .mayOnlyBeAccessedByLayers("app", "scenes")
             .whereLayer("sensor")
-            .mayOnlyBeAccessedByLayers("app", "report", "scenes", "scene", "camera")
+            .mayOnlyBeAccessedByLayers("app", "report", "scenes", "scene", "camera", "acoustic")
             .whereLayer("world")
-            .mayOnlyBeAccessedByLayers("app", "bench", "report", "scenes", "scene", "camera", "sensor")
+            .mayOnlyBeAccessedByLayers("app", "bench", "report", "scenes", "scene", "camera", "acoustic", "sensor")
+            .whereLayer("sound")
+            .mayOnlyBeAccessedByLayers("scenes", "scene", "acoustic", "sensor", "world")
             .whereLayer("kdtree")
-            .mayOnlyBeAccessedByLayers("app", "bench", "scene", "camera", "world")
+            .mayOnlyBeAccessedByLayers("app", "bench", "scene", "camera", "acoustic", "world")
             .whereLayer("geometry")
             .mayOnlyBeAccessedByLayers(
-                    "app", "bench", "report", "scenes", "scene", "camera", "sensor", "world", "kdtree");
+                    "app", "bench", "report", "scenes", "scene", "camera", "acoustic", "sensor", "world", "kdtree");
 
     @ArchTest
     static final ArchRule NO_CIRCLES =

@@ -118,6 +118,41 @@ public final class IntersectionHandler {
         return entry <= exit ? OptionalDouble.of(entry) : OptionalDouble.empty();
     }
 
+    /**
+     * The form of {@link #raySphere(Ray, Point3d, double)} for kernels: allocates nothing.
+     *
+     * @param dx x of the ray's direction, which must be of unit length
+     * @param dy its y
+     * @param dz its z
+     * @param radius radius in metres, above 0
+     * @return metres to the ball, 0 from inside; infinity for a miss
+     */
+    public static double raySphere(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double centerX,
+            double centerY,
+            double centerZ,
+            double radius) {
+        double x = centerX - ox;
+        double y = centerY - oy;
+        double z = centerZ - oz;
+        double middle = x * dx + y * dy + z * dz;
+        double besideX = x - middle * dx;
+        double besideY = y - middle * dy;
+        double besideZ = z - middle * dz;
+        double halfSquared = radius * radius - besideX * besideX - besideY * besideY - besideZ * besideZ;
+        if (!(halfSquared >= 0.0)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double half = Math.sqrt(halfSquared);
+        return middle + half >= 0.0 ? Math.max(middle - half, 0.0) : Double.POSITIVE_INFINITY;
+    }
+
     private static Vector3d cross(Vector3d first, Vector3d second) {
         Vector3d result = new Vector3d();
         result.cross(first, second);

@@ -18,7 +18,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** The look that all plots share. */
 final class Charts {
-    private static final int WIDTH = 1000;
+    private static final int WIDTH = 1200;
     private static final int HEIGHT = 640;
     private static final int TITLE_SIZE = 18;
     private static final int TEXT_SIZE = 14;
@@ -42,7 +42,7 @@ final class Charts {
                 .setChartBackgroundColor(Color.WHITE)
                 .setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, TITLE_SIZE))
                 .setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_SIZE))
-                .setLegendPosition(LegendPosition.InsideNE)
+                .setLegendPosition(LegendPosition.OutsideE)
                 .setSeriesColors(SERIES);
         chart.getStyler()
                 .setPlotGridLinesColor(GRID)

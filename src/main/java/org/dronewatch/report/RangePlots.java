@@ -10,6 +10,7 @@ import org.dronewatch.scene.Frame;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.setting.Quantity;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
@@ -26,7 +27,8 @@ final class RangePlots {
 
     void add(Frame frame) {
         for (Observation observation : frame.observations()) {
-            if (points < MAX_POINTS) {
+            // Minus infinity is the level of silence: nothing to draw.
+            if (points < MAX_POINTS && Double.isFinite(observation.value())) {
                 points++;
                 sensors.computeIfAbsent(observation.sensor(), name -> new LinkedHashMap<>())
                         .computeIfAbsent(List.of(frame.run(), observation.drone()), key -> new Series(observation))
@@ -53,9 +55,17 @@ final class RangePlots {
                 String name = name((int) key.get(0), (String) key.get(1), result);
                 chart.addSeries(name, values.range, values.value).setMarker(SeriesMarkers.NONE);
             });
-            Charts.asReference(chart.addSeries(
-                    "threshold", new double[] {0.0, farthest}, new double[] {any.threshold, any.threshold}));
-            chart.getStyler().setYAxisMax(TOP * any.threshold);
+            series.values().stream()
+                    .mapToDouble(values -> values.threshold)
+                    .distinct()
+                    .forEach(threshold -> {
+                        String name = "threshold " + Numbers.text(threshold) + " " + any.unit;
+                        double[] ends = {0.0, farthest};
+                        Charts.asReference(chart.addSeries(name, ends, new double[] {threshold, threshold}));
+                    });
+            if (Double.isFinite(any.top())) {
+                chart.getStyler().setYAxisMax(any.top());
+            }
             Charts.write(chart, files.apply(sensor));
         });
     }
@@ -80,7 +90,12 @@ final class RangePlots {
 
         void add(Observation observation) {
             range.add(observation.range());
-            value.add(Math.min(observation.value(), TOP * threshold));
+            value.add(Math.min(observation.value(), top()));
+        }
+
+        /** Levels are logarithms: they need no top. */
+        double top() {
+            return unit.equals(Quantity.LEVEL.unit()) ? Double.POSITIVE_INFINITY : TOP * threshold;
         }
 
         double farthest() {

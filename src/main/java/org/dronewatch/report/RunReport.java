@@ -5,6 +5,8 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.Frame;
 import org.dronewatch.scene.Scene;
@@ -63,7 +65,8 @@ public final class RunReport implements SceneListener, AutoCloseable {
                             "value",
                             "threshold",
                             "unit",
-                            "detected")
+                            "detected",
+                            "figures")
                     : null;
         } catch (IOException e) {
             directory.close();
@@ -89,8 +92,15 @@ public final class RunReport implements SceneListener, AutoCloseable {
                     Numbers.text(o.value()),
                     Numbers.text(o.threshold()),
                     o.unit(),
-                    Boolean.toString(o.isDetected()));
+                    Boolean.toString(o.isDetected()),
+                    text(o.figures()));
         }
+    }
+
+    private static String text(Map<String, Double> figures) {
+        return figures.entrySet().stream()
+                .map(figure -> figure.getKey() + "=" + Numbers.text(figure.getValue()))
+                .collect(Collectors.joining(" "));
     }
 
     @Override

@@ -1,18 +1,18 @@
 package org.dronewatch.report;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
 import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SettingsPath;
+import org.dronewatch.scene.SweepAxis;
 import org.dronewatch.scene.SweepPoint;
-import org.dronewatch.setting.Quantity;
 import org.knowm.xchart.XYChart;
 
 /** First-detection range over the value of a sweep, with the law that the scene expects. */
@@ -40,48 +40,47 @@ final class SweepPlot {
     }
 
     void write(Path file) {
-        Quantity quantity =
-                new SettingsPath(parameter).quantity(result.runs().get(0).settings());
-        String unit = quantity.unit().isEmpty() ? "" : " [" + quantity.unit() + "]";
+        SweepAxis axis = scene.sweepAxis().orElseGet(this::ofTheSetting);
         XYChart chart = Charts.chart(
-                result.scene() + ": range of first detection", parameter + unit, "range of first detection [m]");
+                result.scene() + ": range of first detection", axis.label(), "range of first detection [m]");
         Set<String> sensors = new LinkedHashSet<>();
         result.sweep().forEach(point -> sensors.add(point.sensor()));
         for (String sensor : sensors) {
-            addMeasured(chart, sensor);
-            addExpected(chart, sensor);
+            addMeasured(chart, axis, sensor);
+            addExpected(chart, axis, sensor);
         }
         if (!chart.getSeriesCollection().isEmpty()) {
             Charts.write(chart, file);
         }
     }
 
-    private void addMeasured(XYChart chart, String sensor) {
-        List<Double> x = new ArrayList<>();
-        List<Double> y = new ArrayList<>();
-        for (SweepPoint point : result.sweep()) {
-            if (point.sensor().equals(sensor) && point.range().isPresent()) {
-                x.add(((Number) point.value()).doubleValue());
-                y.add(point.range().getAsDouble());
-            }
+    private SweepAxis ofTheSetting() {
+        SettingsPath path = new SettingsPath(parameter);
+        String unit = path.quantity(result.runs().get(0).settings()).unit();
+        String label = unit.isEmpty() ? parameter : parameter + " [" + unit + "]";
+        return new SweepAxis(label, settings -> ((Number) path.read(settings)).doubleValue());
+    }
+
+    private void addMeasured(XYChart chart, SweepAxis axis, String sensor) {
+        Map<Double, Double> points = new TreeMap<>();
+        for (RunResult run : result.runs()) {
+            run.firstDetectionRange(sensor)
+                    .ifPresent(range -> points.put(axis.value().applyAsDouble(run.settings()), range));
         }
-        if (!x.isEmpty()) {
-            chart.addSeries(sensor, x, y);
+        if (!points.isEmpty()) {
+            chart.addSeries(sensor, List.copyOf(points.keySet()), List.copyOf(points.values()));
         }
     }
 
-    private void addExpected(XYChart chart, String sensor) {
-        List<Double> x = new ArrayList<>();
-        List<Double> y = new ArrayList<>();
+    private void addExpected(XYChart chart, SweepAxis axis, String sensor) {
+        Map<Double, Double> points = new TreeMap<>();
         for (RunResult run : result.runs()) {
-            OptionalDouble expected = scene.expectedRange(run.settings(), sensor);
-            if (expected.isPresent()) {
-                x.add(((Number) new SettingsPath(parameter).read(run.settings())).doubleValue());
-                y.add(expected.getAsDouble());
-            }
+            scene.expectedRange(run.settings(), sensor)
+                    .ifPresent(range -> points.put(axis.value().applyAsDouble(run.settings()), range));
         }
-        if (!x.isEmpty()) {
-            Charts.asReference(chart.addSeries(sensor + ": mean law", x, y));
+        if (!points.isEmpty()) {
+            String name = sensor + ": expected";
+            Charts.asReference(chart.addSeries(name, List.copyOf(points.keySet()), List.copyOf(points.values())));
         }
     }
 }

@@ -3,14 +3,17 @@ package org.dronewatch.scene;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.world.LoadedModel;
 import org.dronewatch.world.ModelSettings;
 import org.dronewatch.world.ObjLoader;
+import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
 
 /** Loads each model and builds each tree once, however many runs need them, and measures how long that took. */
@@ -21,6 +24,7 @@ final class ModelCache {
     private final Consumer<String> notes;
     private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
     private final Map<List<ModelSettings>, KDTree> trees = new HashMap<>();
+    private final Set<List<String>> noted = new HashSet<>();
     private double loadSeconds;
     private double buildSeconds;
 
@@ -58,6 +62,14 @@ final class ModelCache {
         notes.accept("read " + model.describe());
         model.warnings().forEach(warning -> notes.accept("warning: " + warning));
         return model;
+    }
+
+    /** Tells once which materials are what is left over, because no surface is named for them. */
+    void noteSurfaces(List<String> leftOver, SurfaceSettings surfaces) {
+        if (!leftOver.isEmpty() && noted.add(leftOver)) {
+            notes.accept("warning: no surface is named for " + String.join(", ", leftOver) + ": taken as '"
+                    + surfaces.otherwise() + "'");
+        }
     }
 
     double loadSeconds() {

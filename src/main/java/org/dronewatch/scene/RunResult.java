@@ -1,6 +1,7 @@
 package org.dronewatch.scene;
 
 import java.util.List;
+import java.util.OptionalDouble;
 
 /**
  * What one run of a scene gave.
@@ -17,5 +18,13 @@ public record RunResult(
     public RunResult {
         events = List.copyOf(events);
         pairs = List.copyOf(pairs);
+    }
+
+    /** Distance at which a sensor first detected a drone, m: the farthest of the scene's drones; empty for never. */
+    public OptionalDouble firstDetectionRange(String sensor) {
+        return pairs.stream()
+                .filter(pair -> pair.sensor().equals(sensor) && pair.range().isPresent())
+                .mapToDouble(pair -> pair.range().getAsDouble())
+                .max();
     }
 }

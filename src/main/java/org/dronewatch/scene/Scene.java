@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import nl.tudelft.simulation.dsol.experiment.ExperimentReplication;
 import nl.tudelft.simulation.dsol.formalisms.eventscheduling.SimEventInterface;
@@ -76,6 +77,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         return OptionalDouble.empty();
     }
 
+    /** What the plot of this scene's sweep has on its horizontal axis: the swept setting unless a scene knows better. */
+    public Optional<SweepAxis> sweepAxis() {
+        return Optional.empty();
+    }
+
     /** Names a model file: y up, metres, unless changed by the settings' {@code with...} methods. */
     protected final ModelSettings load(String file) {
         return ModelSettings.of(file);
@@ -94,6 +100,16 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /** Sets the sound pressure level of the background, dB re 20 uPa. */
     protected final void setBackgroundNoise(double level) {
         building().setBackgroundNoise(level);
+    }
+
+    /**
+     * Names what a material of the models is to sound.
+     *
+     * @param ofTheModel name in the model's MTL file
+     * @param ofTheTable name of a surface that comes with the library, such as {@code brick_rough}
+     */
+    protected final void surface(String ofTheModel, String ofTheTable) {
+        building().nameSurface(ofTheModel, ofTheTable);
     }
 
     /** Adds a drone. */

@@ -6,12 +6,14 @@ import java.util.Optional;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.WorldSettings;
 
 /** Collects what a scene's {@code build()} says. */
 final class SceneBuilder {
     private WorldSettings world;
     private double backgroundNoise = WorldSettings.QUIET;
+    private SurfaceSettings surfaces = SurfaceSettings.DEFAULT;
     private final Map<String, DroneSettings> drones = new LinkedHashMap<>();
     private final Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
     private RunSettings run = RunSettings.DEFAULT;
@@ -19,6 +21,10 @@ final class SceneBuilder {
 
     void addToWorld(ModelSettings model) {
         world = world == null ? WorldSettings.of(model) : world.withModel(model);
+    }
+
+    void nameSurface(String ofTheModel, String ofTheTable) {
+        surfaces = surfaces.with(ofTheModel, ofTheTable);
     }
 
     void setBackgroundNoise(double level) {
@@ -49,6 +55,7 @@ final class SceneBuilder {
         if (world == null) {
             throw new IllegalArgumentException("the scene has no world: its build() must call loadWorld");
         }
-        return new SceneSettings(world.withBackgroundNoise(backgroundNoise), drones, sensors, run, sweep);
+        return new SceneSettings(
+                world.withBackgroundNoise(backgroundNoise).withSurfaces(surfaces), drones, sensors, run, sweep);
     }
 }

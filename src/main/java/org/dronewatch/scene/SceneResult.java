@@ -63,17 +63,10 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
             run.settings().sweep().ifPresent(sweep -> {
                 Object value = new SettingsPath(sweep.parameter()).read(run.settings());
                 for (String sensor : run.settings().sensors().keySet()) {
-                    points.add(new SweepPoint(sweep.parameter(), value, sensor, farthestFirst(run, sensor)));
+                    points.add(new SweepPoint(sweep.parameter(), value, sensor, run.firstDetectionRange(sensor)));
                 }
             });
         }
         return points;
-    }
-
-    private static OptionalDouble farthestFirst(RunResult run, String sensor) {
-        return run.pairs().stream()
-                .filter(pair -> pair.sensor().equals(sensor) && pair.range().isPresent())
-                .mapToDouble(pair -> pair.range().getAsDouble())
-                .max();
     }
 }

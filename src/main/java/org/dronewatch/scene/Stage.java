@@ -10,6 +10,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.FlightPath;
 import org.dronewatch.world.World;
+import org.dronewatch.world.WorldSettings;
 
 /** A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. */
 public final class Stage {
@@ -19,8 +20,11 @@ public final class Stage {
     private final long runSeed;
 
     Stage(SceneSettings settings, ModelCache models, long runSeed) {
-        this.world = new World(
-                models.tree(settings.world().models()), settings.world().backgroundNoise());
+        WorldSettings site = settings.world();
+        this.world = new World(models.tree(site.models()), site.backgroundNoise(), site.surfaces());
+        if (settings.sensors().values().stream().anyMatch(SensorSettings::hearsSurfaces)) {
+            models.noteSurfaces(site.surfaces().leftOver(world.mesh().materialNames()), site.surfaces());
+        }
         this.runSeed = runSeed;
         settings.drones().forEach((id, drone) -> {
             Drone created = drone.create(id, models.tree(List.of(drone.model())));

@@ -13,10 +13,15 @@ import org.dronewatch.scene.Scene;
  * @param factory makes a new one
  */
 public record PackagedScene(String name, String summary, Supplier<Scene> factory) {
-    private static final List<PackagedScene> ALL = List.of(new PackagedScene(
-            "camera-range",
-            "a quadrotor flies towards a full HD camera on a hill; range of first detection for five fields of view",
-            CameraRange::new));
+    private static final List<PackagedScene> ALL = List.of(
+            new PackagedScene(
+                    "camera-range",
+                    "a quadrotor flies towards a full HD camera on a hill; range of first detection for five fields of view",
+                    CameraRange::new),
+            new PackagedScene(
+                    "acoustic-range",
+                    "a quadrotor flies towards a microphone on a hill; range of first detection for five background noises",
+                    AcousticRange::new));
 
     /** All of them, in the order in which to show them. */
     public static List<PackagedScene> all() {

@@ -1,5 +1,8 @@
 package org.dronewatch.sensor;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -14,6 +17,8 @@ import java.util.Optional;
  * @param value what was measured, in the unit
  * @param threshold what the value must reach to count
  * @param unit unit of value and threshold
+ * @param figures more that the sensor tells of this look, by name with unit, such as {@code rays} or {@code energy_db};
+ *     none for most sensors
  */
 public record Observation(
         String sensor,
@@ -24,7 +29,27 @@ public record Observation(
         double range,
         double value,
         double threshold,
-        String unit) {
+        String unit,
+        Map<String, Double> figures) {
+
+    /** Keeps its own figures, in their order. */
+    public Observation {
+        figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
+    }
+
+    /** An observation without more figures. */
+    public Observation(
+            String sensor,
+            String kind,
+            String drone,
+            long sample,
+            double time,
+            double range,
+            double value,
+            double threshold,
+            String unit) {
+        this(sensor, kind, drone, sample, time, range, value, threshold, unit, Map.of());
+    }
 
     /** Whether the value reaches the threshold. */
     public boolean isDetected() {

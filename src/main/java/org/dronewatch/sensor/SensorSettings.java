@@ -17,4 +17,9 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
 
     /** The word for its kind in results: {@code camera}. */
     String kind();
+
+    /** Whether it matters to this sensor what the world's surfaces are to sound. */
+    default boolean hearsSurfaces() {
+        return false;
+    }
 }

@@ -4,12 +4,14 @@ import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.djunits.value.vdouble.scalar.AbsoluteTemperature;
 import org.djunits.value.vdouble.scalar.Acceleration;
 import org.djunits.value.vdouble.scalar.Angle;
 import org.djunits.value.vdouble.scalar.Area;
 import org.djunits.value.vdouble.scalar.Duration;
 import org.djunits.value.vdouble.scalar.Frequency;
 import org.djunits.value.vdouble.scalar.Length;
+import org.djunits.value.vdouble.scalar.Pressure;
 import org.djunits.value.vdouble.scalar.Speed;
 
 /** A physical quantity, the SI unit in which it is kept, and how it is read from a text such as {@code 39.6 deg}. */
@@ -28,6 +30,12 @@ public enum Quantity {
     FREQUENCY("Hz", unit -> Frequency.valueOf(unit).si),
     /** Square metres. */
     AREA("m2", unit -> Area.valueOf(unit).si),
+    /** Kelvin; as degrees Celsius or Fahrenheit a temperature, not a difference of two. */
+    TEMPERATURE("K", unit -> AbsoluteTemperature.valueOf(unit).si),
+    /** Pascal. */
+    PRESSURE("Pa", unit -> Pressure.valueOf(unit).si),
+    /** A share of a whole, 0 to 1 as a rule; per cent may be written. */
+    RATIO("", Quantity::share),
     /** A level in dB; the setting says relative to what. */
     LEVEL("dB", Quantity::unitOfItself),
     /** Decibels per metre. */
@@ -73,7 +81,10 @@ public enum Quantity {
         }
         // The whole "1 unit" goes to the units library, which depends on the locale for anything but plain integers.
         try {
-            return number * ofOneUnit.applyAsDouble("1 " + written);
+            double one = ofOneUnit.applyAsDouble("1 " + written);
+            // Degrees Celsius do not begin where kelvins do.
+            double zero = this == TEMPERATURE ? ofOneUnit.applyAsDouble("0 " + written) : 0.0;
+            return zero + number * (one - zero);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException(
                     "'" + text.strip() + "': unit '" + written + "' does not fit: expected a number" + orWithUnit(), e);
@@ -81,9 +92,19 @@ public enum Quantity {
     }
 
     private String orWithUnit() {
+        if (this == RATIO) {
+            return " from 0 to 1 or with %";
+        }
         return unit.isEmpty()
                 ? " without a unit"
                 : " in " + unit + " or another unit of " + name().toLowerCase(Locale.ROOT);
+    }
+
+    private static double share(String oneUnit) {
+        if (oneUnit.equals("1 %")) {
+            return 0.01;
+        }
+        throw new IllegalArgumentException(oneUnit + " is no share");
     }
 
     private static double unitOfItself(String text) {

@@ -10,6 +10,7 @@ import org.dronewatch.geometry.Ray;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sound.SurfaceMaterial;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
@@ -23,21 +24,24 @@ public final class World {
 
     private final KDTree tree;
     private final double backgroundNoise;
+    private final List<SurfaceMaterial> surfaces;
 
     /**
      * A world around a finished tree.
      *
      * @param tree tree over the mesh, in the world's frame
      * @param backgroundNoise sound pressure level of the background, dB re 20 uPa
+     * @param surfaces what the mesh's materials are to sound
      */
-    public World(KDTree tree, double backgroundNoise) {
+    public World(KDTree tree, double backgroundNoise, SurfaceSettings surfaces) {
         this.tree = tree;
         this.backgroundNoise = backgroundNoise;
+        this.surfaces = tree.mesh().materialNames().stream().map(surfaces::of).toList();
     }
 
     /** A world of a mesh without noise worth the name (0 dB). */
     public static World of(TriangleMesh mesh) {
-        return new World(KDTree.of(mesh), 0.0);
+        return new World(KDTree.of(mesh), 0.0, SurfaceSettings.DEFAULT);
     }
 
     /** Merges meshes into one, so that one tree holds them all; source numbers run on from mesh to mesh. */
@@ -132,5 +136,10 @@ public final class World {
     /** Sound pressure level of the background, dB re 20 uPa. */
     public double backgroundNoise() {
         return backgroundNoise;
+    }
+
+    /** What each material of the mesh is to sound, by the mesh's material numbers. */
+    public List<SurfaceMaterial> surfaces() {
+        return surfaces;
     }
 }

@@ -11,8 +11,10 @@ import org.dronewatch.setting.Quantity;
  *
  * @param models the meshes, merged into one; at least one
  * @param backgroundNoise sound pressure level of the background, -20 to 140 dB re 20 uPa
+ * @param surfaces what the models' materials are to sound
  */
-public record WorldSettings(List<ModelSettings> models, @In(Quantity.LEVEL) double backgroundNoise) {
+public record WorldSettings(
+        List<ModelSettings> models, @In(Quantity.LEVEL) double backgroundNoise, SurfaceSettings surfaces) {
     /** Background of a quiet rural place, dB re 20 uPa. */
     public static final double QUIET = 30.0;
 
@@ -30,22 +32,28 @@ public record WorldSettings(List<ModelSettings> models, @In(Quantity.LEVEL) doub
             throw new IllegalArgumentException("models is empty: a world needs at least one");
         }
         Check.between("backgroundNoise", backgroundNoise, LEAST_NOISE, MOST_NOISE, Quantity.LEVEL);
+        Check.present("surfaces", surfaces);
     }
 
     /** A quiet world of one model. */
     public static WorldSettings of(ModelSettings model) {
-        return new WorldSettings(List.of(model), QUIET);
+        return new WorldSettings(List.of(model), QUIET, SurfaceSettings.DEFAULT);
     }
 
     /** These settings with one more model: a house on the hill. */
     public WorldSettings withModel(ModelSettings model) {
         List<ModelSettings> more = new ArrayList<>(models);
         more.add(model);
-        return new WorldSettings(more, backgroundNoise);
+        return new WorldSettings(more, backgroundNoise, surfaces);
     }
 
     /** These settings with another background, dB re 20 uPa. */
     public WorldSettings withBackgroundNoise(double level) {
-        return new WorldSettings(models, level);
+        return new WorldSettings(models, level, surfaces);
+    }
+
+    /** These settings with other surfaces. */
+    public WorldSettings withSurfaces(SurfaceSettings other) {
+        return new WorldSettings(models, backgroundNoise, other);
     }
 }

@@ -102,6 +102,9 @@ class CommandLineTest {
                 "run camera-range --real-time -1                          | -1.0          | above 0",
                 "run camera-range --colour                                | --colour      | --help",
                 "run                                                      | SCENE         | --help",
+                "run acoustic-range --set world.surfaces.otherwise=brick_ruogh | 'brick_ruogh' | brick_rough",
+                "run acoustic-range --set sensors.microphone.level.initialRays=0 | initialRays 0 | 1 to 100000",
+                "run acoustic-range --set sensors.microphone.radius=0     | radius 0.0 m  | above 0",
                 "check camera-range --set sensors.camera.fov=4            | fov 4.0 rad   | below 3.14159",
                 "render camera-range --camera eye --time 1 --out DIR/a.png | eye          | camera",
                 "render camera-range --camera camera --time 40 --out DIR/a.png | 40        | 0 to 39",
@@ -121,7 +124,7 @@ class CommandLineTest {
             })
     void aMistakeIsOneLineAndLeavesNothing(String line, String value, String limit) throws IOException {
         assertRefused(
-                line + (line.startsWith("run camera-range") ? " --out DIR/results" : ""),
+                line + (line.matches("run [a-z]+-range.*") ? " --out DIR/results" : ""),
                 value,
                 limit == null ? "" : limit);
     }
@@ -248,7 +251,8 @@ class CommandLineTest {
 
     @Test
     void listTellsEachSceneInALine() {
-        assertThat(command("list").out().lines()).hasSize(1).first().asString().contains("camera-range");
+        assertThat(command("list").out().lines().map(line -> line.split("\\s+")[1]))
+                .containsExactly("camera-range", "acoustic-range");
     }
 
     @Test

@@ -1,0 +1,61 @@
+package org.dronewatch.scenes;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scene.RunSettings;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.SweepAxis;
+import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.acoustic.LevelModel;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.FlightPathSettings.Approach;
+
+/**
+ * How far away does a microphone hear a small quadrotor? It stands on a hill; the drone comes from the north at 5 m/s.
+ * The flight is repeated for five levels of background noise.
+ */
+public final class AcousticRange extends Scene {
+    private static final Position MICROPHONE = new Position(0, 0, 144);
+
+    @Override
+    protected void build() {
+        loadWorld(loadPackaged("hill.obj"));
+        surface("grass", "grass_turf");
+        surface("dry_meadow", "pasture_uncompacted");
+        surface("forest_floor", "forest_floor");
+        surface("rock", "limestone");
+
+        Position far = MICROPHONE.plus(new Position(0, 520, 0));
+        Position near = MICROPHONE.plus(new Position(0, 60, 0));
+        add(
+                "quadrotor",
+                DroneSettings.of(loadPackaged("quadrotor.obj"), new Approach(far, near))
+                        .withSpeed(5.0)
+                        .withSoundLevel(50.0));
+        add(
+                "microphone",
+                AcousticSettings.at(MICROPHONE).withRate(10.0).withLevel(LevelModel.DEFAULT.withRays(20, 20)));
+
+        setRun(RunSettings.DEFAULT.withDuration(92.0));
+        sweep("world.backgroundNoise", 30.0, 25.0, 20.0, 15.0, 10.0);
+    }
+
+    /** Where the air has taken what the drone is louder than the level of detection. */
+    @Override
+    public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
+        AcousticSettings microphone = (AcousticSettings) settings.sensors().get(sensor);
+        double margin = settings.drones().get("quadrotor").soundLevel()
+                - microphone.detectionLevel(settings.world().backgroundNoise());
+        return OptionalDouble.of(margin / microphone.level().attenuation());
+    }
+
+    @Override
+    public Optional<SweepAxis> sweepAxis() {
+        return Optional.of(new SweepAxis(
+                "level of the drone over the background [dB]",
+                settings -> settings.drones().get("quadrotor").soundLevel()
+                        - settings.world().backgroundNoise()));
+    }
+}

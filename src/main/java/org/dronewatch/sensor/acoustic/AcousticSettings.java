@@ -1,0 +1,102 @@
+package org.dronewatch.sensor.acoustic;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A microphone, or an array of them at one place.
+ *
+ * @param position its centre, m
+ * @param radius rays that pass within this distance are heard, above 0, m
+ * @param rate how often it listens, above 0, Hz
+ * @param threshold how far above the background a sound must be, dB
+ * @param arrayGain how much better than one microphone it hears, 0 to 60 dB
+ * @param level how sound is propagated
+ */
+public record AcousticSettings(
+        Position position,
+        @In(Quantity.LENGTH) double radius,
+        @In(Quantity.FREQUENCY) double rate,
+        @In(Quantity.LEVEL) double threshold,
+        @In(Quantity.LEVEL) double arrayGain,
+        LevelModel level)
+        implements SensorSettings<AcousticSensor> {
+    private static final double MAX_RATE = 10_000.0;
+    private static final double MAX_THRESHOLD = 100.0;
+    private static final double MAX_GAIN = 60.0;
+    private static final double MAX_RADIUS = 100.0;
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public AcousticSettings {
+        Check.present("position", position);
+        Check.positive("radius", radius, Quantity.LENGTH);
+        Check.between("radius", radius, 0.0, MAX_RADIUS, Quantity.LENGTH);
+        Check.positive("rate", rate, Quantity.FREQUENCY);
+        Check.between("rate", rate, 0.0, MAX_RATE, Quantity.FREQUENCY);
+        Check.between("threshold", threshold, -MAX_THRESHOLD, MAX_THRESHOLD, Quantity.LEVEL);
+        Check.between("arrayGain", arrayGain, 0.0, MAX_GAIN, Quantity.LEVEL);
+        Check.present("level", level);
+    }
+
+    /** A microphone of 0.5 m radius that listens ten times a second and hears what is 15 dB above the background. */
+    public static AcousticSettings at(Position position) {
+        return new AcousticSettings(position, 0.5, 10.0, 15.0, 0.0, LevelModel.DEFAULT);
+    }
+
+    /** These settings at another place, m. */
+    public AcousticSettings withPosition(Position place) {
+        return new AcousticSettings(place, radius, rate, threshold, arrayGain, level);
+    }
+
+    /** These settings with another radius, m. */
+    public AcousticSettings withRadius(double metres) {
+        return new AcousticSettings(position, metres, rate, threshold, arrayGain, level);
+    }
+
+    /** These settings with another number of looks a second, Hz. */
+    public AcousticSettings withRate(double looksPerSecond) {
+        return new AcousticSettings(position, radius, looksPerSecond, threshold, arrayGain, level);
+    }
+
+    /** These settings with another threshold above the background, dB. */
+    public AcousticSettings withThreshold(double decibels) {
+        return new AcousticSettings(position, radius, rate, decibels, arrayGain, level);
+    }
+
+    /** These settings with another gain of the array, dB. */
+    public AcousticSettings withArrayGain(double decibels) {
+        return new AcousticSettings(position, radius, rate, threshold, decibels, level);
+    }
+
+    /** These settings with another propagation. */
+    public AcousticSettings withLevel(LevelModel model) {
+        return new AcousticSettings(position, radius, rate, threshold, arrayGain, model);
+    }
+
+    /** The level from which on a sound is detected over a background: dB re 20 uPa. */
+    public double detectionLevel(double background) {
+        return background + threshold - arrayGain;
+    }
+
+    @Override
+    public String kind() {
+        return "acoustic";
+    }
+
+    @Override
+    public boolean hearsSurfaces() {
+        return true;
+    }
+
+    @Override
+    public AcousticSensor create() {
+        return new AcousticSensor(this);
+    }
+}

@@ -1,0 +1,54 @@
+package org.dronewatch.sensor.acoustic;
+
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * How the level model propagates sound: every ray carries the drone's whole level, which falls with the air and at each
+ * surface only. It is the model of the thesis that this project began with; its levels are calibrated, not physical.
+ *
+ * @param initialRays rays that leave the drone in random directions, besides one straight at the sensor; 1 to 100,000
+ * @param reflectionsPerHit rays that leave each surface that is hit, 1 to 10,000
+ * @param attenuation loss of level in the air, 0 or more, dB/m
+ * @param maxOrder how many surfaces a ray may meet before it ends, 0 to 100
+ * @param rayBudget how many straight pieces of rays one look may trace, 1 to 50,000,000
+ */
+public record LevelModel(
+        @In(Quantity.NUMBER) int initialRays,
+        @In(Quantity.NUMBER) int reflectionsPerHit,
+        @In(Quantity.ATTENUATION) double attenuation,
+        @In(Quantity.NUMBER) int maxOrder,
+        @In(Quantity.NUMBER) int rayBudget) {
+
+    /** 10 initial rays, 10 reflections a hit, 0.05 dB/m, three orders, 200,000 pieces. */
+    public static final LevelModel DEFAULT = new LevelModel(10, 10, 0.05, 3, 200_000);
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public LevelModel {
+        Check.between("initialRays", initialRays, 1, 100_000, Quantity.NUMBER);
+        Check.between("reflectionsPerHit", reflectionsPerHit, 1, 10_000, Quantity.NUMBER);
+        Check.notNegative("attenuation", attenuation, Quantity.ATTENUATION);
+        Check.between("maxOrder", maxOrder, 0, 100, Quantity.NUMBER);
+        Check.between("rayBudget", rayBudget, 1, 50_000_000, Quantity.NUMBER);
+    }
+
+    /** This model with so many rays from the drone and from each surface. */
+    public LevelModel withRays(int initial, int perHit) {
+        return new LevelModel(initial, perHit, attenuation, maxOrder, rayBudget);
+    }
+
+    /** This model with another loss in the air, dB/m. */
+    public LevelModel withAttenuation(double loss) {
+        return new LevelModel(initialRays, reflectionsPerHit, loss, maxOrder, rayBudget);
+    }
+
+    /** This model with other ends: orders and pieces of rays. */
+    public LevelModel withLimits(int orders, int budget) {
+        return new LevelModel(initialRays, reflectionsPerHit, attenuation, orders, budget);
+    }
+}

@@ -1,0 +1,40 @@
+package org.dronewatch.sensor.acoustic;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.OptionalInt;
+
+/**
+ * What one look of an acoustic sensor gave for one drone, in the level model.
+ *
+ * @param bestLevel the highest undivided level received, dB; minus infinity when nothing was received
+ * @param detected whether the best level reaches the threshold
+ * @param energy the received share of the emitted energy, summed over all rays: reported only, as the forced rays make
+ *     it no physical quantity
+ * @param received how many rays reached the sensor
+ * @param traced how many straight pieces of rays were traced
+ * @param cutByOrder how many branches were not followed because of the largest order
+ * @param cutByBudget how many branches were not followed because of the ray budget
+ * @param cutOrder the lowest order at which the budget cut a branch; empty when it cut none
+ */
+public record Listening(
+        double bestLevel,
+        boolean detected,
+        double energy,
+        long received,
+        long traced,
+        long cutByOrder,
+        long cutByBudget,
+        OptionalInt cutOrder) {
+
+    /** The figures for reports, by name with unit. */
+    public Map<String, Double> figures() {
+        Map<String, Double> figures = new LinkedHashMap<>();
+        figures.put("rays_traced", (double) traced);
+        figures.put("rays_received", (double) received);
+        figures.put("cut_by_order", (double) cutByOrder);
+        figures.put("cut_by_budget", (double) cutByBudget);
+        cutOrder.ifPresent(order -> figures.put("cut_at_order", (double) order));
+        return figures;
+    }
+}

@@ -1,0 +1,32 @@
+package org.dronewatch.sensor.acoustic;
+
+/** Is told every straight piece of every ray that a sensor traces. */
+@FunctionalInterface
+public interface RayRecorder {
+    /** Forgets everything. */
+    RayRecorder NONE = (fromX, fromY, fromZ, toX, toY, toZ, level, order, received) -> {};
+
+    /**
+     * One piece.
+     *
+     * @param fromX where it begins, m
+     * @param fromY where it begins, m
+     * @param fromZ where it begins, m
+     * @param toX where it ends: at a surface, at the sensor, or 1 km on where it meets nothing, m
+     * @param toY where it ends, m
+     * @param toZ where it ends, m
+     * @param level its level where it ends, dB
+     * @param order how many surfaces it had met before
+     * @param received whether it ends at the sensor
+     */
+    void record(
+            double fromX,
+            double fromY,
+            double fromZ,
+            double toX,
+            double toY,
+            double toZ,
+            double level,
+            int order,
+            boolean received);
+}

@@ -1,0 +1,81 @@
+package org.dronewatch.sensor.acoustic;
+
+import java.util.List;
+import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.SurfaceMaterial.Wall;
+import org.dronewatch.world.World;
+
+/** What the level model, which knows no bands, takes of a world's surfaces: their figures at 1 kHz, in flat arrays. */
+final class SurfaceLevels {
+    /** Speed of sound in the open, m/s, at 20 degrees Celsius. */
+    private static final double AIR_SPEED = 343.2;
+
+    private final double[] reflectionLoss;
+    private final double[] reflectedShare;
+    private final double[] transmissionLoss;
+    private final double[] transmittedShare;
+    private final double[] speed;
+    private final boolean[] transmits;
+    private final boolean[] sheet;
+
+    SurfaceLevels(World world) {
+        List<SurfaceMaterial> surfaces = world.surfaces();
+        int count = surfaces.size();
+        this.reflectionLoss = new double[count];
+        this.reflectedShare = new double[count];
+        this.transmissionLoss = new double[count];
+        this.transmittedShare = new double[count];
+        this.speed = new double[count];
+        this.transmits = new boolean[count];
+        this.sheet = new boolean[count];
+        for (int i = 0; i < count; i++) {
+            SurfaceMaterial surface = surfaces.get(i);
+            int band = OctaveBands.ONE_KILOHERTZ;
+            reflectedShare[i] = surface.reflected(band);
+            reflectionLoss[i] = -Levels.ofRatio(reflectedShare[i]);
+            transmits[i] = !surface.isOpaque();
+            transmittedShare[i] = surface.transmitted(band);
+            transmissionLoss[i] = -Levels.ofRatio(transmittedShare[i]);
+            speed[i] = surface.speed().orElse(AIR_SPEED);
+            sheet[i] = surface.wall() == Wall.SHEET;
+        }
+    }
+
+    /** What a level loses by reflection, dB; infinity where nothing is reflected. */
+    double reflectionLoss(int material) {
+        return reflectionLoss[material];
+    }
+
+    double reflectedShare(int material) {
+        return reflectedShare[material];
+    }
+
+    /** What a level loses on its way through the wall, dB. */
+    double transmissionLoss(int material) {
+        return transmissionLoss[material];
+    }
+
+    double transmittedShare(int material) {
+        return transmittedShare[material];
+    }
+
+    boolean transmits(int material) {
+        return transmits[material];
+    }
+
+    boolean isSheet(int material) {
+        return sheet[material];
+    }
+
+    /** Speed of sound in a medium, m/s. */
+    double speed(int medium) {
+        return medium == AcousticRay.AIR ? AIR_SPEED : speed[medium];
+    }
+
+    /** Speed of sound behind a surface of a solid wall: inside it for a ray from the open, outside for one from inside. */
+    double speedBehind(int medium, int material) {
+        return medium == AcousticRay.AIR ? speed[material] : AIR_SPEED;
+    }
+}

@@ -1,0 +1,86 @@
+package org.dronewatch.sound;
+
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * Air at rest, the same everywhere.
+ *
+ * @param temperature 213.15 to 333.15 K (-60 to 60 degrees Celsius)
+ * @param humidity relative humidity, 0 to 1
+ * @param pressure 50,000 to 120,000 Pa
+ */
+public record Atmosphere(
+        @In(Quantity.TEMPERATURE) double temperature,
+        @In(Quantity.RATIO) double humidity,
+        @In(Quantity.PRESSURE) double pressure) {
+    /** 20 degrees Celsius, 70 %, one standard atmosphere. */
+    public static final Atmosphere STANDARD = new Atmosphere(293.15, 0.7, 101_325.0);
+
+    private static final double REFERENCE_TEMPERATURE = 293.15;
+    private static final double TRIPLE_POINT = 273.16;
+    private static final double REFERENCE_PRESSURE = 101_325.0;
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public Atmosphere {
+        Check.between("temperature", temperature, 213.15, 333.15, Quantity.TEMPERATURE);
+        Check.between("humidity", humidity, 0.0, 1.0, Quantity.RATIO);
+        Check.between("pressure", pressure, 50_000.0, 120_000.0, Quantity.PRESSURE);
+    }
+
+    /** This air at another temperature, K. */
+    public Atmosphere withTemperature(double kelvin) {
+        return new Atmosphere(kelvin, humidity, pressure);
+    }
+
+    /** This air with another relative humidity, 0 to 1. */
+    public Atmosphere withHumidity(double share) {
+        return new Atmosphere(temperature, share, pressure);
+    }
+
+    /** This air under another pressure, Pa. */
+    public Atmosphere withPressure(double pascal) {
+        return new Atmosphere(temperature, humidity, pascal);
+    }
+
+    /** Speed of sound, m/s: ISO 9613-1, equation (A.5). */
+    public double speedOfSound() {
+        return 343.2 * Math.sqrt(temperature / REFERENCE_TEMPERATURE);
+    }
+
+    /**
+     * Loss of a pure tone by absorption in the air: ISO 9613-1, equations (3) to (5), (B.1) to (B.3).
+     *
+     * @param frequency Hz, above 0
+     * @return dB/m
+     */
+    public double attenuation(double frequency) {
+        double relativePressure = pressure / REFERENCE_PRESSURE;
+        double relativeTemperature = temperature / REFERENCE_TEMPERATURE;
+        double saturation = Math.pow(10.0, -6.8346 * Math.pow(TRIPLE_POINT / temperature, 1.261) + 4.6151);
+        double vapour = 100.0 * humidity * saturation / relativePressure;
+        double oxygen = relativePressure * (24.0 + 4.04e4 * vapour * (0.02 + vapour) / (0.391 + vapour));
+        double nitrogen = relativePressure
+                / Math.sqrt(relativeTemperature)
+                * (9.0 + 280.0 * vapour * Math.exp(-4.170 * (Math.cbrt(1.0 / relativeTemperature) - 1.0)));
+        double squared = frequency * frequency;
+        double classical = 1.84e-11 * Math.sqrt(relativeTemperature) / relativePressure;
+        double ofOxygen = 0.01275 * Math.exp(-2239.1 / temperature) / (oxygen + squared / oxygen);
+        double ofNitrogen = 0.1068 * Math.exp(-3352.0 / temperature) / (nitrogen + squared / nitrogen);
+        return 8.686 * squared * (classical + Math.pow(relativeTemperature, -2.5) * (ofOxygen + ofNitrogen));
+    }
+
+    /** Loss in each octave band at its exact midband frequency, dB/m. */
+    public double[] attenuations() {
+        double[] losses = new double[OctaveBands.COUNT];
+        for (int band = 0; band < losses.length; band++) {
+            losses[band] = attenuation(OctaveBands.midband(band));
+        }
+        return losses;
+    }
+}

@@ -1,0 +1,36 @@
+package org.dronewatch.sound;
+
+/** Arithmetic of levels in decibels. */
+public final class Levels {
+    private Levels() {}
+
+    /** The level of a ratio of powers or energies, dB; minus infinity for 0. */
+    public static double ofRatio(double ratio) {
+        return 10.0 * Math.log10(ratio);
+    }
+
+    /** The ratio of powers or energies of a level. */
+    public static double toRatio(double level) {
+        return Math.pow(10.0, 0.1 * level);
+    }
+
+    /** The level of incoherent sounds together, dB; minus infinity for none. */
+    public static double sum(double... levels) {
+        double ratio = 0.0;
+        for (double level : levels) {
+            ratio += toRatio(level);
+        }
+        return ofRatio(ratio);
+    }
+
+    /**
+     * What a sound power level loses by spreading evenly over a sphere: {@code 10 lg(4 pi r^2)}, with the reference
+     * impedance of 400 Pa s/m at which power and pressure levels agree.
+     *
+     * @param distance above 0, m
+     * @return dB
+     */
+    public static double sphericalSpreading(double distance) {
+        return ofRatio(4.0 * Math.PI * distance * distance);
+    }
+}

@@ -1,0 +1,115 @@
+package org.dronewatch.sound;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * What a surface does to sound, by octave band. Of what arrives, {@code 1 - absorption} is reflected; what is not
+ * splits into what passes through, {@code 10^(-loss/10)}, and what stays in the wall.
+ *
+ * @param name its name in the table
+ * @param absorption share that is not reflected, 0 to 1, one for each of the eight bands
+ * @param scattering share of the reflected that leaves in all directions, 0 to 1, one for each band
+ * @param transmissionLoss loss through the wall, 0 or more, one for each band, dB; none for an opaque wall
+ * @param wall whether one surface is the whole wall
+ * @param speed speed of sound inside, m/s; empty where nobody knows or nothing passes
+ * @param source where the figures come from
+ */
+public record SurfaceMaterial(
+        String name,
+        List<Double> absorption,
+        List<Double> scattering,
+        List<Double> transmissionLoss,
+        Wall wall,
+        OptionalDouble speed,
+        String source) {
+
+    /** How a wall is drawn in a mesh. */
+    public enum Wall {
+        /** One surface is the whole wall, however thick. */
+        SHEET,
+        /** A front and a back; the loss is charged once, on the way in. */
+        SOLID
+    }
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when a share is not 0 to 1, a loss is negative, or more than all would be
+     *     reflected and transmitted together
+     */
+    public SurfaceMaterial {
+        Check.present("name", name);
+        absorption = shares("absorption", name, absorption);
+        scattering = shares("scattering", name, scattering);
+        transmissionLoss = List.copyOf(transmissionLoss);
+        Check.present("wall", wall);
+        Check.present("speed", speed);
+        if (!transmissionLoss.isEmpty()) {
+            checkTransmission(name, absorption, transmissionLoss);
+        }
+    }
+
+    private static List<Double> shares(String what, String name, List<Double> values) {
+        if (values.size() != OctaveBands.COUNT) {
+            throw new IllegalArgumentException(what + " of material '" + name + "' has " + values.size()
+                    + " values, needs one for each of the " + OctaveBands.COUNT + " octave bands");
+        }
+        for (double value : values) {
+            Check.between(what + " of material '" + name + "'", value, 0.0, 1.0, Quantity.NUMBER);
+        }
+        return List.copyOf(values);
+    }
+
+    private static void checkTransmission(String name, List<Double> absorption, List<Double> losses) {
+        if (losses.size() != OctaveBands.COUNT) {
+            throw new IllegalArgumentException(
+                    "transmissionLoss of material '" + name + "' has " + losses.size() + " values, needs 8 or none");
+        }
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            Check.notNegative("transmissionLoss of material '" + name + "'", losses.get(band), Quantity.LEVEL);
+            double transmitted = Levels.toRatio(-losses.get(band));
+            if (transmitted > absorption.get(band)) {
+                throw new IllegalArgumentException("material '" + name + "' at " + OctaveBands.nominal(band)
+                        + " Hz: reflects " + (1.0 - absorption.get(band)) + " and transmits " + transmitted
+                        + ", together more than 1");
+            }
+        }
+    }
+
+    /** The share that is reflected in a band. */
+    public double reflected(int band) {
+        return 1.0 - absorption.get(band);
+    }
+
+    /** The share that passes through in a band, 0 for an opaque wall. */
+    public double transmitted(int band) {
+        return isOpaque() ? 0.0 : Levels.toRatio(-transmissionLoss.get(band));
+    }
+
+    /** Whether nothing passes through. */
+    public boolean isOpaque() {
+        return transmissionLoss.isEmpty();
+    }
+
+    /** This surface as a wall through which sound passes with a loss that is the same in all bands, dB. */
+    public SurfaceMaterial withTransmissionLoss(double loss, Wall kind) {
+        return new SurfaceMaterial(
+                name, absorption, scattering, Collections.nCopies(OctaveBands.COUNT, loss), kind, speed, source);
+    }
+
+    /** A surface with the same absorption and scattering in all bands, opaque. */
+    public static SurfaceMaterial uniform(String name, double absorption, double scattering) {
+        return new SurfaceMaterial(
+                name,
+                Collections.nCopies(OctaveBands.COUNT, absorption),
+                Collections.nCopies(OctaveBands.COUNT, scattering),
+                List.of(),
+                Wall.SHEET,
+                OptionalDouble.empty(),
+                "given by the scene");
+    }
+}

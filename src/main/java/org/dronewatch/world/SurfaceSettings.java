@@ -1,0 +1,62 @@
+package org.dronewatch.world;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.SurfaceMaterials;
+
+/**
+ * What the materials of the model files are to sound. A material that is not named here but is itself a name of the
+ * table is that; all others are what {@code otherwise} says.
+ *
+ * @param materials names of the table by names of the model files
+ * @param otherwise name of the table for what is left over
+ */
+public record SurfaceSettings(Map<String, String> materials, String otherwise) {
+    /** Nothing is named; what is left over is the ordinary hard surface of the table. */
+    public static final SurfaceSettings DEFAULT = new SurfaceSettings(Map.of(), SurfaceMaterials.SOLID);
+
+    /**
+     * Looks all names up and keeps its own map.
+     *
+     * @throws IllegalArgumentException when the table has no such name
+     */
+    public SurfaceSettings {
+        materials = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("materials", materials)));
+        Check.present("otherwise", otherwise);
+        try {
+            materials.values().forEach(SurfaceMaterials::get);
+            SurfaceMaterials.get(otherwise);
+        } catch (InputException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+
+    /** These settings with one more material of the model files named. */
+    public SurfaceSettings with(String ofTheModel, String ofTheTable) {
+        Map<String, String> more = new LinkedHashMap<>(materials);
+        more.put(ofTheModel, ofTheTable);
+        return new SurfaceSettings(more, otherwise);
+    }
+
+    /** The surface of a material of a model file. */
+    public SurfaceMaterial of(String ofTheModel) {
+        String name = materials.get(ofTheModel);
+        if (name != null) {
+            return SurfaceMaterials.get(name);
+        }
+        return SurfaceMaterials.find(ofTheModel).orElseGet(() -> SurfaceMaterials.get(otherwise));
+    }
+
+    /** Those of some materials of model files that nothing is known of, so that they are what is left over. */
+    public List<String> leftOver(List<String> ofTheModels) {
+        return ofTheModels.stream()
+                .filter(name -> !materials.containsKey(name)
+                        && SurfaceMaterials.find(name).isEmpty())
+                .toList();
+    }
+}

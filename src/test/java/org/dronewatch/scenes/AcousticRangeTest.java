@@ -1,0 +1,66 @@
+package org.dronewatch.scenes;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.Observation;
+import org.junit.jupiter.api.Test;
+
+class AcousticRangeTest {
+    private static final double STEP = 0.5;
+
+    @Test
+    void theRangesAreAStraightLine() {
+        SceneResult result = new AcousticRange().run();
+
+        double[] ranges = {100, 200, 300, 400, 500};
+        for (int run = 0; run < ranges.length; run++) {
+            assertThat(result.firstDetectionRange(run, "microphone", "quadrotor")
+                            .orElseThrow())
+                    .isCloseTo(ranges[run], within(STEP));
+        }
+    }
+
+    @Test
+    void theSameSeedGivesTheSameForAnyNumberOfThreads() {
+        assertThat(observations(2)).isEqualTo(observations(1)).isNotEmpty();
+    }
+
+    private static List<Observation> observations(int threads) {
+        List<Observation> all = new ArrayList<>();
+        new SceneRunner(new AcousticRange())
+                .set("world.backgroundNoise", "10")
+                .set("drones.quadrotor.soundLevel", "60")
+                .set("run.duration", "5")
+                .threads(threads)
+                .onFrame(frame -> all.addAll(frame.observations()))
+                .run();
+        assertThat(all).allSatisfy(o -> assertThat(o.figures()).containsKeys("rays_traced", "cut_by_order"));
+        return all;
+    }
+
+    @Test
+    void itsSurfacesAreNamed() {
+        List<String> notes = new ArrayList<>();
+        new SceneRunner(new AcousticRange())
+                .notes(notes::add)
+                .set("run.duration", "1")
+                .run();
+        assertThat(notes).noneMatch(note -> note.contains("warning"));
+
+        new SceneRunner(new AcousticRange())
+                .notes(notes::add)
+                .set("run.duration", "1")
+                .set("world.models.0.file", "packaged:house.obj")
+                .run();
+        assertThat(notes)
+                .filteredOn(note -> note.contains("warning"))
+                .singleElement()
+                .asString()
+                .contains("plaster", "wood", "'solid'");
+    }
+}

@@ -1,0 +1,145 @@
+package org.dronewatch.sensor.acoustic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.SurfaceMaterials;
+import org.dronewatch.world.SurfaceSettings;
+import org.dronewatch.world.World;
+import org.jogamp.vecmath.Vector3d;
+import org.junit.jupiter.api.Test;
+
+/** Branches at a level plane at z = 0 whose material is told by its name in the table. */
+class ReflectionGeneratorTest {
+    private static final double EXACT = 1e-12;
+    private static final Position SENSOR = new Position(3, 0, 4);
+
+    private record Branch(Vector3d direction, double z, double level, double energy, int order, int medium) {}
+
+    private static World plane(String material) {
+        TriangleMesh mesh = new TriangleMesh(
+                new float[] {-9, -9, 0, 9, -9, 0, 0, 9, 0},
+                new int[] {0, 1, 2},
+                new int[1],
+                new int[1],
+                List.of(material));
+        return new World(KDTree.of(mesh), 20, SurfaceSettings.DEFAULT);
+    }
+
+    private static AcousticRay towardsOrigin(double degrees, int medium) {
+        AcousticRay ray = new AcousticRay();
+        double angle = Math.toRadians(degrees);
+        double side = medium == AcousticRay.AIR ? 1 : -1;
+        ray.directionX = Math.sin(angle);
+        ray.directionZ = -side * Math.cos(angle);
+        ray.originX = -2 * ray.directionX;
+        ray.originZ = -2 * ray.directionZ;
+        ray.energy = 1.0;
+        ray.medium = medium;
+        return ray;
+    }
+
+    private static List<Branch> branches(String material, AcousticRay ray, int count) {
+        World world = plane(material);
+        List<Branch> branches = new ArrayList<>();
+        new ReflectionGenerator(world.mesh(), new SurfaceLevels(world), SENSOR)
+                .branch(
+                        ray,
+                        2.0,
+                        0,
+                        50.0,
+                        count,
+                        new SplittableRandom(1),
+                        b -> branches.add(new Branch(
+                                new Vector3d(b.directionX, b.directionY, b.directionZ),
+                                b.originZ,
+                                b.level,
+                                b.energy,
+                                b.order,
+                                b.medium)));
+        return branches;
+    }
+
+    @Test
+    void theFirstBranchIsSpecularTheSecondSeeksTheSensorTheRestFillTheHemisphere() {
+        List<Branch> branches = branches("concrete_smooth", towardsOrigin(30, AcousticRay.AIR), 10_000);
+
+        assertThat(branches).hasSize(10_000);
+        assertThat(branches.get(0).direction().epsilonEquals(new Vector3d(0.5, 0, Math.sqrt(0.75)), EXACT))
+                .isTrue();
+        assertThat(branches.get(1).direction().epsilonEquals(new Vector3d(0.6, 0, 0.8), 1e-7))
+                .isTrue();
+        Vector3d mean = new Vector3d();
+        for (Branch branch : branches.subList(2, branches.size())) {
+            assertThat(branch.direction().z).isNotNegative();
+            assertThat(branch.direction().length()).isCloseTo(1.0, within(EXACT));
+            mean.scaleAdd(1.0 / (branches.size() - 2), branch.direction(), mean);
+        }
+        // Uniform over a hemisphere: the height is uniform from 0 to 1.
+        assertThat(mean.epsilonEquals(new Vector3d(0, 0, 0.5), 0.02)).isTrue();
+    }
+
+    @Test
+    void levelsAreUndividedAndEnergiesAreShared() {
+        SurfaceMaterial concrete = SurfaceMaterials.get("concrete_smooth");
+        List<Branch> branches = branches("concrete_smooth", towardsOrigin(30, AcousticRay.AIR), 20);
+
+        double loss = -10 * Math.log10(concrete.reflected(4));
+        assertThat(branches).allSatisfy(branch -> {
+            assertThat(branch.level()).isCloseTo(50.0 - loss, within(EXACT));
+            assertThat(branch.order()).isEqualTo(1);
+            assertThat(branch.z()).isPositive();
+        });
+        assertThat(branches.stream().mapToDouble(Branch::energy).sum()).isCloseTo(concrete.reflected(4), within(EXACT));
+    }
+
+    /** Into concrete at 3400 m/s sound bends away from the normal; beyond asin(343.2 / 3400) = 5.79 degrees all returns. */
+    @Test
+    void whatPassesIntoASolidFollowsSnell() {
+        List<Branch> branches = branches("wall_concrete_200mm", towardsOrigin(5, AcousticRay.AIR), 1);
+
+        assertThat(branches).hasSize(2);
+        Branch inside = branches.get(1);
+        double sin = Math.sin(Math.toRadians(5)) * 3400 / 343.2;
+        assertThat(inside.direction().x).isCloseTo(sin, within(EXACT));
+        assertThat(inside.direction().z).isCloseTo(-Math.sqrt(1 - sin * sin), within(EXACT));
+        assertThat(inside.z()).isNegative();
+        assertThat(inside.medium()).isZero();
+        assertThat(inside.level()).isCloseTo(50.0 - 52.0, within(EXACT));
+        assertThat(branches("wall_concrete_200mm", towardsOrigin(5.7, AcousticRay.AIR), 1))
+                .hasSize(2);
+        assertThat(branches("wall_concrete_200mm", towardsOrigin(5.9, AcousticRay.AIR), 1))
+                .hasSize(1);
+    }
+
+    @Test
+    void onTheWayOutTheDirectionIsRestoredAndNothingMoreIsLost() {
+        double inside = Math.toDegrees(Math.asin(Math.sin(Math.toRadians(5)) * 3400 / 343.2));
+        List<Branch> branches = branches("wall_concrete_200mm", towardsOrigin(inside, 0), 1);
+
+        Branch outside = branches.get(1);
+        assertThat(outside.direction().x).isCloseTo(Math.sin(Math.toRadians(5)), within(EXACT));
+        assertThat(outside.direction().z).isPositive();
+        assertThat(outside.medium()).isEqualTo(AcousticRay.AIR);
+        assertThat(outside.level()).isEqualTo(50.0);
+    }
+
+    @Test
+    void aSheetKeepsTheDirection() {
+        List<Branch> branches = branches("door_wood_solid", towardsOrigin(60, AcousticRay.AIR), 1);
+
+        Branch behind = branches.get(1);
+        AcousticRay ray = towardsOrigin(60, AcousticRay.AIR);
+        assertThat(behind.direction().epsilonEquals(new Vector3d(ray.directionX, 0, ray.directionZ), EXACT))
+                .isTrue();
+        assertThat(behind.medium()).isEqualTo(AcousticRay.AIR);
+        assertThat(behind.level()).isCloseTo(50.0 - 31.0, within(EXACT));
+    }
+}
