@@ -65,9 +65,10 @@ final class RunCommand implements Callable<Integer> {
         configure(runner);
         runner.settings();
         Path directory = directory(scene);
-        try (RunReport report = new RunReport(scene, directory, observations);
-                Progress progress = new Progress(scene.name());
-                Interruption interruption = new Interruption()) {
+        // The interruption comes first, so that it ends last: the process waits for it.
+        try (Interruption interruption = new Interruption();
+                RunReport report = new RunReport(scene, directory, observations);
+                Progress progress = new Progress(scene.name())) {
             SceneResult result = runner.listener(report)
                     .listener(progress)
                     .cancelWhen(interruption::happened)

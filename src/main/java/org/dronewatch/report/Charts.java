@@ -9,6 +9,8 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
@@ -62,8 +64,10 @@ final class Charts {
 
     /** Writes the plot as PNG. */
     static void write(XYChart chart, Path file) {
-        try (OutputStream target = Files.newOutputStream(file)) {
-            ImageIO.write(BitmapEncoder.getBufferedImage(chart), "png", target);
+        // Image I/O's own cache on disk registers with the process's shutdown, which may be under way already.
+        try (OutputStream target = Files.newOutputStream(file);
+                ImageOutputStream stream = new MemoryCacheImageOutputStream(target)) {
+            ImageIO.write(BitmapEncoder.getBufferedImage(chart), "png", stream);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
