@@ -13,7 +13,9 @@ public enum ModelCatalogue {
     /** The drone of the packaged scenes. */
     QUADROTOR(QuadrotorModel::mesh),
     /** A house with a roof platform. */
-    HOUSE(HouseModel::mesh);
+    HOUSE(HouseModel::mesh),
+    /** The inside of a church. */
+    CATHEDRAL(CathedralModel::mesh);
 
     private final Supplier<Mesh> maker;
 

@@ -15,6 +15,10 @@ import org.dronewatch.scene.Scene;
 public record PackagedScene(String name, String summary, Supplier<Scene> factory) {
     private static final List<PackagedScene> ALL = List.of(
             new PackagedScene(
+                    "closed-space",
+                    "a quadrotor hovers in a church, 10 m from a camera and a microphone; both detect it",
+                    ClosedSpace::new),
+            new PackagedScene(
                     "camera-range",
                     "a quadrotor flies towards a full HD camera on a hill; range of first detection for five fields of view",
                     CameraRange::new),

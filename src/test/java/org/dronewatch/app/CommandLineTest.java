@@ -252,7 +252,7 @@ class CommandLineTest {
     @Test
     void listTellsEachSceneInALine() {
         assertThat(command("list").out().lines().map(line -> line.split("\\s+")[1]))
-                .containsExactly("camera-range", "acoustic-range");
+                .containsExactly("closed-space", "camera-range", "acoustic-range");
     }
 
     @Test

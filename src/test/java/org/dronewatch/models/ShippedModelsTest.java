@@ -45,9 +45,9 @@ class ShippedModelsTest {
         assertThat(total).isLessThan(20_000_000);
     }
 
-    /** Every edge of a part belongs to two faces that run along it in opposite directions, and the part has a volume. */
+    /** Every edge of a part belongs to two faces that run along it in opposite directions; solids face outward. */
     @ParameterizedTest
-    @EnumSource(names = {"QUADROTOR", "HOUSE"})
+    @EnumSource(names = {"QUADROTOR", "HOUSE", "CATHEDRAL"})
     void everyPartIsAClosedSolidThatFacesOutward(ModelCatalogue model) {
         Mesh mesh = model.mesh();
         for (Mesh.Part part : mesh.parts()) {
@@ -68,7 +68,9 @@ class ShippedModelsTest {
                     volume += a.dot(b.cross(c)) / 6;
                 }
             }
-            assertThat(volume).as("volume of %s", part.name()).isPositive();
+            // The skin of the church's air faces inward, so its volume counts as negative.
+            boolean skin = part.name().equals("shell");
+            assertThat(skin ? -volume : volume).as("volume of %s", part.name()).isPositive();
             directed.forEach((edge, count) -> {
                 assertThat(count).as("edge %s of %s", edge, part.name()).isEqualTo(1);
                 assertThat(directed).as("opposite of %s", edge).containsKey(List.of(edge.get(1), edge.get(0)));

@@ -1,0 +1,36 @@
+package org.dronewatch.scenes;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scene.RunSettings;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.acoustic.LevelModel;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.FlightPathSettings.Hover;
+
+/** Is a quadrotor that hovers in a church both seen and heard? A camera and a microphone stand 10 m from it. */
+public final class ClosedSpace extends Scene {
+    private static final Position DRONE = new Position(5, 0, 5);
+    private static final Position SENSORS = new Position(-5, 0, 5);
+
+    @Override
+    protected void build() {
+        loadWorld(loadPackaged("cathedral.obj"));
+        setBackgroundNoise(20.0);
+
+        add(
+                "quadrotor",
+                DroneSettings.of(loadPackaged("quadrotor.obj"), new Hover(DRONE, -Math.PI / 2))
+                        .withSoundLevel(55.0));
+        add(
+                "camera",
+                CameraSettings.at(SENSORS)
+                        .withLookAt(DRONE)
+                        .withResolution(800, 800)
+                        .withVerticalFov(0.6918));
+        add("microphone", AcousticSettings.at(SENSORS).withLevel(LevelModel.DEFAULT.withRays(10, 10)));
+
+        setRun(RunSettings.DEFAULT.withDuration(1.0));
+    }
+}

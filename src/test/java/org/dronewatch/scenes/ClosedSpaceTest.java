@@ -1,0 +1,61 @@
+package org.dronewatch.scenes;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
+import org.dronewatch.sensor.acoustic.AcousticSensor;
+import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.acoustic.Listening;
+import org.dronewatch.sensor.acoustic.RayRecorder;
+import org.dronewatch.world.Drone;
+import org.junit.jupiter.api.Test;
+
+class ClosedSpaceTest {
+
+    @Test
+    void theDroneIsSeenAndHeard() {
+        SceneResult result = new ClosedSpace().run();
+
+        assertThat(result.firstDetectionRange("camera", "quadrotor").orElseThrow())
+                .isCloseTo(10.0, within(1e-9));
+        assertThat(result.firstDetectionRange("microphone", "quadrotor").orElseThrow())
+                .isCloseTo(10.0, within(1e-9));
+    }
+
+    /** Everything that 20 x 20 rays and three orders can reach; what the order cuts is counted, and always the same. */
+    @Test
+    void tracingFullyAgreesAndTellsWhatWasCut() {
+        List<Listening> heard = new ArrayList<>();
+        for (int budget : new int[] {200_000, 200_000, 50_000}) {
+            SceneRunner runner = new SceneRunner(new ClosedSpace())
+                    .set("sensors.microphone.level.initialRays", "20")
+                    .set("sensors.microphone.level.reflectionsPerHit", "20")
+                    .set("sensors.microphone.level.rayBudget", Integer.toString(budget));
+            SceneSettings settings = runner.settings();
+            Stage stage = runner.stage(settings);
+            Drone drone = stage.dronesAt(0.0).get(0);
+            AcousticSensor sensor = ((AcousticSettings) settings.sensors().get("microphone")).create();
+            heard.add(sensor.listenFully(stage.world(), drone, new SplittableRandom(1), RayRecorder.NONE));
+            assertThat(sensor.listen(stage.world(), drone, new SplittableRandom(1))
+                            .detected())
+                    .isTrue();
+        }
+        Listening full = heard.get(0);
+        assertThat(full.detected()).isTrue();
+        assertThat(full.bestLevel()).isCloseTo(55 - 0.05 * 10, within(1e-9));
+        assertThat(full.traced()).isBetween(20_000L, 176_841L);
+        assertThat(full.cutByOrder()).isPositive();
+        assertThat(full.cutByBudget()).isZero();
+        assertThat(heard.get(1)).isEqualTo(full);
+        assertThat(heard.get(2).traced()).isEqualTo(50_000);
+        assertThat(heard.get(2).cutByBudget()).isPositive();
+        assertThat(heard.get(2).cutOrder()).hasValue(3);
+    }
+}
