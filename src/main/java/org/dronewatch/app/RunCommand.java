@@ -7,14 +7,17 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
+import org.dronewatch.report.RayPaths;
 import org.dronewatch.report.RunReport;
 import org.dronewatch.report.SweptValue;
+import org.dronewatch.report.WholeFile;
 import org.dronewatch.scene.Pace;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -53,6 +56,13 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--observations", description = "Writes every single observation to observations.csv.")
     private boolean observations;
 
+    @Option(
+            names = "--rays",
+            paramLabel = "FILE.obj",
+            description =
+                    "Writes the rays of the acoustic sensors at the start of the first run as lines of an OBJ file.")
+    private String rays;
+
     @Spec
     private CommandSpec spec;
 
@@ -63,8 +73,11 @@ final class RunCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         runner.notes(err::println);
         configure(runner);
-        runner.settings();
+        SceneSettings first = runner.settingsOfRuns().get(0);
         Path directory = directory(scene);
+        if (rays != null) {
+            writeRays(new WholeFile("--rays", rays), runner.stage(first), err);
+        }
         // The interruption comes first, so that it ends last: the process waits for it.
         try (Interruption interruption = new Interruption();
                 RunReport report = new RunReport(scene, directory, observations);
@@ -79,6 +92,13 @@ final class RunCommand implements Callable<Integer> {
             err.println("results in " + directory);
         }
         return 0;
+    }
+
+    private static void writeRays(WholeFile file, Stage stage, PrintWriter err) {
+        RayPaths paths = new RayPaths();
+        stage.traceRays(0.0, paths::recorder);
+        file.write(paths::writeTo);
+        err.printf("%,d pieces of rays written%n", paths.pieces());
     }
 
     private void configure(SceneRunner runner) {

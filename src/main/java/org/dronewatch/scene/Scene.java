@@ -14,7 +14,6 @@ import org.djutils.event.EventType;
 import org.djutils.metadata.MetaData;
 import org.djutils.metadata.ObjectDescriptor;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;
@@ -180,7 +179,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
                 ? numbered.getReplicationNr()
                 : 0;
         RunInfo info = plan.info();
-        long runSeed = Sample.mix(Sample.mix(info.settings().run().seed(), info.run()), replication);
+        long runSeed = SceneRunner.runSeed(info.settings(), info.run(), replication);
         stage = new Stage(info.settings(), plan.models(), runSeed);
         scheduleNextLook();
     }

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import org.dronewatch.sensor.Sample;
 import org.dronewatch.setting.InputException;
 
 /**
@@ -25,6 +26,7 @@ public final class SceneRunner {
     private Pace pace = Pace.AS_FAST_AS_POSSIBLE;
     private BooleanSupplier cancelled = () -> false;
     private Consumer<String> notes = note -> {};
+    private ModelCache models;
 
     /** A runner of a scene that has a simulator of its own. */
     public SceneRunner(Scene scene) {
@@ -145,7 +147,7 @@ public final class SceneRunner {
      * @throws InputException when a model is wrong
      */
     public Stage stage(SceneSettings settings) {
-        return new Stage(settings, new ModelCache(directory, notes), 0L);
+        return new Stage(settings, models(), runSeed(settings, 0, 0));
     }
 
     /**
@@ -160,23 +162,36 @@ public final class SceneRunner {
         }
         SceneSettings settings = settings();
         List<SceneSettings> settingsOfRuns = settingsOfRuns(settings);
-        ModelCache models = new ModelCache(directory, notes);
+        ModelCache loaded = models();
+        double before = loaded.loadSeconds() + loaded.buildSeconds();
         List<RunResult> results = new ArrayList<>();
         boolean complete = true;
         long start = System.nanoTime();
         try (ObservationPool pool = new ObservationPool(threads)) {
             for (int run = 0; run < settingsOfRuns.size() && complete; run++) {
                 RunInfo info = new RunInfo(run, settingsOfRuns.size(), settingsOfRuns.get(run));
-                results.add(runOnce(simulator, info, models, pool));
+                results.add(runOnce(simulator, info, loaded, pool));
                 complete = !cancelled.getAsBoolean();
             }
         } finally {
             scene.prepare(null);
         }
         double all = NANO * (System.nanoTime() - start);
-        double wall = all - models.loadSeconds() - models.buildSeconds();
-        Timing timing = new Timing(models.loadSeconds(), models.buildSeconds(), wall);
+        double wall = all - (loaded.loadSeconds() + loaded.buildSeconds() - before);
+        Timing timing = new Timing(loaded.loadSeconds(), loaded.buildSeconds(), wall);
         return new SceneResult(scene.name(), settings.run().seed(), threads, complete, results, timing);
+    }
+
+    private ModelCache models() {
+        if (models == null) {
+            models = new ModelCache(directory, notes);
+        }
+        return models;
+    }
+
+    /** The seed of all random numbers of one run, in one replication of an experiment. */
+    static long runSeed(SceneSettings settings, int run, int replication) {
+        return Sample.mix(Sample.mix(settings.run().seed(), run), replication);
     }
 
     private RunResult runOnce(SceneSimulator simulator, RunInfo info, ModelCache models, ObservationPool pool) {

@@ -3,7 +3,10 @@ package org.dronewatch.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.function.BiFunction;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
@@ -41,6 +44,23 @@ public final class Stage {
     /** The drones at a time, seconds since the start of the run. */
     public List<Drone> dronesAt(double time) {
         return fliers.stream().map(flier -> flier.drone.at(flier.path.at(time))).toList();
+    }
+
+    /**
+     * Lets every sensor that follows rays tell of all of them, as its first look would trace them if it did not stop early.
+     *
+     * @param time where the drones are, seconds since the start of the run
+     * @param target gives what records the rays of a sensor and a drone of these names
+     */
+    public void traceRays(double time, BiFunction<String, String, RayRecorder> target) {
+        for (Looker looker : lookers) {
+            if (looker.sensor instanceof RaySensor sensor) {
+                for (Drone drone : dronesAt(time)) {
+                    Sample sample = Sample.of(runSeed, looker.number, looker.id, 0, time);
+                    sensor.traceRays(world, drone, sample.random(), target.apply(looker.id, drone.id()));
+                }
+            }
+        }
     }
 
     /** The earliest time at which a sensor looks next; infinity when there is no sensor. */

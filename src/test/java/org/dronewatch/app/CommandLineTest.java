@@ -346,6 +346,23 @@ class CommandLineTest {
     }
 
     @Test
+    void theRaysOfARunAreLinesThatAModelProgramReads() throws IOException {
+        Outcome outcome = commandIn("run closed-space --out DIR/results --rays DIR/rays.obj");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+
+        List<String> lines = Files.readAllLines(directory.resolve("rays.obj"));
+        long pieces = lines.stream().filter(line -> line.startsWith("l ")).count();
+        assertThat(pieces).isGreaterThan(1000);
+        assertThat(lines.stream().filter(line -> line.startsWith("v "))).hasSize((int) (2 * pieces));
+        assertThat(lines).contains("g microphone_quadrotor_order_0_received");
+        // The first ray leads from the drone, 5 m east and 5 m up, to the microphone.
+        assertThat(lines).contains("v 5.0000 5.0000 0.0000", "v -5.0000 5.0000 0.0000");
+        assertThat(outcome.err().lines().filter(line -> line.startsWith("read cathedral")))
+                .as("models are read once")
+                .hasSize(1);
+    }
+
+    @Test
     void aRunKeepsTheOtherFilesOfItsDirectory() throws IOException {
         Path results = Files.createDirectory(directory.resolve("results"));
         Files.writeString(results.resolve("notes.txt"), "mine");

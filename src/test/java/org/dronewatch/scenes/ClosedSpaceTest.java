@@ -10,10 +10,10 @@ import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
+import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.Listening;
-import org.dronewatch.sensor.acoustic.RayRecorder;
 import org.dronewatch.world.Drone;
 import org.junit.jupiter.api.Test;
 

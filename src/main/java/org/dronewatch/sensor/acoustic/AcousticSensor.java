@@ -5,13 +5,14 @@ import java.util.List;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
-import org.dronewatch.sensor.Sensor;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
 /** A microphone that hears each drone for itself. Keeps scratch memory: one thread at a time. */
-public final class AcousticSensor implements Sensor {
+public final class AcousticSensor implements RaySensor {
     private static final String UNIT = "dB";
 
     private final AcousticSettings settings;
@@ -56,6 +57,11 @@ public final class AcousticSensor implements Sensor {
      */
     public Listening listenFully(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
         return tracer(world).trace(place(drone), drone.settings().soundLevel(), random, true, recorder);
+    }
+
+    @Override
+    public void traceRays(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
+        listenFully(world, drone, random, recorder);
     }
 
     private static Position place(Drone drone) {

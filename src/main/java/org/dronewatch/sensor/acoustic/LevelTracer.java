@@ -5,6 +5,7 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.world.World;
 
 /**

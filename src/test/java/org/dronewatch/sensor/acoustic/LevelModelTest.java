@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.FlightPathSettings.Hover;

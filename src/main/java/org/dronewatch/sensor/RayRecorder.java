@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor;
 
 /** Is told every straight piece of every ray that a sensor traces. */
 @FunctionalInterface

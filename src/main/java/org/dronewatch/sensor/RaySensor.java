@@ -1,0 +1,19 @@
+package org.dronewatch.sensor;
+
+import java.util.random.RandomGenerator;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.World;
+
+/** A sensor that follows rays from a drone and can tell of every one of them. */
+public interface RaySensor extends Sensor {
+
+    /**
+     * Traces all that leads from one drone to this sensor.
+     *
+     * @param world the site
+     * @param drone the drone as it is now
+     * @param random the random numbers of the rays
+     * @param recorder is told every straight piece of every ray
+     */
+    void traceRays(World world, Drone drone, RandomGenerator random, RayRecorder recorder);
+}
