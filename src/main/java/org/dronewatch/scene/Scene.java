@@ -15,6 +15,7 @@ import org.djutils.metadata.MetaData;
 import org.djutils.metadata.ObjectDescriptor;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.ModelSettings;
@@ -99,6 +100,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /** Sets the sound pressure level of the background, dB re 20 uPa. */
     protected final void setBackgroundNoise(double level) {
         building().setBackgroundNoise(level);
+    }
+
+    /** Sets temperature, humidity and pressure of the air; 20 degrees Celsius, 70 % and one atmosphere unless set. */
+    protected final void setAtmosphere(Atmosphere air) {
+        building().setAtmosphere(air);
     }
 
     /**

@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.ModelSettings;
 import org.dronewatch.world.SurfaceSettings;
@@ -14,6 +15,7 @@ final class SceneBuilder {
     private WorldSettings world;
     private double backgroundNoise = WorldSettings.QUIET;
     private SurfaceSettings surfaces = SurfaceSettings.DEFAULT;
+    private Atmosphere atmosphere = Atmosphere.STANDARD;
     private final Map<String, DroneSettings> drones = new LinkedHashMap<>();
     private final Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
     private RunSettings run = RunSettings.DEFAULT;
@@ -25,6 +27,10 @@ final class SceneBuilder {
 
     void nameSurface(String ofTheModel, String ofTheTable) {
         surfaces = surfaces.with(ofTheModel, ofTheTable);
+    }
+
+    void setAtmosphere(Atmosphere air) {
+        atmosphere = air;
     }
 
     void setBackgroundNoise(double level) {
@@ -56,6 +62,12 @@ final class SceneBuilder {
             throw new IllegalArgumentException("the scene has no world: its build() must call loadWorld");
         }
         return new SceneSettings(
-                world.withBackgroundNoise(backgroundNoise).withSurfaces(surfaces), drones, sensors, run, sweep);
+                world.withBackgroundNoise(backgroundNoise)
+                        .withSurfaces(surfaces)
+                        .withAtmosphere(atmosphere),
+                drones,
+                sensors,
+                run,
+                sweep);
     }
 }

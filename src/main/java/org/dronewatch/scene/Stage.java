@@ -24,7 +24,7 @@ public final class Stage {
 
     Stage(SceneSettings settings, ModelCache models, long runSeed) {
         WorldSettings site = settings.world();
-        this.world = new World(models.tree(site.models()), site.backgroundNoise(), site.surfaces());
+        this.world = new World(models.tree(site.models()), site.backgroundNoise(), site.surfaces(), site.atmosphere());
         if (settings.sensors().values().stream().anyMatch(SensorSettings::hearsSurfaces)) {
             models.noteSurfaces(site.surfaces().leftOver(world.mesh().materialNames()), site.surfaces());
         }

@@ -36,7 +36,7 @@ public final class AcousticRange extends Scene {
                         .withSoundLevel(50.0));
         add(
                 "microphone",
-                AcousticSettings.at(MICROPHONE).withRate(10.0).withLevel(LevelModel.DEFAULT.withRays(20, 20)));
+                AcousticSettings.at(MICROPHONE).withRate(10.0).withPropagation(LevelModel.DEFAULT.withRays(20, 20)));
 
         setRun(RunSettings.DEFAULT.withDuration(92.0));
         sweep("world.backgroundNoise", 30.0, 25.0, 20.0, 15.0, 10.0);
@@ -48,7 +48,9 @@ public final class AcousticRange extends Scene {
         AcousticSettings microphone = (AcousticSettings) settings.sensors().get(sensor);
         double margin = settings.drones().get("quadrotor").soundLevel()
                 - microphone.detectionLevel(settings.world().backgroundNoise());
-        return OptionalDouble.of(margin / microphone.level().attenuation());
+        return microphone.propagation() instanceof LevelModel model
+                ? OptionalDouble.of(margin / model.attenuation())
+                : OptionalDouble.empty();
     }
 
     @Override

@@ -10,6 +10,7 @@ import org.dronewatch.geometry.Ray;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
@@ -25,6 +26,7 @@ public final class World {
     private final KDTree tree;
     private final double backgroundNoise;
     private final List<SurfaceMaterial> surfaces;
+    private final Atmosphere atmosphere;
 
     /**
      * A world around a finished tree.
@@ -32,16 +34,40 @@ public final class World {
      * @param tree tree over the mesh, in the world's frame
      * @param backgroundNoise sound pressure level of the background, dB re 20 uPa
      * @param surfaces what the mesh's materials are to sound
+     * @param atmosphere the air
      */
-    public World(KDTree tree, double backgroundNoise, SurfaceSettings surfaces) {
+    public World(KDTree tree, double backgroundNoise, SurfaceSettings surfaces, Atmosphere atmosphere) {
+        this(
+                tree,
+                backgroundNoise,
+                tree.mesh().materialNames().stream().map(surfaces::of).toList(),
+                atmosphere);
+    }
+
+    /**
+     * A world around a finished tree whose surfaces are not those of the table.
+     *
+     * @param tree tree over the mesh, in the world's frame
+     * @param backgroundNoise sound pressure level of the background, dB re 20 uPa
+     * @param surfaces one for each material of the mesh, by the mesh's material numbers
+     * @param atmosphere the air
+     * @throws IllegalArgumentException when there are more or fewer surfaces than materials
+     */
+    public World(KDTree tree, double backgroundNoise, List<SurfaceMaterial> surfaces, Atmosphere atmosphere) {
+        int materials = tree.mesh().materialNames().size();
+        if (surfaces.size() != materials) {
+            throw new IllegalArgumentException(
+                    surfaces.size() + " surfaces for " + materials + " materials: needs one for each");
+        }
         this.tree = tree;
         this.backgroundNoise = backgroundNoise;
-        this.surfaces = tree.mesh().materialNames().stream().map(surfaces::of).toList();
+        this.surfaces = List.copyOf(surfaces);
+        this.atmosphere = atmosphere;
     }
 
     /** A world of a mesh without noise worth the name (0 dB). */
     public static World of(TriangleMesh mesh) {
-        return new World(KDTree.of(mesh), 0.0, SurfaceSettings.DEFAULT);
+        return new World(KDTree.of(mesh), 0.0, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
     }
 
     /** Merges meshes into one, so that one tree holds them all; source numbers run on from mesh to mesh. */
@@ -141,5 +167,10 @@ public final class World {
     /** What each material of the mesh is to sound, by the mesh's material numbers. */
     public List<SurfaceMaterial> surfaces() {
         return surfaces;
+    }
+
+    /** The air. */
+    public Atmosphere atmosphere() {
+        return atmosphere;
     }
 }

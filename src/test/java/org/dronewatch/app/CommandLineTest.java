@@ -103,7 +103,7 @@ class CommandLineTest {
                 "run camera-range --colour                                | --colour      | --help",
                 "run                                                      | SCENE         | --help",
                 "run acoustic-range --set world.surfaces.otherwise=brick_ruogh | 'brick_ruogh' | brick_rough",
-                "run acoustic-range --set sensors.microphone.level.initialRays=0 | initialRays 0 | 1 to 100000",
+                "run acoustic-range --set sensors.microphone.propagation.initialRays=0 | initialRays 0 | 1 to 100000",
                 "run acoustic-range --set sensors.microphone.radius=0     | radius 0.0 m  | above 0",
                 "check camera-range --set sensors.camera.fov=4            | fov 4.0 rad   | below 3.14159",
                 "render camera-range --camera eye --time 1 --out DIR/a.png | eye          | camera",

@@ -35,9 +35,9 @@ class ClosedSpaceTest {
         List<Listening> heard = new ArrayList<>();
         for (int budget : new int[] {200_000, 200_000, 50_000}) {
             SceneRunner runner = new SceneRunner(new ClosedSpace())
-                    .set("sensors.microphone.level.initialRays", "20")
-                    .set("sensors.microphone.level.reflectionsPerHit", "20")
-                    .set("sensors.microphone.level.rayBudget", Integer.toString(budget));
+                    .set("sensors.microphone.propagation.initialRays", "20")
+                    .set("sensors.microphone.propagation.reflectionsPerHit", "20")
+                    .set("sensors.microphone.propagation.rayBudget", Integer.toString(budget));
             SceneSettings settings = runner.settings();
             Stage stage = runner.stage(settings);
             Drone drone = stage.dronesAt(0.0).get(0);

@@ -2,34 +2,49 @@ package org.dronewatch.sensor.acoustic;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
+import org.dronewatch.sound.DronePower;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
-/** A microphone that hears each drone for itself. Keeps scratch memory: one thread at a time. */
+/**
+ * A microphone that hears each drone for itself. By the level model its value is the best undivided level received, by the
+ * energy model the A-weighted sound pressure level. Keeps scratch memory: one thread at a time.
+ */
 public final class AcousticSensor implements RaySensor {
     private static final String UNIT = "dB";
 
     private final AcousticSettings settings;
     private World heard;
-    private LevelTracer tracer;
+    private LevelTracer levels;
+    private EnergyTracer energies;
 
     /** A sensor of some settings. */
     public AcousticSensor(AcousticSettings settings) {
         this.settings = settings;
     }
 
-    /** Listens to each drone until it is detected or nothing is left to trace. */
     @Override
     public List<Observation> observe(World world, List<Drone> drones, Sample sample) {
         List<Observation> observations = new ArrayList<>(drones.size());
         for (Drone drone : drones) {
-            Listening listening = listen(world, drone, sample.random());
+            double value;
+            Map<String, Double> figures;
+            if (settings.propagation() instanceof LevelModel) {
+                Listening listening = listen(world, drone, sample.random());
+                value = listening.bestLevel();
+                figures = listening.figures();
+            } else {
+                EnergyReading reading = read(world, drone, sample.random());
+                value = reading.aWeightedLevel();
+                figures = reading.figures();
+            }
             observations.add(new Observation(
                     sample.sensor(),
                     settings.kind(),
@@ -37,43 +52,86 @@ public final class AcousticSensor implements RaySensor {
                     sample.index(),
                     sample.time(),
                     drone.distance(settings.position()),
-                    listening.bestLevel(),
+                    value,
                     settings.detectionLevel(world.backgroundNoise()),
                     UNIT,
-                    listening.figures()));
+                    figures));
         }
         return observations;
     }
 
-    /** Traces until the first ray that is loud enough: the quick answer. */
+    /**
+     * By the level model: traces until the first ray that is loud enough.
+     *
+     * @throws IllegalStateException when this sensor follows sound by another model
+     */
     public Listening listen(World world, Drone drone, RandomGenerator random) {
-        return tracer(world).trace(place(drone), drone.settings().soundLevel(), random, false, RayRecorder.NONE);
+        return levels(world).trace(place(drone), drone.settings().soundLevel(), random, false, RayRecorder.NONE);
     }
 
     /**
-     * Traces everything.
+     * By the level model: traces everything.
      *
      * @param recorder is told every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
+     * @throws IllegalStateException when this sensor follows sound by another model
      */
     public Listening listenFully(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
-        return tracer(world).trace(place(drone), drone.settings().soundLevel(), random, true, recorder);
+        return levels(world).trace(place(drone), drone.settings().soundLevel(), random, true, recorder);
+    }
+
+    /**
+     * By the energy model: levels in octave bands.
+     *
+     * @throws IllegalStateException when this sensor follows sound by another model
+     */
+    public EnergyReading read(World world, Drone drone, RandomGenerator random) {
+        return read(world, drone, random, RayRecorder.NONE);
+    }
+
+    private EnergyReading read(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
+        List<Double> power = DronePower.octaves(drone.settings().soundPowerLevel());
+        return energies(world).trace(place(drone), power, random, recorder);
     }
 
     @Override
     public void traceRays(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
-        listenFully(world, drone, random, recorder);
+        if (settings.propagation() instanceof LevelModel) {
+            listenFully(world, drone, random, recorder);
+        } else {
+            read(world, drone, random, recorder);
+        }
     }
 
     private static Position place(Drone drone) {
         return Position.of(drone.position());
     }
 
-    private LevelTracer tracer(World world) {
-        if (heard != world) {
-            tracer = new LevelTracer(settings, world);
-            heard = world;
+    private LevelTracer levels(World world) {
+        hear(world);
+        if (levels == null) {
+            throw new IllegalStateException("this sensor follows sound by the energy model: ask it to read");
         }
-        return tracer;
+        return levels;
+    }
+
+    private EnergyTracer energies(World world) {
+        hear(world);
+        if (energies == null) {
+            throw new IllegalStateException("this sensor follows sound by the level model: ask it to listen");
+        }
+        return energies;
+    }
+
+    private void hear(World world) {
+        if (heard == world) {
+            return;
+        }
+        heard = world;
+        if (settings.propagation() instanceof LevelModel model) {
+            levels = new LevelTracer(model, settings, world);
+        } else if (settings.propagation() instanceof EnergyModel model) {
+            energies = new EnergyTracer(model, settings.position(), settings.radius(), world);
+        }
     }
 
     /** What this sensor was made from. */

@@ -14,7 +14,7 @@ import org.dronewatch.setting.Quantity;
  * @param rate how often it listens, above 0, Hz
  * @param threshold how far above the background a sound must be, dB
  * @param arrayGain how much better than one microphone it hears, 0 to 60 dB
- * @param level how sound is propagated
+ * @param propagation how sound is followed: {@link LevelModel} or {@link EnergyModel}
  */
 public record AcousticSettings(
         Position position,
@@ -22,7 +22,7 @@ public record AcousticSettings(
         @In(Quantity.FREQUENCY) double rate,
         @In(Quantity.LEVEL) double threshold,
         @In(Quantity.LEVEL) double arrayGain,
-        LevelModel level)
+        Propagation propagation)
         implements SensorSettings<AcousticSensor> {
     private static final double MAX_RATE = 10_000.0;
     private static final double MAX_THRESHOLD = 100.0;
@@ -42,7 +42,7 @@ public record AcousticSettings(
         Check.between("rate", rate, 0.0, MAX_RATE, Quantity.FREQUENCY);
         Check.between("threshold", threshold, -MAX_THRESHOLD, MAX_THRESHOLD, Quantity.LEVEL);
         Check.between("arrayGain", arrayGain, 0.0, MAX_GAIN, Quantity.LEVEL);
-        Check.present("level", level);
+        Check.present("propagation", propagation);
     }
 
     /** A microphone of 0.5 m radius that listens ten times a second and hears what is 15 dB above the background. */
@@ -52,31 +52,31 @@ public record AcousticSettings(
 
     /** These settings at another place, m. */
     public AcousticSettings withPosition(Position place) {
-        return new AcousticSettings(place, radius, rate, threshold, arrayGain, level);
+        return new AcousticSettings(place, radius, rate, threshold, arrayGain, propagation);
     }
 
     /** These settings with another radius, m. */
     public AcousticSettings withRadius(double metres) {
-        return new AcousticSettings(position, metres, rate, threshold, arrayGain, level);
+        return new AcousticSettings(position, metres, rate, threshold, arrayGain, propagation);
     }
 
     /** These settings with another number of looks a second, Hz. */
     public AcousticSettings withRate(double looksPerSecond) {
-        return new AcousticSettings(position, radius, looksPerSecond, threshold, arrayGain, level);
+        return new AcousticSettings(position, radius, looksPerSecond, threshold, arrayGain, propagation);
     }
 
     /** These settings with another threshold above the background, dB. */
     public AcousticSettings withThreshold(double decibels) {
-        return new AcousticSettings(position, radius, rate, decibels, arrayGain, level);
+        return new AcousticSettings(position, radius, rate, decibels, arrayGain, propagation);
     }
 
     /** These settings with another gain of the array, dB. */
     public AcousticSettings withArrayGain(double decibels) {
-        return new AcousticSettings(position, radius, rate, threshold, decibels, level);
+        return new AcousticSettings(position, radius, rate, threshold, decibels, propagation);
     }
 
     /** These settings with another propagation. */
-    public AcousticSettings withLevel(LevelModel model) {
+    public AcousticSettings withPropagation(Propagation model) {
         return new AcousticSettings(position, radius, rate, threshold, arrayGain, model);
     }
 

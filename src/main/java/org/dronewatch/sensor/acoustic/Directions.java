@@ -15,4 +15,21 @@ final class Directions {
         ray.directionY = radius * Math.sin(angle);
         ray.directionZ = z;
     }
+
+    /** Gives a ray a direction by Lambert's law about a unit normal: a uniform point of the sphere that touches it. */
+    static void drawLambert(RandomGenerator random, double[] normal, AcousticRay ray) {
+        double length;
+        do {
+            draw(random, ray);
+            ray.directionX += normal[0];
+            ray.directionY += normal[1];
+            ray.directionZ += normal[2];
+            length = Math.sqrt(ray.directionX * ray.directionX
+                    + ray.directionY * ray.directionY
+                    + ray.directionZ * ray.directionZ);
+        } while (length < 1e-6);
+        ray.directionX /= length;
+        ray.directionY /= length;
+        ray.directionZ /= length;
+    }
 }

@@ -19,7 +19,8 @@ public record LevelModel(
         @In(Quantity.NUMBER) int reflectionsPerHit,
         @In(Quantity.ATTENUATION) double attenuation,
         @In(Quantity.NUMBER) int maxOrder,
-        @In(Quantity.NUMBER) int rayBudget) {
+        @In(Quantity.NUMBER) int rayBudget)
+        implements Propagation {
 
     /** 10 initial rays, 10 reflections a hit, 0.05 dB/m, three orders, 200,000 pieces. */
     public static final LevelModel DEFAULT = new LevelModel(10, 10, 0.05, 3, 200_000);

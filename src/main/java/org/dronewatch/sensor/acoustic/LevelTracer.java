@@ -33,8 +33,8 @@ final class LevelTracer {
     private long cutByBudget;
     private int cutOrder;
 
-    LevelTracer(AcousticSettings settings, World world) {
-        this.model = settings.level();
+    LevelTracer(LevelModel model, AcousticSettings settings, World world) {
+        this.model = model;
         this.sensor = settings.position();
         this.radius = settings.radius();
         this.detectionLevel = settings.detectionLevel(world.backgroundNoise());

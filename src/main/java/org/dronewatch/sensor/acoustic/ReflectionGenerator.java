@@ -18,6 +18,8 @@ final class ReflectionGenerator {
     private final Position sensor;
     private final AcousticRay branch = new AcousticRay();
 
+    private final double[] normal = new double[3];
+
     /** The surface's normal on the side that the ray comes from. */
     private double normalX;
 
@@ -86,23 +88,10 @@ final class ReflectionGenerator {
     }
 
     private void setHit(AcousticRay ray, double distance, int triangle) {
-        double ax = mesh.coordinate(triangle, 0, 0);
-        double ay = mesh.coordinate(triangle, 0, 1);
-        double az = mesh.coordinate(triangle, 0, 2);
-        double bx = mesh.coordinate(triangle, 1, 0) - ax;
-        double by = mesh.coordinate(triangle, 1, 1) - ay;
-        double bz = mesh.coordinate(triangle, 1, 2) - az;
-        double cx = mesh.coordinate(triangle, 2, 0) - ax;
-        double cy = mesh.coordinate(triangle, 2, 1) - ay;
-        double cz = mesh.coordinate(triangle, 2, 2) - az;
-        double nx = by * cz - bz * cy;
-        double ny = bz * cx - bx * cz;
-        double nz = bx * cy - by * cx;
-        double along = nx * ray.directionX + ny * ray.directionY + nz * ray.directionZ;
-        double scale = (along > 0.0 ? -1.0 : 1.0) / Math.sqrt(nx * nx + ny * ny + nz * nz);
-        normalX = nx * scale;
-        normalY = ny * scale;
-        normalZ = nz * scale;
+        Normals.facing(mesh, triangle, ray, normal);
+        normalX = normal[0];
+        normalY = normal[1];
+        normalZ = normal[2];
         hitX = ray.originX + distance * ray.directionX;
         hitY = ray.originY + distance * ray.directionY;
         hitZ = ray.originZ + distance * ray.directionZ;

@@ -11,6 +11,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.FlightPathSettings.Hover;
@@ -37,7 +38,7 @@ class LevelModelTest {
     }
 
     private static World world(TriangleMesh... meshes) {
-        return new World(KDTree.of(World.merge(List.of(meshes))), QUIET, SurfaceSettings.DEFAULT);
+        return new World(KDTree.of(World.merge(List.of(meshes))), QUIET, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
     }
 
     private static World farGround() {
@@ -57,7 +58,7 @@ class LevelModelTest {
     }
 
     private static AcousticSensor sensor(LevelModel model) {
-        return AcousticSettings.at(new Position(0, 0, 0)).withLevel(model).create();
+        return AcousticSettings.at(new Position(0, 0, 0)).withPropagation(model).create();
     }
 
     private static Listening fully(World world, Drone drone, LevelModel model) {

@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterials;
 import org.dronewatch.world.SurfaceSettings;
@@ -30,7 +31,7 @@ class ReflectionGeneratorTest {
                 new int[1],
                 new int[1],
                 List.of(material));
-        return new World(KDTree.of(mesh), 20, SurfaceSettings.DEFAULT);
+        return new World(KDTree.of(mesh), 20, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
     }
 
     private static AcousticRay towardsOrigin(double degrees, int medium) {

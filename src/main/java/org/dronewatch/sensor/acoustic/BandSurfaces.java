@@ -1,0 +1,57 @@
+package org.dronewatch.sensor.acoustic;
+
+import java.util.List;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.SurfaceMaterial.Wall;
+
+/** What the energy model takes of a world's surfaces: shares by material and band, in flat arrays. */
+final class BandSurfaces {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    private final double[] reflected;
+    private final double[] transmitted;
+    private final double[] scattered;
+    private final boolean[] transmits;
+    private final boolean[] sheet;
+
+    BandSurfaces(List<SurfaceMaterial> surfaces) {
+        int count = surfaces.size();
+        this.reflected = new double[BANDS * count];
+        this.transmitted = new double[BANDS * count];
+        this.scattered = new double[BANDS * count];
+        this.transmits = new boolean[count];
+        this.sheet = new boolean[count];
+        for (int i = 0; i < count; i++) {
+            SurfaceMaterial surface = surfaces.get(i);
+            transmits[i] = !surface.isOpaque();
+            sheet[i] = surface.wall() == Wall.SHEET;
+            for (int band = 0; band < BANDS; band++) {
+                reflected[BANDS * i + band] = surface.reflected(band);
+                transmitted[BANDS * i + band] = surface.transmitted(band);
+                scattered[BANDS * i + band] = surface.scattering().get(band);
+            }
+        }
+    }
+
+    double reflected(int material, int band) {
+        return reflected[BANDS * material + band];
+    }
+
+    /** The share that passes on the way in; what is inside a solid leaves it without more loss. */
+    double transmitted(int material, int band) {
+        return transmitted[BANDS * material + band];
+    }
+
+    double scattered(int material, int band) {
+        return scattered[BANDS * material + band];
+    }
+
+    boolean transmits(int material) {
+        return transmits[material];
+    }
+
+    boolean isSheet(int material) {
+        return sheet[material];
+    }
+}

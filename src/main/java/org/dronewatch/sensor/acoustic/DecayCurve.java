@@ -1,0 +1,80 @@
+package org.dronewatch.sensor.acoustic;
+
+import java.util.Arrays;
+import java.util.OptionalDouble;
+import org.dronewatch.sound.Levels;
+
+/**
+ * How sound dies away at a sensor after the source stops: received energy by time of arrival, integrated backward
+ * (Schroeder, "New method of measuring reverberation time", JASA 37, 1965).
+ */
+public final class DecayCurve {
+    /** Width of a bin, s. */
+    public static final double BIN = 2e-3;
+
+    private static final int BINS = 8192;
+    private static final double FROM = -5.0;
+    private static final double SPAN = 30.0;
+
+    private final double[] received = new double[BINS];
+
+    /** Adds energy that arrives at a time, s; what comes after the last bin, 16 s, is left out. */
+    void add(double time, double energy) {
+        int bin = (int) (time / BIN);
+        if (bin < BINS) {
+            received[bin] += energy;
+        }
+    }
+
+    void clear() {
+        Arrays.fill(received, 0.0);
+    }
+
+    /** A copy, for a result to keep. */
+    DecayCurve copy() {
+        DecayCurve copy = new DecayCurve();
+        System.arraycopy(received, 0, copy.received, 0, BINS);
+        return copy;
+    }
+
+    /** Levels of what is still to come at the beginning of each bin, dB re all; minus infinity after the last arrival. */
+    public double[] levels() {
+        double[] levels = new double[BINS];
+        double toCome = 0.0;
+        for (int i = BINS - 1; i >= 0; i--) {
+            toCome += received[i];
+            levels[i] = toCome;
+        }
+        for (int i = 0; i < BINS; i++) {
+            levels[i] = Levels.ofRatio(levels[i] / toCome);
+        }
+        return levels;
+    }
+
+    /**
+     * Reverberation time T30, s: twice the time that the regression line from -5 to -35 dB takes (ISO 3382-1); empty when
+     * the curve does not reach so far down.
+     */
+    public OptionalDouble t30() {
+        double[] levels = levels();
+        double n = 0;
+        double sumT = 0;
+        double sumL = 0;
+        double sumTt = 0;
+        double sumTl = 0;
+        for (int i = 0; i < BINS && levels[i] >= FROM - SPAN; i++) {
+            if (levels[i] <= FROM) {
+                double t = i * BIN;
+                n++;
+                sumT += t;
+                sumL += levels[i];
+                sumTt += t * t;
+                sumTl += t * levels[i];
+            }
+        }
+        double slope = (n * sumTl - sumT * sumL) / (n * sumTt - sumT * sumT);
+        boolean reached =
+                Arrays.stream(levels).anyMatch(level -> level < FROM - SPAN && level > Double.NEGATIVE_INFINITY);
+        return reached && slope < 0 ? OptionalDouble.of(-60.0 / slope) : OptionalDouble.empty();
+    }
+}

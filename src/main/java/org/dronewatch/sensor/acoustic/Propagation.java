@@ -1,0 +1,4 @@
+package org.dronewatch.sensor.acoustic;
+
+/** How sound is followed from a drone to a sensor. */
+public sealed interface Propagation permits LevelModel, EnergyModel {}

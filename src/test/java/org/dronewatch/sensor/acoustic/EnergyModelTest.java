@@ -1,0 +1,252 @@
+package org.dronewatch.sensor.acoustic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.SurfaceMaterial.Wall;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The energy model against closed forms, an exact image-source sum and an independent Monte Carlo simulation. */
+class EnergyModelTest {
+    private static final double LW = 100.0;
+    private static final Position SOURCE = new Position(2, 3, 1.5);
+    private static final int LOWEST = 0;
+
+    /** A box from the origin to a corner; its material is number 0. */
+    private static TriangleMesh box(double x, double y, double z) {
+        float[] vertices = new float[24];
+        for (int i = 0; i < 8; i++) {
+            vertices[3 * i] = (float) ((i & 1) == 0 ? 0 : x);
+            vertices[3 * i + 1] = (float) ((i & 2) == 0 ? 0 : y);
+            vertices[3 * i + 2] = (float) ((i & 4) == 0 ? 0 : z);
+        }
+        int[] corners = {
+            0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5
+        };
+        return TriangleMesh.of(vertices, corners);
+    }
+
+    /** A level square about the z axis. */
+    private static TriangleMesh square(double half, double z) {
+        float h = (float) half;
+        float at = (float) z;
+        return TriangleMesh.of(new float[] {-h, -h, at, h, -h, at, h, h, at, -h, h, at}, new int[] {0, 1, 2, 0, 2, 3});
+    }
+
+    private static World world(TriangleMesh mesh, SurfaceMaterial surface) {
+        return new World(KDTree.of(mesh), 20, List.of(surface), Atmosphere.STANDARD);
+    }
+
+    private static World open() {
+        return world(square(1, -1e6), SurfaceMaterial.uniform("any", 0.5, 0));
+    }
+
+    /** 100 dB of sound power in one band. */
+    private static List<Double> oneBand(int band) {
+        List<Double> power = new ArrayList<>();
+        for (int i = 0; i < OctaveBands.COUNT; i++) {
+            power.add(i == band ? LW : Double.NEGATIVE_INFINITY);
+        }
+        return power;
+    }
+
+    private static EnergyReading read(
+            World world, Position source, Position sensor, double radius, int rays, int band, long seed) {
+        return new EnergyTracer(EnergyModel.DEFAULT.withRays(rays), sensor, radius, world)
+                .trace(source, oneBand(band), new SplittableRandom(seed), RayRecorder.NONE);
+    }
+
+    @Test
+    void inTheOpenTheLevelFallsBySpreadingAndAir() {
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            double a = Atmosphere.STANDARD.attenuation(OctaveBands.midband(band));
+            for (double r : new double[] {1, 2, 10, 100, 1000}) {
+                EnergyReading reading = read(open(), new Position(0, r, 0), new Position(0, 0, 0), 0.5, 1, band, 1);
+                assertThat(reading.totalLevel())
+                        .as("%d Hz at %f m", OctaveBands.nominal(band), r)
+                        .isCloseTo(LW - 10.99 - 20 * Math.log10(r) - a * r, within(0.05));
+            }
+        }
+    }
+
+    /** Source 50 m, receiver 1.5 m over a rigid plane, 100 m apart: the mirror image adds 2.9585 dB (less its own air). */
+    @Test
+    void aRigidPlaneAddsItsMirrorImage() {
+        World plane = world(square(5000, 0), SurfaceMaterial.uniform("rigid", 0, 0));
+        EnergyReading reading = read(plane, new Position(100, 0, 50), new Position(0, 0, 1.5), 0.5, 1000, LOWEST, 1);
+
+        double gain = reading.totalLevel() - Levels.ofRatio(reading.direct().get(LOWEST));
+        assertThat(gain).isCloseTo(2.9585, within(2e-3));
+        assertThat(reading.reverberant().get(LOWEST)).isZero();
+    }
+
+    /** Over the common edge of a wall's two triangles there is one reflection, not two. */
+    @Test
+    void aReflectionOnTheEdgeOfTwoTrianglesCountsOnce() {
+        World plane = world(square(50, 0), SurfaceMaterial.uniform("rigid", 0, 0));
+        EnergyReading reading = read(plane, new Position(-3, -3, 4), new Position(3, 3, 4), 0.5, 1, LOWEST, 1);
+
+        double direct = 6 * Math.sqrt(2);
+        assertThat(reading.mirrored().get(LOWEST) / reading.direct().get(LOWEST))
+                .isCloseTo(direct * direct / (direct * direct + 64), within(1e-3));
+    }
+
+    /**
+     * A room of 10 x 8 x 4 m with absorption 0.2 and mirror walls; levels over the direct sound. Exact image-source sums
+     * with the air of 20 degrees and 70 % (4.978 dB/km at 1 kHz), all images within 600 m.
+     */
+    @ParameterizedTest
+    @CsvSource({"7, 5, 1.7, 12.431, 1.0171", "4, 3, 1.5, 5.6829, 0.9952"})
+    void aRoomOfMirrorsIsTheSumOfItsImages(double x, double y, double z, double level, double t30) {
+        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0));
+        Position sensor = new Position(x, y, z);
+        EnergyReading reading = read(room, SOURCE, sensor, 0.4, 100_000, OctaveBands.ONE_KILOHERTZ, 7);
+
+        double direct = LW - Levels.sphericalSpreading(SOURCE.distance(sensor));
+        assertThat(reading.totalLevel() - direct)
+                .as("standard error %f dB, seed 7", reading.standardError())
+                .isCloseTo(level, within(4 * reading.standardError() + 0.05));
+        assertThat(reading.standardError()).isLessThan(0.1);
+        assertThat(reading.decay().t30().orElseThrow()).isCloseTo(t30, within(0.05 * t30));
+        assertThat(reading.audit().imbalance()).isCloseTo(0.0, within(1e-9));
+    }
+
+    /**
+     * The same room with scattering walls, without air (here at 63 Hz, where air takes 0.09 dB/km). Means, standard errors
+     * and T30 of an independent energy-conserving Monte Carlo simulation of 400,000 rays.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "0.1, 7, 5, 1.7, 12.452, 0.031, 0.8801",
+        "0.1, 4, 3, 1.5, 5.825, 0.030, 0.8679",
+        "0.1, 9, 7, 3.4, 15.794, 0.031, 0.8807",
+        "0.5, 7, 5, 1.7, 12.352, 0.031, 0.7881",
+        "0.5, 4, 3, 1.5, 5.976, 0.029, 0.7885",
+        "0.5, 9, 7, 3.4, 15.458, 0.033, 0.7896",
+        "1.0, 7, 5, 1.7, 12.197, 0.032, 0.7977",
+        "1.0, 4, 3, 1.5, 6.191, 0.028, 0.7953",
+        "1.0, 9, 7, 3.4, 15.077, 0.035, 0.7958",
+    })
+    void aRoomThatScattersAgreesWithAnIndependentSimulation(
+            double scattering, double x, double y, double z, double level, double error, double t30) {
+        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, scattering));
+        Position sensor = new Position(x, y, z);
+        EnergyReading reading = read(room, SOURCE, sensor, 0.4, 60_000, LOWEST, 11);
+
+        double direct = LW - Levels.sphericalSpreading(SOURCE.distance(sensor));
+        double both = Math.hypot(reading.standardError(), error);
+        assertThat(reading.totalLevel() - direct)
+                .as("standard error %f dB, seed 11", reading.standardError())
+                .isCloseTo(level, within(4 * both + 0.05));
+        assertThat(reading.decay().t30().orElseThrow()).isCloseTo(t30, within(0.05 * t30));
+        assertThat(reading.audit().imbalance()).isCloseTo(0.0, within(1e-9));
+    }
+
+    /** The level must scatter as its standard error says: the spread of many readings against the mean stated error. */
+    @Test
+    void theStandardErrorIsHonest() {
+        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.3, 0.5));
+        int runs = 60;
+        double sum = 0;
+        double squares = 0;
+        double stated = 0;
+        for (int i = 0; i < runs; i++) {
+            EnergyReading reading = read(room, SOURCE, new Position(7, 5, 1.7), 0.4, 2000, LOWEST, 100 + i);
+            sum += reading.totalLevel();
+            squares += reading.totalLevel() * reading.totalLevel();
+            stated += reading.standardError() / runs;
+        }
+        double spread = Math.sqrt((squares - sum * sum / runs) / (runs - 1));
+        // The spread of 60 values is known to 9 %; three of that.
+        assertThat(spread / stated).as("seeds 100 to 159").isBetween(0.73, 1.27);
+    }
+
+    @Test
+    void sourceAndSensorMayChangePlaces() {
+        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
+        Position other = new Position(7.5, 6, 2.5);
+        EnergyReading there = read(room, SOURCE, other, 0.4, 60_000, LOWEST, 3);
+        EnergyReading back = read(room, other, SOURCE, 0.4, 60_000, LOWEST, 4);
+
+        double both = Math.hypot(there.standardError(), back.standardError());
+        assertThat(there.totalLevel()).isCloseTo(back.totalLevel(), within(4 * both));
+    }
+
+    @Test
+    void moreAbsorptionIsNeverLouder() {
+        double before = Double.POSITIVE_INFINITY;
+        for (double absorption : new double[] {0.05, 0.2, 0.5, 0.9, 1.0}) {
+            World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", absorption, 0.2));
+            double level = read(room, SOURCE, new Position(7, 5, 1.7), 0.4, 5000, LOWEST, 5)
+                    .totalLevel();
+            assertThat(level).isLessThan(before);
+            before = level;
+        }
+    }
+
+    /** A wide wall between source and sensor lowers the level by its loss, as a sheet and as a solid of two faces alike. */
+    @Test
+    void aWallTakesItsLossOnce() {
+        SurfaceMaterial sheet = SurfaceMaterial.uniform("wall", 0.3, 0.1).withTransmissionLoss(25, Wall.SHEET);
+        SurfaceMaterial solid = SurfaceMaterial.uniform("wall", 0.3, 0.1).withTransmissionLoss(25, Wall.SOLID);
+        TriangleMesh twoFaces = World.merge(List.of(square(1000, 5), square(1000, 5.2)));
+        Position above = new Position(0, 0, 10);
+        Position below = new Position(0, 0, 0);
+        double free = read(open(), above, below, 0.5, 1, LOWEST, 1).totalLevel();
+
+        EnergyReading throughSheet = read(world(square(1000, 5), sheet), above, below, 0.5, 2000, LOWEST, 1);
+        assertThat(throughSheet.totalLevel()).isCloseTo(free - 25, within(0.01));
+        EnergyReading throughSolid = read(world(twoFaces, solid), above, below, 0.5, 2000, LOWEST, 1);
+        assertThat(Levels.ofRatio(throughSolid.direct().get(LOWEST))).isCloseTo(free - 25, within(1e-6));
+        EnergyReading opaque = read(
+                world(square(1000, 5), SurfaceMaterial.uniform("wall", 0.3, 0.1)), above, below, 0.5, 2000, LOWEST, 1);
+        assertThat(opaque.totalLevel()).isEqualTo(Double.NEGATIVE_INFINITY);
+    }
+
+    @Test
+    void theAuditClosesWithEverythingInIt() {
+        SurfaceMaterial window = SurfaceMaterial.uniform("wall", 0.5, 0.4).withTransmissionLoss(6, Wall.SHEET);
+        EnergyReading reading = read(world(box(10, 8, 4), window), SOURCE, new Position(7, 5, 1.7), 0.4, 20_000, 7, 9);
+
+        EnergyAudit audit = reading.audit();
+        assertThat(audit.imbalance()).isCloseTo(0.0, within(1e-9));
+        assertThat(audit.absorbed()).isPositive();
+        assertThat(audit.air()).isPositive();
+        assertThat(audit.escaped()).isPositive();
+        assertThat(audit.gained()).isPositive();
+        assertThat(audit.lost()).isPositive();
+    }
+
+    @Test
+    void theSameSeedGivesTheSame() {
+        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
+        EnergyReading first = read(room, SOURCE, new Position(7, 5, 1.7), 0.4, 1000, LOWEST, 5);
+        EnergyReading second = read(room, SOURCE, new Position(7, 5, 1.7), 0.4, 1000, LOWEST, 5);
+
+        assertThat(second.reverberant()).isEqualTo(first.reverberant());
+        assertThat(second.audit()).isEqualTo(first.audit());
+    }
+
+    @Test
+    void settingsHaveLimits() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> EnergyModel.DEFAULT.withRays(0))
+                .withMessageContaining("rays 0");
+        assertThatIllegalArgumentException().isThrownBy(() -> EnergyModel.DEFAULT.withRoulette(1.0));
+    }
+}
