@@ -4,6 +4,8 @@ import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Quantity;
@@ -11,6 +13,7 @@ import org.dronewatch.setting.Quantity;
 /** Reads the value of one settings component from text. */
 final class SettingValue {
     private static final double MAX_INT = Integer.MAX_VALUE;
+    private static final String DEFAULT = "DEFAULT";
 
     private SettingValue() {}
 
@@ -40,6 +43,9 @@ final class SettingValue {
         }
         if (type == Position.class) {
             return position(text);
+        }
+        if (type.isSealed()) {
+            return choice(type, text);
         }
         if (component.getGenericType().getTypeName().equals("java.util.List<java.lang.String>")) {
             return Arrays.stream(text.split(",")).map(String::strip).toList();
@@ -71,6 +77,33 @@ final class SettingValue {
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException(
                         "'" + text + "' is none of " + constants.toString().toLowerCase(Locale.ROOT)));
+    }
+
+    /** One of several kinds of settings by its name, with the values that it has by default. */
+    private static Object choice(Class<?> type, String text) {
+        Map<String, Class<?>> kinds = new TreeMap<>();
+        for (Class<?> kind : type.getPermittedSubclasses()) {
+            if (Arrays.stream(kind.getFields())
+                    .anyMatch(field -> field.getName().equals(DEFAULT))) {
+                kinds.put(kebab(kind.getSimpleName()), kind);
+            }
+        }
+        Class<?> chosen = kinds.get(text.strip().toLowerCase(Locale.ROOT));
+        if (kinds.isEmpty()) {
+            throw new IllegalArgumentException("is not a single value: name one of its parts");
+        }
+        if (chosen == null) {
+            throw new IllegalArgumentException("'" + text + "' is none of " + kinds.keySet());
+        }
+        try {
+            return chosen.getField(DEFAULT).get(null);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException("settings " + chosen.getName() + " have no default", e);
+        }
+    }
+
+    private static String kebab(String name) {
+        return name.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-").toLowerCase(Locale.ROOT);
     }
 
     private static Position position(String text) {

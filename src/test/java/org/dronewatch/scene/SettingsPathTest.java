@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.within;
 
 import org.dronewatch.geometry.Position;
+import org.dronewatch.scenes.AcousticRange;
+import org.dronewatch.sensor.acoustic.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.world.FlightPathSettings.Approach;
@@ -30,6 +32,8 @@ class SettingsPathTest {
                 "drones.crosser.flight.points.1.x | 7       | 7.0",
                 "sensors.dice.luck              | .5        | 0.5",
                 "run.seed                       | 77        | 77",
+                "world.atmosphere.humidity      | 50 %      | 0.5",
+                "world.surfaces.otherwise       | concrete_rough | concrete_rough",
                 "run.duration                   | 1 min     | 60.0",
             })
     void aValueIsWrittenWhereThePathLeads(String path, String text, String expected) {
@@ -50,6 +54,21 @@ class SettingsPathTest {
         SceneSettings horizontal = new SettingsPath("sensors.wide.fovAxis").write(settings, "horizontal");
         assertThat(((CameraSettings) horizontal.sensors().get("wide")).focalLength())
                 .isCloseTo(160 / Math.tan(0.6), within(1e-9));
+    }
+
+    @Test
+    void oneOfSeveralKindsIsChosenByItsName() {
+        SceneSettings scene = new AcousticRange().describe();
+        SettingsPath path = new SettingsPath("sensors.microphone.propagation");
+
+        assertThat(path.read(path.write(scene, "energy-model"))).isEqualTo(EnergyModel.DEFAULT);
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> path.write(scene, "energetic"))
+                .withMessageContaining("'energetic'")
+                .withMessageContaining("energy-model, level-model");
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "hover"))
+                .withMessageContaining("parts");
     }
 
     @ParameterizedTest

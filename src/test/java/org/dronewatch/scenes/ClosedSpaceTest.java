@@ -13,7 +13,9 @@ import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.acoustic.EnergyReading;
 import org.dronewatch.sensor.acoustic.Listening;
+import org.dronewatch.sound.Levels;
 import org.dronewatch.world.Drone;
 import org.junit.jupiter.api.Test;
 
@@ -27,6 +29,22 @@ class ClosedSpaceTest {
                 .isCloseTo(10.0, within(1e-9));
         assertThat(result.firstDetectionRange("microphone", "quadrotor").orElseThrow())
                 .isCloseTo(10.0, within(1e-9));
+    }
+
+    /** By the energy model: a drone of 85 dB sound power is far above the background, and reverberation adds to it. */
+    @Test
+    void theEnergyModelHearsItTooWithItsReverberation() {
+        SceneRunner runner = new SceneRunner(new ClosedSpace()).set("sensors.microphone.propagation", "energy-model");
+        SceneSettings settings = runner.settings();
+        Stage stage = runner.stage(settings);
+        AcousticSensor sensor = ((AcousticSettings) settings.sensors().get("microphone")).create();
+        EnergyReading reading = sensor.read(stage.world(), stage.dronesAt(0.0).get(0), new SplittableRandom(1));
+
+        double direct = 85.0 - Levels.sphericalSpreading(10.0);
+        assertThat(reading.aWeightedLevel()).isGreaterThan(direct + 3.0).isLessThan(85.0);
+        assertThat(reading.standardError()).isLessThan(0.5);
+        assertThat(reading.audit().escaped()).as("the church holds its air").isZero();
+        assertThat(reading.audit().imbalance()).isCloseTo(0.0, within(1e-9));
     }
 
     /** Everything that 20 x 20 rays and three orders can reach; what the order cuts is counted, and always the same. */

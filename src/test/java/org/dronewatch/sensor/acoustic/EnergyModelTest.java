@@ -67,7 +67,7 @@ class EnergyModelTest {
 
     private static EnergyReading read(
             World world, Position source, Position sensor, double radius, int rays, int band, long seed) {
-        return new EnergyTracer(EnergyModel.DEFAULT.withRays(rays), sensor, radius, world)
+        return new EnergyTracer(EnergyModel.DEFAULT.withRays(rays).withRoulette(1e-3), sensor, radius, world)
                 .trace(source, oneBand(band), new SplittableRandom(seed), RayRecorder.NONE);
     }
 
@@ -174,6 +174,23 @@ class EnergyModelTest {
         double spread = Math.sqrt((squares - sum * sum / runs) / (runs - 1));
         // The spread of 60 values is known to 9 %; three of that.
         assertThat(spread / stated).as("seeds 100 to 159").isBetween(0.73, 1.27);
+    }
+
+    /** Neither the number of rays nor where chance begins moves the level beyond what the standard errors allow. */
+    @Test
+    void theLevelDoesNotDependOnHowItIsEstimated() {
+        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.1, 0.3));
+        Position sensor = new Position(7, 5, 1.7);
+        EnergyReading careful = read(room, SOURCE, sensor, 0.4, 60_000, LOWEST, 21);
+        for (EnergyModel model : List.of(
+                EnergyModel.DEFAULT,
+                EnergyModel.DEFAULT.withRays(1000),
+                EnergyModel.DEFAULT.withRays(30_000).withRoulette(0.05))) {
+            EnergyReading quick = new EnergyTracer(model, sensor, 0.4, room)
+                    .trace(SOURCE, oneBand(LOWEST), new SplittableRandom(22), RayRecorder.NONE);
+            double both = Math.hypot(careful.standardError(), quick.standardError());
+            assertThat(quick.totalLevel()).as("%s", model).isCloseTo(careful.totalLevel(), within(4 * both));
+        }
     }
 
     @Test
