@@ -86,6 +86,9 @@ final class RunCommand implements Callable<Integer> {
                     .listener(progress)
                     .cancelWhen(interruption::happened)
                     .run();
+            if (result.complete()) {
+                runner.stage(first).draw(0.0, report::draw);
+            }
             report.finish(result);
             progress.finish();
             print(result, spec.commandLine().getOut());

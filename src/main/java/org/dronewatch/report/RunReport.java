@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -12,7 +13,10 @@ import org.dronewatch.scene.Frame;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneListener;
 import org.dronewatch.scene.SceneResult;
+import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.Observation;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
  * Writes the files of a run: {@code detections.csv} and, when asked for, {@code observations.csv} while it goes on,
@@ -117,6 +121,15 @@ public final class RunReport implements SceneListener, AutoCloseable {
                 Numbers.text(o.value()),
                 Numbers.text(o.threshold()),
                 o.unit());
+    }
+
+    /** Draws a curve of a sensor; it appears with the other plots. */
+    public void draw(String sensor, Curve curve) {
+        XYChart chart = Charts.chart(sensor + ": " + curve.title(), curve.xTitle(), curve.yTitle());
+        chart.addSeries(sensor, curve.x(), curve.y()).setMarker(SeriesMarkers.NONE);
+        chart.getStyler().setYAxisMin(Collections.min(curve.y()));
+        chart.getStyler().setLegendVisible(false);
+        Charts.write(chart, plotFile(curve.name() + "-" + sensor));
     }
 
     /** Writes summary and plots and moves everything into place. */

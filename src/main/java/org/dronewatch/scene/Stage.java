@@ -3,7 +3,10 @@ package org.dronewatch.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
+import org.dronewatch.sensor.Curve;
+import org.dronewatch.sensor.CurveSensor;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
@@ -58,6 +61,24 @@ public final class Stage {
                 for (Drone drone : dronesAt(time)) {
                     Sample sample = Sample.of(runSeed, looker.number, looker.id, 0, time);
                     sensor.traceRays(world, drone, sample.random(), target.apply(looker.id, drone.id()));
+                }
+            }
+        }
+    }
+
+    /**
+     * Lets every sensor draw what it can of each drone.
+     *
+     * @param time where the drones are, seconds since the start of the run
+     * @param target is given each sensor's name with a curve
+     */
+    public void draw(double time, BiConsumer<String, Curve> target) {
+        for (Looker looker : lookers) {
+            if (looker.sensor instanceof CurveSensor sensor) {
+                for (Drone drone : dronesAt(time)) {
+                    Sample sample = Sample.of(runSeed, looker.number, looker.id, 0, time);
+                    sensor.curves(world, drone, sample.random())
+                            .forEach(curve -> target.accept(looker.id + "-" + drone.id(), curve));
                 }
             }
         }

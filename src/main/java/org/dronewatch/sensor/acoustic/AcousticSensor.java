@@ -2,9 +2,12 @@ package org.dronewatch.sensor.acoustic;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Curve;
+import org.dronewatch.sensor.CurveSensor;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
@@ -17,8 +20,14 @@ import org.dronewatch.world.World;
  * A microphone that hears each drone for itself. By the level model its value is the best undivided level received, by the
  * energy model the A-weighted sound pressure level. Keeps scratch memory: one thread at a time.
  */
-public final class AcousticSensor implements RaySensor {
+public final class AcousticSensor implements RaySensor, CurveSensor {
     private static final String UNIT = "dB";
+
+    /** Share of its first energy down to which a ray is followed for sure when a decay curve is drawn. */
+    private static final double PATIENCE = 1e-4;
+
+    /** Below this level, dB, a decay curve is the end of the estimate and not of the sound. */
+    private static final double LOWEST_DECAY = -50.0;
 
     private final AcousticSettings settings;
     private World heard;
@@ -100,6 +109,36 @@ public final class AcousticSensor implements RaySensor {
         } else {
             read(world, drone, random, recorder);
         }
+    }
+
+    /** By the energy model in a closed space: how the sound dies away. In the open it does so too fast to be a curve. */
+    @Override
+    public List<Curve> curves(World world, Drone drone, RandomGenerator random) {
+        if (!(settings.propagation() instanceof EnergyModel model)) {
+            return List.of();
+        }
+        // Late sound is faint: rays must be followed for long, where levels need them only for a short while.
+        EnergyModel patient = model.withRoulette(Math.min(model.roulette(), PATIENCE));
+        List<Double> power = DronePower.octaves(drone.settings().soundPowerLevel());
+        DecayCurve decay = new EnergyTracer(patient, settings.position(), settings.radius(), world)
+                .trace(place(drone), power, random, RayRecorder.NONE)
+                .decay();
+        if (decay.t30().isEmpty()) {
+            return List.of();
+        }
+        List<Double> times = new ArrayList<>();
+        List<Double> shown = new ArrayList<>();
+        double[] curve = decay.levels();
+        for (int bin = 0; bin < curve.length && curve[bin] > LOWEST_DECAY; bin++) {
+            times.add(bin * DecayCurve.BIN);
+            shown.add(curve[bin]);
+        }
+        String title = String.format(
+                Locale.ROOT,
+                "sound of '%s' dying away, T30 = %.2f s",
+                drone.id(),
+                decay.t30().getAsDouble());
+        return List.of(new Curve("decay", title, "time [s]", "level of what is still to come [dB]", times, shown));
     }
 
     private static Position place(Drone drone) {

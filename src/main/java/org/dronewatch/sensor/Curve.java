@@ -1,0 +1,25 @@
+package org.dronewatch.sensor;
+
+import java.util.List;
+
+/**
+ * A curve that a sensor draws of what it has of one drone.
+ *
+ * @param name part of a file name: letters, digits and dashes
+ * @param title what it shows, with its result
+ * @param xTitle quantity and unit of the horizontal axis
+ * @param yTitle quantity and unit of the vertical axis
+ * @param x horizontal coordinates
+ * @param y vertical coordinates, as many
+ */
+public record Curve(String name, String title, String xTitle, String yTitle, List<Double> x, List<Double> y) {
+
+    /** Keeps its own lists. */
+    public Curve {
+        x = List.copyOf(x);
+        y = List.copyOf(y);
+        if (x.size() != y.size()) {
+            throw new IllegalArgumentException("curve '" + name + "' has " + x.size() + " x and " + y.size() + " y");
+        }
+    }
+}

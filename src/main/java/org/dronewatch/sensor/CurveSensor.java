@@ -1,0 +1,19 @@
+package org.dronewatch.sensor;
+
+import java.util.List;
+import java.util.random.RandomGenerator;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.World;
+
+/** A sensor that can draw more of a drone than one value a look. */
+public interface CurveSensor extends Sensor {
+
+    /**
+     * What there is to draw; often nothing.
+     *
+     * @param world the site
+     * @param drone the drone as it is now
+     * @param random random numbers for the purpose
+     */
+    List<Curve> curves(World world, Drone drone, RandomGenerator random);
+}
