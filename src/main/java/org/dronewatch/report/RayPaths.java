@@ -23,6 +23,9 @@ public final class RayPaths {
     /** A straight piece in the world's frame, and its level. */
     private record Piece(double[] ends, double level) {}
 
+    /** The same file on every system. */
+    private static final String LINE = "\n";
+
     private final Map<String, List<Piece>> groups = new LinkedHashMap<>();
     private int pieces;
 
@@ -50,12 +53,8 @@ public final class RayPaths {
             writer.write("g " + group.getKey() + "\n");
             double loudest =
                     Collections.max(group.getValue().stream().map(Piece::level).toList());
-            writer.write(String.format(
-                            Locale.ROOT,
-                            "# %d pieces, the loudest %.1f dB%n",
-                            group.getValue().size(),
-                            loudest)
-                    .replace("\r\n", "\n"));
+            int count = group.getValue().size();
+            writer.write(String.format(Locale.ROOT, "# %d pieces, the loudest %.1f dB", count, loudest) + LINE);
             for (Piece piece : group.getValue()) {
                 double[] e = piece.ends();
                 writer.write(vertex(e[0], e[1], e[2]) + vertex(e[3], e[4], e[5]));
@@ -67,7 +66,7 @@ public final class RayPaths {
     }
 
     private static String vertex(double east, double north, double up) {
-        return String.format(Locale.ROOT, "v %.4f %.4f %.4f\n", rounded(east), rounded(up), rounded(-north));
+        return String.format(Locale.ROOT, "v %.4f %.4f %.4f", rounded(east), rounded(up), rounded(-north)) + LINE;
     }
 
     /** To what the file shows, without a negative zero. */
