@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.random.RandomGenerator;
 import java.util.stream.DoubleStream;
-import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTraversal;
@@ -16,8 +15,8 @@ import org.dronewatch.world.World;
 /**
  * The energy model: rays that each carry a share of the source's power in every band. A surface absorbs its share; the
  * rest goes on as one ray, reflected like a mirror, scattered by Lambert's law or passed on through the wall, chosen by
- * chance so that the mean is right. What a ray brings to the sensor is its energy times the length of its chord through
- * the sensor's ball over the ball's volume. Direct paths and single mirror reflections are exact and not counted again.
+ * chance so that the mean is right. Rays that pass a ball about the sensor are counted there; direct paths and single
+ * mirror reflections are exact and not counted again.
  * One per thread.
  */
 final class EnergyTracer {
@@ -36,35 +35,23 @@ final class EnergyTracer {
 
     private final EnergyModel model;
     private final Position sensor;
-    private final double radius;
-    private final double ballVolume;
     private final TriangleMesh mesh;
     private final KDTraversal traversal;
     private final BandSurfaces surfaces;
     private final ExactPaths exact;
+    private final ReceiverBall ball;
+    private final EnergyBooks books = new EnergyBooks();
     private final double[] airLoss = new double[BANDS];
-    private final double soundSpeed;
     private final AcousticRay ray = new AcousticRay();
     private final double[] energy = new double[BANDS];
-    private final double[] received = new double[BANDS];
     private final double[] normal = new double[3];
-    private final DecayCurve decay = new DecayCurve();
 
     private int history;
     private double emitted;
-    private double rayScore;
-    private double gained;
-    private double absorbed;
-    private double air;
-    private double escaped;
-    private double lost;
-    private double residual;
 
     EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {
         this.model = model;
         this.sensor = sensor;
-        this.radius = radius;
-        this.ballVolume = 4.0 / 3.0 * Math.PI * radius * radius * radius;
         this.mesh = world.mesh();
         this.traversal = world.newTraversal();
         this.surfaces = new BandSurfaces(world.surfaces());
@@ -73,8 +60,8 @@ final class EnergyTracer {
             // Energy factor exp(-m d) for a loss in dB/m.
             airLoss[band] = attenuations[band] * Math.log(10.0) / 10.0;
         }
-        this.soundSpeed = world.atmosphere().speedOfSound();
         this.exact = new ExactPaths(world, surfaces, airLoss);
+        this.ball = new ReceiverBall(sensor, radius, airLoss, world.atmosphere().speedOfSound());
     }
 
     /**
@@ -85,63 +72,46 @@ final class EnergyTracer {
      * @param recorder is told every piece of every ray
      */
     EnergyReading trace(Position source, List<Double> power, RandomGenerator random, RayRecorder recorder) {
-        reset();
+        books.clear();
+        ball.clear();
         double[] watts = power.stream().mapToDouble(Levels::toRatio).toArray();
-        double total = Arrays.stream(watts).sum();
-        emitted = total;
-        double[] direct = exact.direct(source, sensor, watts);
-        double[] mirrored = exact.mirrored(source, sensor, watts);
-        double sum = 0.0;
-        double squares = 0.0;
+        emitted = Arrays.stream(watts).sum();
         for (int i = 0; i < model.rays(); i++) {
             for (int band = 0; band < BANDS; band++) {
-                energy[band] = watts[band] / total / model.rays();
+                energy[band] = watts[band] / emitted / model.rays();
             }
             follow(source, random, recorder);
-            sum += rayScore;
-            squares += rayScore * rayScore;
+            ball.endRay();
         }
-        double[] reverberant = new double[BANDS];
+        double[] direct = exact.direct(source, sensor, watts);
+        double[] mirrored = exact.mirrored(source, sensor, watts);
+        double[] reverberant = ball.intensities();
         for (int band = 0; band < BANDS; band++) {
-            reverberant[band] = received[band] * total / ballVolume;
+            reverberant[band] *= emitted;
         }
-        addExactToDecay(source, direct, mirrored, total);
-        double all = Arrays.stream(direct).sum()
-                + Arrays.stream(mirrored).sum()
-                + Arrays.stream(reverberant).sum();
-        double variance = Math.max(0.0, squares - sum * sum / model.rays());
-        double error = Math.sqrt(variance) * total / ballVolume;
+        ball.addExact(source.distance(sensor), sum(direct) / emitted);
+        exact.forEachMirror((way, heard) -> ball.addExact(way, heard / emitted));
+        double all = sum(direct) + sum(mirrored) + sum(reverberant);
+        double error = ball.standardError() * emitted;
         return new EnergyReading(
                 boxed(direct),
                 boxed(mirrored),
                 boxed(reverberant),
                 all > 0.0 ? Levels.ofRatio(1.0 + error / all) : 0.0,
-                new EnergyAudit(1.0, gained, absorbed, air, escaped, lost, residual),
-                decay.copy());
+                books.audit(),
+                ball.decay());
     }
 
     private static List<Double> boxed(double[] values) {
         return DoubleStream.of(values).boxed().toList();
     }
 
-    private void reset() {
-        Arrays.fill(received, 0.0);
-        decay.clear();
-        gained = 0.0;
-        absorbed = 0.0;
-        air = 0.0;
-        escaped = 0.0;
-        lost = 0.0;
-        residual = 0.0;
-    }
-
-    /** In the units of what the rays bring: energy over the ball's volume. */
-    private void addExactToDecay(Position source, double[] direct, double[] mirrored, double total) {
-        double scale = ballVolume / total;
-        decay.add(
-                source.distance(sensor) / soundSpeed,
-                scale * Arrays.stream(direct).sum());
-        exact.forEachMirror((way, heard) -> decay.add(way / soundSpeed, scale * heard));
+    private static double sum(double[] values) {
+        double sum = 0.0;
+        for (double value : values) {
+            sum += value;
+        }
+        return sum;
     }
 
     /** Follows one ray to its end. */
@@ -154,8 +124,7 @@ final class EnergyTracer {
         ray.order = 0;
         ray.medium = AcousticRay.AIR;
         history = DIRECT;
-        rayScore = 0.0;
-        double first = sum();
+        double first = sum(energy);
         while (true) {
             boolean hit = traversal.closestHit(
                     ray.originX,
@@ -167,15 +136,17 @@ final class EnergyTracer {
                     0.0,
                     Double.POSITIVE_INFINITY);
             double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
-            score(distance);
+            if (history == OTHER) {
+                ball.count(ray, energy, distance);
+            }
             record(recorder, Math.min(distance, DRAWN));
             if (!hit) {
-                escaped += sum();
+                books.escape(sum(energy));
                 return;
             }
             fly(distance);
             if (ray.order >= model.maxOrder()) {
-                residual += sum();
+                books.giveUp(sum(energy));
                 return;
             }
             meet(traversal.triangle(), distance, random);
@@ -195,63 +166,18 @@ final class EnergyTracer {
                     ray.originX + length * ray.directionX,
                     ray.originY + length * ray.directionY,
                     ray.originZ + length * ray.directionZ,
-                    Levels.ofRatio(sum() * emitted),
+                    Levels.ofRatio(sum(energy) * emitted),
                     ray.order,
                     false);
         }
     }
 
-    private double sum() {
-        double sum = 0.0;
-        for (double share : energy) {
-            sum += share;
-        }
-        return sum;
-    }
-
-    /** What the ray brings to the sensor on this piece of its way. */
-    private void score(double end) {
-        if (history != OTHER) {
-            return;
-        }
-        double entry = IntersectionHandler.raySphere(
-                ray.originX,
-                ray.originY,
-                ray.originZ,
-                ray.directionX,
-                ray.directionY,
-                ray.directionZ,
-                sensor.x(),
-                sensor.y(),
-                sensor.z(),
-                radius);
-        if (entry >= end) {
-            return;
-        }
-        double x = sensor.x() - ray.originX;
-        double y = sensor.y() - ray.originY;
-        double z = sensor.z() - ray.originZ;
-        double middle = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
-        double besideSquared = Math.max(0.0, x * x + y * y + z * z - middle * middle);
-        double exit = Math.min(end, middle + Math.sqrt(Math.max(0.0, radius * radius - besideSquared)));
-        double chord = exit - entry;
-        double at = 0.5 * (entry + exit);
-        double score = 0.0;
-        for (int band = 0; band < BANDS; band++) {
-            double brought = energy[band] * Math.exp(-airLoss[band] * at) * chord;
-            received[band] += brought;
-            score += brought;
-        }
-        rayScore += score;
-        decay.add((ray.travelled + at) / soundSpeed, score);
-    }
-
     private void fly(double distance) {
+        double before = sum(energy);
         for (int band = 0; band < BANDS; band++) {
-            double left = energy[band] * Math.exp(-airLoss[band] * distance);
-            air += energy[band] - left;
-            energy[band] = left;
+            energy[band] *= Math.exp(-airLoss[band] * distance);
         }
+        books.leaveToAir(before - sum(energy));
         ray.travelled += distance;
     }
 
@@ -276,9 +202,9 @@ final class EnergyTracer {
             double t = energy[band] * surfaces.transmitted(material, band);
             reflected += r;
             transmitted += t;
-            absorbed += energy[band] - r - t;
         }
         double onward = reflected + transmitted;
+        books.absorb(sum(energy) - onward);
         double chance = onward > 0.0 ? transmitted / onward : 0.0;
         boolean passes = surfaces.transmits(material) && random.nextDouble() < chance;
         for (int band = 0; band < BANDS; band++) {
@@ -286,7 +212,7 @@ final class EnergyTracer {
                     ? surfaces.transmitted(material, band) / chance
                     : surfaces.reflected(material, band) / (1.0 - chance);
         }
-        settle(onward);
+        books.exchange(onward, sum(energy));
         if (passes) {
             ray.medium = surfaces.isSheet(material) ? ray.medium : material;
             history = OTHER;
@@ -297,15 +223,8 @@ final class EnergyTracer {
         }
     }
 
-    /** Books what a choice among branches has added to or taken from the energy that went on. */
-    private void settle(double before) {
-        double after = sum();
-        gained += Math.max(0.0, after - before);
-        lost += Math.max(0.0, before - after);
-    }
-
     private void reflect(int material, RandomGenerator random) {
-        double before = sum();
+        double before = sum(energy);
         double scattered = 0.0;
         for (int band = 0; band < BANDS; band++) {
             scattered += energy[band] * surfaces.scattered(material, band);
@@ -316,7 +235,7 @@ final class EnergyTracer {
             double share = surfaces.scattered(material, band);
             energy[band] *= diffuse ? share / chance : (1.0 - share) / (1.0 - chance);
         }
-        settle(before);
+        books.exchange(before, sum(energy));
         if (diffuse) {
             Directions.drawLambert(random, normal, ray);
             history = OTHER;
@@ -339,18 +258,18 @@ final class EnergyTracer {
 
     /** Ends faint rays by chance and strengthens those that survive, which leaves the mean as it is. */
     private boolean survives(double first, RandomGenerator random) {
-        double left = sum();
+        double left = sum(energy);
         if (left >= model.roulette() * first) {
             return true;
         }
         if (left == 0.0 || random.nextDouble() >= SURVIVAL) {
-            lost += left;
+            books.exchange(left, 0.0);
             return false;
         }
         for (int band = 0; band < BANDS; band++) {
             energy[band] /= SURVIVAL;
         }
-        gained += sum() - left;
+        books.exchange(left, sum(energy));
         return true;
     }
 }
