@@ -1,10 +1,14 @@
 package org.dronewatch.world;
 
 import java.nio.file.Path;
+import java.util.List;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.sound.DroneSound;
+import org.dronewatch.sound.DroneSounds;
 
 /**
  * A drone: its shape, its way, and what sensors of every kind need to know of it.
@@ -15,7 +19,9 @@ import org.dronewatch.setting.Quantity;
  * @param acceleration largest acceleration along the path, above 0, m/s2
  * @param radarCrossSection m2, above 0
  * @param soundLevel level of the thesis's level model, which falls by the air's attenuation only, dB; 50 to 55 there
- * @param soundPowerLevel sound power level for physical propagation, dB re 1e-12 W; near 85 for a real quadrotor
+ * @param soundPowerLevel A-weighted sound power level for physical propagation, dB re 1e-12 W; near 85 for a real
+ *     quadrotor
+ * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}
  */
 public record DroneSettings(
         ModelSettings model,
@@ -24,7 +30,8 @@ public record DroneSettings(
         @In(Quantity.ACCELERATION) double acceleration,
         @In(Quantity.AREA) double radarCrossSection,
         @In(Quantity.LEVEL) double soundLevel,
-        @In(Quantity.LEVEL) double soundPowerLevel) {
+        @In(Quantity.LEVEL) double soundPowerLevel,
+        String sound) {
     private static final double MAX_SPEED = 400.0;
     private static final double MAX_LEVEL = 200.0;
 
@@ -42,37 +49,56 @@ public record DroneSettings(
         Check.positive("radarCrossSection", radarCrossSection, Quantity.AREA);
         Check.between("soundLevel", soundLevel, 0.0, MAX_LEVEL, Quantity.LEVEL);
         Check.between("soundPowerLevel", soundPowerLevel, 0.0, MAX_LEVEL, Quantity.LEVEL);
+        Check.present("sound", sound);
+        try {
+            DroneSounds.get(sound);
+        } catch (InputException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
     }
 
     /** A small quadrotor: 5 m/s, 2.5 m/s2, 0.01 m2, 55 dB in the level model, 85 dB of sound power. */
     public static DroneSettings of(ModelSettings model, FlightPathSettings flight) {
-        return new DroneSettings(model, flight, 5.0, 2.5, 0.01, 55.0, 85.0);
+        return new DroneSettings(model, flight, 5.0, 2.5, 0.01, 55.0, 85.0, DroneSounds.SMALL_QUADROTOR);
     }
 
     /** These settings with another mesh. */
     public DroneSettings withModel(ModelSettings other) {
-        return new DroneSettings(other, flight, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel);
+        return new DroneSettings(
+                other, flight, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound);
     }
 
     /** These settings with another way to fly. */
     public DroneSettings withFlight(FlightPathSettings other) {
-        return new DroneSettings(model, other, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel);
+        return new DroneSettings(
+                model, other, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound);
     }
 
     /** These settings with another cruise speed, m/s. */
     public DroneSettings withSpeed(double metresPerSecond) {
         return new DroneSettings(
-                model, flight, metresPerSecond, acceleration, radarCrossSection, soundLevel, soundPowerLevel);
+                model, flight, metresPerSecond, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound);
     }
 
     /** These settings with another radar cross-section, m2. */
     public DroneSettings withRadarCrossSection(double area) {
-        return new DroneSettings(model, flight, speed, acceleration, area, soundLevel, soundPowerLevel);
+        return new DroneSettings(model, flight, speed, acceleration, area, soundLevel, soundPowerLevel, sound);
     }
 
     /** These settings with another level for the level model, dB. */
     public DroneSettings withSoundLevel(double level) {
-        return new DroneSettings(model, flight, speed, acceleration, radarCrossSection, level, soundPowerLevel);
+        return new DroneSettings(model, flight, speed, acceleration, radarCrossSection, level, soundPowerLevel, sound);
+    }
+
+    /** These settings with the sound of another kind of drone, spectrum and loudness. */
+    public DroneSettings withSound(DroneSound other) {
+        return new DroneSettings(
+                model, flight, speed, acceleration, radarCrossSection, soundLevel, other.level(), other.name());
+    }
+
+    /** Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's own loudness. */
+    public List<Double> soundPower() {
+        return DroneSounds.get(sound).octaves(soundPowerLevel);
     }
 
     /** The path that this drone flies. */

@@ -12,7 +12,6 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
-import org.dronewatch.sound.DronePower;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
@@ -98,7 +97,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
     }
 
     private EnergyReading read(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
-        List<Double> power = DronePower.octaves(drone.settings().soundPowerLevel());
+        List<Double> power = drone.settings().soundPower();
         return energies(world).trace(place(drone), power, random, recorder);
     }
 
@@ -119,7 +118,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
         }
         // Late sound is faint: rays must be followed for long, where levels need them only for a short while.
         EnergyModel patient = model.withRoulette(Math.min(model.roulette(), PATIENCE));
-        List<Double> power = DronePower.octaves(drone.settings().soundPowerLevel());
+        List<Double> power = drone.settings().soundPower();
         DecayCurve decay = new EnergyTracer(patient, settings.position(), settings.radius(), world)
                 .trace(place(drone), power, random, RayRecorder.NONE)
                 .decay();

@@ -1,0 +1,46 @@
+package org.dronewatch.sound;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a kind of drone sounds like.
+ *
+ * @param name its name in the table
+ * @param level A-weighted sound power level, dB re 1 pW
+ * @param shape A-weighted level of each octave band over that of the loudest, dB
+ * @param basis whether the spectrum was measured or is assumed
+ * @param source where the figures come from
+ */
+public record DroneSound(String name, double level, List<Double> shape, Basis basis, String source) {
+
+    /** What figures rest on. */
+    public enum Basis {
+        /** Measured; the source says where. */
+        MEASURED,
+        /** Assumed; the source says from what. */
+        ASSUMED
+    }
+
+    /** Keeps its own list. */
+    public DroneSound {
+        shape = List.copyOf(shape);
+        if (shape.size() != OctaveBands.COUNT) {
+            throw new IllegalArgumentException("spectrum '" + name + "' has " + shape.size() + " bands, needs 8");
+        }
+    }
+
+    /**
+     * Sound power levels by octave band without weighting, dB re 1 pW, of this spectrum at another loudness.
+     *
+     * @param aWeighted A-weighted sound power level of all bands together, dB re 1 pW
+     */
+    public List<Double> octaves(double aWeighted) {
+        double all = Levels.sum(shape.stream().mapToDouble(Double::doubleValue).toArray());
+        List<Double> levels = new ArrayList<>();
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            levels.add(aWeighted + shape.get(band) - all - OctaveBands.aWeight(band));
+        }
+        return levels;
+    }
+}

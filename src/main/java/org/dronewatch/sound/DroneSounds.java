@@ -1,0 +1,45 @@
+package org.dronewatch.sound;
+
+import de.siegmar.fastcsv.reader.NamedCsvRecord;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import org.dronewatch.sound.DroneSound.Basis;
+
+/** The drone sounds that come with the library, each with its source. */
+public final class DroneSounds {
+    /** The sound of a small quadrotor, which a drone has unless its settings say otherwise. */
+    public static final String SMALL_QUADROTOR = "c1-quadrotor";
+
+    private static final CsvTable<DroneSound> TABLE = new CsvTable<>("drones.csv", "drone sound", DroneSounds::toSound);
+
+    private DroneSounds() {}
+
+    /** The names, in the order of the table. */
+    public static Set<String> names() {
+        return TABLE.names();
+    }
+
+    /**
+     * The sound of a name.
+     *
+     * @throws org.dronewatch.setting.InputException when there is none; names the nearest ones
+     */
+    public static DroneSound get(String name) {
+        return TABLE.get(name);
+    }
+
+    private static DroneSound toSound(NamedCsvRecord row) {
+        List<Double> shape = new ArrayList<>();
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            shape.add(Double.parseDouble(row.getField("s" + OctaveBands.nominal(band))));
+        }
+        return new DroneSound(
+                row.getField("name"),
+                Double.parseDouble(row.getField("lwa")),
+                shape,
+                Basis.valueOf(row.getField("basis").toUpperCase(Locale.ROOT)),
+                row.getField("source"));
+    }
+}
