@@ -1,0 +1,133 @@
+package org.dronewatch.sound;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A spectrum: one level for each octave band, dB, relative to whatever its owner says. Every level is finite; nothing at
+ * all is written as a very low level, such as -200 dB.
+ *
+ * @param hz63 level of the band at 63 Hz, dB
+ * @param hz125 level of the band at 125 Hz, dB
+ * @param hz250 level of the band at 250 Hz, dB
+ * @param hz500 level of the band at 500 Hz, dB
+ * @param hz1000 level of the band at 1 kHz, dB
+ * @param hz2000 level of the band at 2 kHz, dB
+ * @param hz4000 level of the band at 4 kHz, dB
+ * @param hz8000 level of the band at 8 kHz, dB
+ */
+public record BandLevels(
+        @In(Quantity.LEVEL) double hz63,
+        @In(Quantity.LEVEL) double hz125,
+        @In(Quantity.LEVEL) double hz250,
+        @In(Quantity.LEVEL) double hz500,
+        @In(Quantity.LEVEL) double hz1000,
+        @In(Quantity.LEVEL) double hz2000,
+        @In(Quantity.LEVEL) double hz4000,
+        @In(Quantity.LEVEL) double hz8000) {
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when a level is not finite
+     */
+    public BandLevels {
+        Check.finite("hz63", hz63, Quantity.LEVEL);
+        Check.finite("hz125", hz125, Quantity.LEVEL);
+        Check.finite("hz250", hz250, Quantity.LEVEL);
+        Check.finite("hz500", hz500, Quantity.LEVEL);
+        Check.finite("hz1000", hz1000, Quantity.LEVEL);
+        Check.finite("hz2000", hz2000, Quantity.LEVEL);
+        Check.finite("hz4000", hz4000, Quantity.LEVEL);
+        Check.finite("hz8000", hz8000, Quantity.LEVEL);
+    }
+
+    /**
+     * A spectrum of eight levels from 63 Hz to 8 kHz, dB.
+     *
+     * @throws IllegalArgumentException when there are not eight or one is not finite
+     */
+    public static BandLevels of(double... levels) {
+        if (levels.length != OctaveBands.COUNT) {
+            throw new IllegalArgumentException("a spectrum of " + levels.length + " levels: needs one for each of the "
+                    + OctaveBands.COUNT + " octave bands");
+        }
+        int band = 0;
+        return new BandLevels(
+                levels[band++],
+                levels[band++],
+                levels[band++],
+                levels[band++],
+                levels[band++],
+                levels[band++],
+                levels[band++],
+                levels[band]);
+    }
+
+    /**
+     * A spectrum of a list of eight levels, dB.
+     *
+     * @throws IllegalArgumentException when there are not eight or one is not finite
+     */
+    public static BandLevels of(List<Double> levels) {
+        return of(levels.stream().mapToDouble(Double::doubleValue).toArray());
+    }
+
+    /** A spectrum with the same level in every band, dB. */
+    public static BandLevels flat(double level) {
+        double[] levels = new double[OctaveBands.COUNT];
+        Arrays.fill(levels, level);
+        return of(levels);
+    }
+
+    /**
+     * The level of a band, dB.
+     *
+     * @param band 0 for 63 Hz to 7 for 8 kHz
+     * @throws IndexOutOfBoundsException when there is no such band
+     */
+    public double level(int band) {
+        return toArray()[band];
+    }
+
+    /** All bands together as incoherent sound, dB. */
+    public double total() {
+        return Levels.sum(toArray());
+    }
+
+    /** All bands together with A-weighting (IEC 61672-1), dB(A). */
+    public double aWeighted() {
+        double[] levels = toArray();
+        for (int band = 0; band < levels.length; band++) {
+            levels[band] += OctaveBands.aWeight(band);
+        }
+        return Levels.sum(levels);
+    }
+
+    /** Every band louder by a gain, dB; fainter for a negative one. */
+    public BandLevels plus(double gain) {
+        return mapped(level -> level + gain);
+    }
+
+    /** This sound and another one that is incoherent with it, band by band. */
+    public BandLevels energySumWith(BandLevels other) {
+        double[] levels = toArray();
+        for (int band = 0; band < levels.length; band++) {
+            levels[band] = Levels.sum(levels[band], other.level(band));
+        }
+        return of(levels);
+    }
+
+    /** The levels from 63 Hz to 8 kHz, dB; a new array each time. */
+    public double[] toArray() {
+        return new double[] {hz63, hz125, hz250, hz500, hz1000, hz2000, hz4000, hz8000};
+    }
+
+    private BandLevels mapped(DoubleUnaryOperator change) {
+        return of(Arrays.stream(toArray()).map(change).toArray());
+    }
+}

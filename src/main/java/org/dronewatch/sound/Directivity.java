@@ -1,0 +1,69 @@
+package org.dronewatch.sound;
+
+/** How a source's sound depends on the elevation at which it leaves. */
+public enum Directivity {
+    /** The same in all directions. */
+    OMNIDIRECTIONAL {
+        @Override
+        public double publishedGain(int band, double elevation) {
+            return 0.0;
+        }
+    },
+    /**
+     * Of rotors: fainter near their plane, louder above and below, from 500 Hz on. A high shelf of {@code -0.0011 t^2 +
+     * 0.194 |t| - 4.9} dB with t in degrees (Heutschi and others, Acta Acustica 4, 24, 2020); how a shelf at 500 Hz falls
+     * on octaves is assumed: nothing up to 250 Hz, half the decibels at 500 Hz, all of them from 1 kHz on.
+     */
+    ROTOR {
+        @Override
+        public double publishedGain(int band, double elevation) {
+            double degrees = Math.abs(Math.toDegrees(elevation));
+            return shelf(band) * (-0.0011 * degrees * degrees + 0.194 * degrees - 4.9);
+        }
+    };
+
+    private static final int SHELF = 3;
+    private static final double HALFWAY = 0.5;
+    private static final int STEPS = 2000;
+
+    private final double[] mean = meanGains();
+
+    /**
+     * Gain as published, dB, relative to a level that is not the mean over all directions.
+     *
+     * @param band 0 for 63 Hz to 7 for 8 kHz
+     * @param elevation from the rotors' plane, -pi/2 to pi/2 rad; above and below are alike
+     */
+    public abstract double publishedGain(int band, double elevation);
+
+    /**
+     * Directivity index, dB: what to add to the sound power level for a direction. Its energy mean over all directions is
+     * 0 dB, so that the power stays what it is.
+     *
+     * @param band 0 for 63 Hz to 7 for 8 kHz
+     * @param elevation from the rotors' plane, -pi/2 to pi/2 rad; above and below are alike
+     */
+    public double index(int band, double elevation) {
+        return publishedGain(band, elevation) - mean[band];
+    }
+
+    private static double shelf(int band) {
+        if (band == SHELF) {
+            return HALFWAY;
+        }
+        return band > SHELF ? 1.0 : 0.0;
+    }
+
+    /** Energy means over the sphere: equal steps of the elevation's sine are equal areas. */
+    private double[] meanGains() {
+        double[] means = new double[OctaveBands.COUNT];
+        for (int band = 0; band < means.length; band++) {
+            double energy = 0.0;
+            for (int i = 0; i < STEPS; i++) {
+                energy += Levels.toRatio(publishedGain(band, Math.asin((i + HALFWAY) / STEPS)));
+            }
+            means[band] = Levels.ofRatio(energy / STEPS);
+        }
+        return means;
+    }
+}

@@ -1,0 +1,32 @@
+package org.dronewatch.sound;
+
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * What sound runs through, as a fluid: a solid is taken by its longitudinal wave alone.
+ *
+ * @param name its name in the table
+ * @param density kg/m3, above 0
+ * @param speed speed of sound, m/s, above 0
+ * @param source where the figures come from
+ */
+public record Medium(String name, double density, double speed, String source) {
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when density or speed is not above 0 and finite, or a text is missing
+     */
+    public Medium {
+        Check.present("name", name);
+        Check.positive("density in kg/m3 of medium '" + name + "'", density, Quantity.NUMBER);
+        Check.positive("speed of medium '" + name + "'", speed, Quantity.SPEED);
+        Check.present("source", source);
+    }
+
+    /** Characteristic impedance: density times speed, Pa s/m. */
+    public double impedance() {
+        return density * speed;
+    }
+}

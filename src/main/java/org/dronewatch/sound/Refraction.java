@@ -1,0 +1,56 @@
+package org.dronewatch.sound;
+
+import java.util.OptionalDouble;
+
+/**
+ * A plane wave at the flat border of two fluids. Angles are against the normal, radians, 0 to pi/2.
+ *
+ * <p>From air the critical angle of solids is below 7 degrees, so this is no model of a wall: a wall has a transmission
+ * loss.
+ */
+public final class Refraction {
+    private Refraction() {}
+
+    /**
+     * Angle behind the border by Snell's law, {@code sin t2 / sin t1 = c2 / c1}.
+     *
+     * @param incidence 0 to pi/2
+     * @param speed speed of sound before the border, above 0, m/s
+     * @param speedBehind speed of sound behind it, above 0, m/s
+     * @return 0 to pi/2; empty for total internal reflection
+     */
+    public static OptionalDouble angle(double incidence, double speed, double speedBehind) {
+        double sine = speedBehind / speed * Math.sin(incidence);
+        return sine < 1.0 ? OptionalDouble.of(Math.asin(sine)) : OptionalDouble.empty();
+    }
+
+    /**
+     * Angle of incidence from which on everything is reflected.
+     *
+     * @param speed speed of sound before the border, above 0, m/s
+     * @param speedBehind speed of sound behind it, above 0, m/s
+     * @return above 0 and below pi/2; empty where sound is not faster behind
+     */
+    public static OptionalDouble criticalAngle(double speed, double speedBehind) {
+        return speedBehind > speed ? OptionalDouble.of(Math.asin(speed / speedBehind)) : OptionalDouble.empty();
+    }
+
+    /**
+     * Share of the energy that passes: {@code 1 - r^2} with {@code r = (Z2 - Z1) / (Z2 + Z1)} and {@code Z = rho c / cos
+     * t} (Rayleigh's coefficient for two fluids; Kinsler and others, Fundamentals of Acoustics, chapter 6).
+     *
+     * @param incidence 0 to pi/2
+     * @return 0 to 1; 0 for total internal reflection
+     */
+    public static double transmitted(double incidence, Medium from, Medium to) {
+        OptionalDouble behind = angle(incidence, from.speed(), to.speed());
+        if (behind.isEmpty()) {
+            return 0.0;
+        }
+        // Both impedances times both cosines: grazing incidence does not divide by 0.
+        double before = from.impedance() * Math.cos(behind.getAsDouble());
+        double after = to.impedance() * Math.cos(incidence);
+        double both = before + after;
+        return 4.0 * before * after / (both * both);
+    }
+}
