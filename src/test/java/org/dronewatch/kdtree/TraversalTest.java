@@ -110,6 +110,33 @@ class TraversalTest {
         assertThat(closest(way.on(tree), ray)).isEqualTo(0.08209228515625);
     }
 
+    /**
+     * Triangles that touch the plane x = 0 from its two sides, and a ray inside that plane: the cells on both sides span the
+     * same range, and a hit on one side says nothing about the other.
+     */
+    @ParameterizedTest
+    @EnumSource
+    void aRayInsideASplitPlaneSeesBothItsSides(Way way) {
+        List<Float> vertices = new ArrayList<>();
+        for (int i = 0; i < 40; i++) {
+            // Nearest on the right, or on the left, by turns of the ray's sense.
+            float x = i < 20 ? -1 : 1;
+            float y = 3 + 0.5f * (i % 20) + (i < 20 ? 0.25f : 0);
+            for (float value : new float[] {0, y, -1, 0, y, 1, x, y, 0}) {
+                vertices.add(value);
+            }
+        }
+        float[] flat = new float[vertices.size()];
+        int[] corners = new int[flat.length / 3];
+        for (int i = 0; i < flat.length; i++) {
+            flat[i] = vertices.get(i);
+            corners[i / 3] = i / 3;
+        }
+        KDTree tree = KDTree.of(TriangleMesh.of(flat, corners));
+        assertSameAsExhaustive(tree, way, new double[] {0, 0, 0.25, 0, 1, 0}, "from the south");
+        assertSameAsExhaustive(tree, way, new double[] {0, 20, 0.25, 0, -1, 0}, "from the north");
+    }
+
     private static double[] box(KDTree tree) {
         double[] box = new double[6];
         Arrays.setAll(box, k -> tree.rootBox()[k]);
