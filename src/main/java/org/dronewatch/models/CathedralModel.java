@@ -22,6 +22,15 @@ public final class CathedralModel {
     /** Height of the crown of the nave's vault, metres. */
     public static final double CROWN_METRES = 19;
 
+    /** Height of the aisles' vaults where they meet the nave, metres. */
+    public static final double AISLE_CROWN_METRES = 8.5;
+
+    /** A place in the middle of the nave with nothing within {@link #FREE_RADIUS_METRES} of it. */
+    public static final Point FREE_PLACE = new Point(0, 5, 0);
+
+    /** Radius of the free air around {@link #FREE_PLACE}, metres. */
+    public static final double FREE_RADIUS_METRES = 4;
+
     /** Length of a bay, from pier to pier, metres. */
     static final double BAY = 6;
 
@@ -31,7 +40,6 @@ public final class CathedralModel {
     static final double SPRING = 14;
 
     static final double AISLE_SPRING = 6;
-    static final double AISLE_CROWN = 8.5;
 
     static final Material LIMESTONE = new Material("limestone", 0.74, 0.69, 0.60);
     static final Material PLASTER = new Material("plaster_lime", 0.88, 0.85, 0.78);

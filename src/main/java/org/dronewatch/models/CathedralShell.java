@@ -1,6 +1,6 @@
 package org.dronewatch.models;
 
-import static org.dronewatch.models.CathedralModel.AISLE_CROWN;
+import static org.dronewatch.models.CathedralModel.AISLE_CROWN_METRES;
 import static org.dronewatch.models.CathedralModel.AISLE_SPRING;
 import static org.dronewatch.models.CathedralModel.BAY;
 import static org.dronewatch.models.CathedralModel.BAYS;
@@ -73,7 +73,7 @@ final class CathedralShell {
         for (int i = 0; i < WALL_PIECES; i++) {
             double angle = 0.5 * StrictMath.PI * i / WALL_PIECES;
             double z = NAVE_HALF_WIDTH_METRES + (HALF_WIDTH_METRES - NAVE_HALF_WIDTH_METRES) * StrictMath.cos(angle);
-            vault.add(new Corner(z, AISLE_SPRING + (AISLE_CROWN - AISLE_SPRING) * StrictMath.sin(angle)));
+            vault.add(new Corner(z, AISLE_SPRING + (AISLE_CROWN_METRES - AISLE_SPRING) * StrictMath.sin(angle)));
         }
         return vault;
     }
@@ -83,7 +83,7 @@ final class CathedralShell {
         List<Corner> upper = new ArrayList<>();
         addStraight(
                 upper,
-                new Corner(NAVE_HALF_WIDTH_METRES, AISLE_CROWN),
+                new Corner(NAVE_HALF_WIDTH_METRES, AISLE_CROWN_METRES),
                 new Corner(NAVE_HALF_WIDTH_METRES, SPRING),
                 WALL_PIECES);
         for (int i = 0; i <= VAULT_PIECES; i++) {
@@ -99,7 +99,7 @@ final class CathedralShell {
         addStraight(
                 line,
                 new Corner(side * NAVE_HALF_WIDTH_METRES, 0),
-                new Corner(side * NAVE_HALF_WIDTH_METRES, AISLE_CROWN),
+                new Corner(side * NAVE_HALF_WIDTH_METRES, AISLE_CROWN_METRES),
                 WALL_PIECES);
         return line;
     }
@@ -109,7 +109,7 @@ final class CathedralShell {
         addStraight(loop, new Corner(NAVE_HALF_WIDTH_METRES, 0), new Corner(HALF_WIDTH_METRES, 0), WALL_PIECES);
         addStraight(loop, new Corner(HALF_WIDTH_METRES, 0), new Corner(HALF_WIDTH_METRES, AISLE_SPRING), WALL_PIECES);
         loop.addAll(aisleVault());
-        loop.add(new Corner(NAVE_HALF_WIDTH_METRES, AISLE_CROWN));
+        loop.add(new Corner(NAVE_HALF_WIDTH_METRES, AISLE_CROWN_METRES));
         List<Corner> line = arcadeLine(1);
         for (int i = line.size() - 1; i > 0; i--) {
             loop.add(line.get(i));

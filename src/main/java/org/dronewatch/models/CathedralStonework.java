@@ -1,6 +1,6 @@
 package org.dronewatch.models;
 
-import static org.dronewatch.models.CathedralModel.AISLE_CROWN;
+import static org.dronewatch.models.CathedralModel.AISLE_CROWN_METRES;
 import static org.dronewatch.models.CathedralModel.AISLE_SPRING;
 import static org.dronewatch.models.CathedralModel.BAY;
 import static org.dronewatch.models.CathedralModel.BAYS;
@@ -74,7 +74,7 @@ final class CathedralStonework {
     private static void addArch(MeshBuilder builder, String name, double west, double side) {
         double middle = west + BAY / 2;
         double half = BAY / 2 - PIER_RADIUS;
-        double top = AISLE_CROWN + 0.2;
+        double top = AISLE_CROWN_METRES + 0.2;
         List<Point> intrados = new ArrayList<>();
         for (int i = 0; i <= ARCH_PIECES; i++) {
             double share = -StrictMath.cos(StrictMath.PI * i / ARCH_PIECES);
@@ -124,7 +124,7 @@ final class CathedralStonework {
         for (int i = 0; i <= pieces; i++) {
             double angle = 0.5 * StrictMath.PI * i / pieces;
             double z = NAVE_HALF_WIDTH_METRES + (HALF_WIDTH_METRES - NAVE_HALF_WIDTH_METRES) * StrictMath.cos(angle);
-            double y = AISLE_SPRING + (AISLE_CROWN - AISLE_SPRING) * StrictMath.sin(angle);
+            double y = AISLE_SPRING + (AISLE_CROWN_METRES - AISLE_SPRING) * StrictMath.sin(angle);
             line.add(new Point(x, y, side * z));
         }
         builder.add("aisle_rib_" + name, Solids.pipe(LIMESTONE, line, 0.14, 10));

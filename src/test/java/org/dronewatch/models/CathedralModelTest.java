@@ -3,10 +3,15 @@ package org.dronewatch.models;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sound.SurfaceMaterials;
 import org.dronewatch.world.ModelSettings;
 import org.dronewatch.world.ObjLoader;
 import org.junit.jupiter.api.Test;
@@ -15,22 +20,23 @@ class CathedralModelTest {
     private final KDTree tree = KDTree.of(new ObjLoader(Path.of("models"))
             .load(ModelSettings.of("cathedral.obj"))
             .mesh());
+    private final Mesh model = CathedralModel.mesh();
 
     @Test
     void itHasTheSizeOfARealModel() {
         assertThat(tree.mesh().triangleCount()).isBetween(120_000, 140_000);
     }
 
-    /** From places in nave, aisles and apse, in all directions. */
+    /** From places in nave, aisles, clerestory and apse, in all directions. */
     @Test
     void noRayGetsOut() {
         long seed = 1163;
         SplittableRandom random = new SplittableRandom(seed);
         KDTraversal traversal = tree.newTraversal();
         for (int i = 0; i < 200_000; i++) {
-            double x = -29 + 58 * random.nextDouble();
-            double y = -11 + 22 * random.nextDouble();
-            double z = 0.2 + 5.5 * random.nextDouble();
+            double x = -29 + 64 * random.nextDouble();
+            double z = 0.2 + 13.5 * random.nextDouble();
+            double y = halfWidth(x, z) * (2 * random.nextDouble() - 1);
             double up = 2 * random.nextDouble() - 1;
             double angle = 2 * Math.PI * random.nextDouble();
             double level = Math.sqrt(1 - up * up);
@@ -39,6 +45,15 @@ class CathedralModelTest {
             assertThat(hit).as("ray %d of seed %d", i, seed).isTrue();
             assertThat(traversal.distance()).isLessThan(75.0);
         }
+    }
+
+    /** How far the room surely reaches to each side of its middle: the apse, the aisles, or the nave above them. */
+    private static double halfWidth(double x, double z) {
+        double beyond = x - CathedralModel.HALF_LENGTH_METRES;
+        if (beyond > 0) {
+            return 0.95 * Math.sqrt(Math.pow(CathedralModel.NAVE_HALF_WIDTH_METRES, 2) - beyond * beyond);
+        }
+        return z < 5.9 ? CathedralModel.HALF_WIDTH_METRES - 0.2 : CathedralModel.NAVE_HALF_WIDTH_METRES - 0.2;
     }
 
     @Test
@@ -52,6 +67,81 @@ class CathedralModelTest {
                         .isFalse();
             }
         }
+    }
+
+    /** Evenly spread directions from the free place. */
+    @Test
+    void theFreePlaceIsFree() {
+        Point place = CathedralModel.FREE_PLACE;
+        KDTraversal traversal = tree.newTraversal();
+        int directions = 5000;
+        for (int i = 0; i < directions; i++) {
+            double up = 1 - (2 * i + 1.0) / directions;
+            double level = Math.sqrt(1 - up * up);
+            double angle = i * Math.PI * (3 - Math.sqrt(5));
+            double east = level * Math.cos(angle);
+            double north = level * Math.sin(angle);
+            assertThat(traversal.isOccluded(
+                            place.x(), -place.z(), place.y(), east, north, up, 0, CathedralModel.FREE_RADIUS_METRES))
+                    .as("direction %d", i)
+                    .isFalse();
+        }
+    }
+
+    /** The skin is the first part; its corners reach exactly where the constants say. */
+    @Test
+    void theRoomHasItsStatedSize() {
+        List<Point> corners = corners(shell());
+        Extent room = Extent.of(corners);
+        double end = CathedralModel.HALF_LENGTH_METRES;
+
+        assertThat(room.min()).isEqualTo(new Point(-end, 0, -CathedralModel.HALF_WIDTH_METRES));
+        assertThat(room.max())
+                .isEqualTo(new Point(
+                        end + CathedralModel.NAVE_HALF_WIDTH_METRES,
+                        CathedralModel.CROWN_METRES,
+                        CathedralModel.HALF_WIDTH_METRES));
+        assertThat(corners.stream().filter(p -> Math.abs(p.z()) > CathedralModel.NAVE_HALF_WIDTH_METRES))
+                .allMatch(p -> p.y() <= CathedralModel.AISLE_CROWN_METRES);
+    }
+
+    @Test
+    void theReadmeTellsItsVolumeAndParts() throws IOException {
+        double volume = 0;
+        for (Mesh.Face face : shell().faces()) {
+            Point a = corner(face, 0);
+            for (int i = 1; i <= face.triangles(); i++) {
+                volume -= a.dot(corner(face, i).cross(corner(face, i + 1))) / 6;
+            }
+        }
+        String readme = Files.readString(Path.of("models", "README.md"));
+        assertThat(readme).contains(String.format(Locale.ROOT, "%,d m³", 100 * Math.round(volume / 100)));
+        assertThat(readme)
+                .contains("faces inward, and " + (model.parts().size() - 1) + " closed parts |")
+                .contains("within %.0f m of the place %.0f m above the origin"
+                        .formatted(CathedralModel.FREE_RADIUS_METRES, CathedralModel.FREE_PLACE.y()));
+    }
+
+    @Test
+    void itsMaterialsAreInTheTableOfSurfaces() {
+        assertThat(model.materials()).extracting(Material::name).isSubsetOf(SurfaceMaterials.names());
+    }
+
+    private Mesh.Part shell() {
+        Mesh.Part first = model.parts().get(0);
+        assertThat(first.name()).isEqualTo("shell");
+        return first;
+    }
+
+    private List<Point> corners(Mesh.Part part) {
+        return part.faces().stream()
+                .flatMap(face -> face.corners().stream())
+                .map(model.vertices()::get)
+                .toList();
+    }
+
+    private Point corner(Mesh.Face face, int index) {
+        return model.vertices().get(face.corners().get(index));
     }
 
     @Test
