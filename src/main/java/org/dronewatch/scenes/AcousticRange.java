@@ -8,7 +8,7 @@ import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.SweepAxis;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
-import org.dronewatch.sensor.acoustic.LevelModel;
+import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.FlightPathSettings.Approach;
 

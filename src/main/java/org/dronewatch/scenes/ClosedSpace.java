@@ -4,7 +4,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
-import org.dronewatch.sensor.acoustic.LevelModel;
+import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.FlightPathSettings.Hover;

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenes.AcousticRange;
-import org.dronewatch.sensor.acoustic.EnergyModel;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.world.FlightPathSettings.Approach;

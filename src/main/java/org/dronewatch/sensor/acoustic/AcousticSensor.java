@@ -12,6 +12,13 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.acoustic.energy.DecayCurve;
+import org.dronewatch.sensor.acoustic.energy.EnergyReading;
+import org.dronewatch.sensor.acoustic.energy.EnergyTracer;
+import org.dronewatch.sensor.acoustic.level.LevelTracer;
+import org.dronewatch.sensor.acoustic.level.Listening;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
@@ -166,7 +173,12 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
         }
         heard = world;
         if (settings.propagation() instanceof LevelModel model) {
-            levels = new LevelTracer(model, settings, world);
+            levels = new LevelTracer(
+                    model,
+                    settings.position(),
+                    settings.radius(),
+                    settings.detectionLevel(world.backgroundNoise()),
+                    world);
         } else if (settings.propagation() instanceof EnergyModel model) {
             energies = new EnergyTracer(model, settings.position(), settings.radius(), world);
         }

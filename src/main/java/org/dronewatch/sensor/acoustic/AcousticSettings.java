@@ -2,6 +2,9 @@ package org.dronewatch.sensor.acoustic;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sensor.acoustic.propagation.LevelModel;
+import org.dronewatch.sensor.acoustic.propagation.Propagation;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Quantity;

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.energy;
 
 /**
  * Where the energy of the rays went, as shares of what was emitted: what chance added and what was emitted must be what

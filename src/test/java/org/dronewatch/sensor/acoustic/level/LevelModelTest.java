@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.level;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -11,6 +11,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.AcousticSensor;
+import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;

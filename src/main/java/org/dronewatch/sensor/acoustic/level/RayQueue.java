@@ -1,6 +1,7 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.level;
 
 import java.util.Arrays;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /** Rays that wait to be traced, first in, first out, in flat arrays; it grows and is reused. One per thread. */
 final class RayQueue {

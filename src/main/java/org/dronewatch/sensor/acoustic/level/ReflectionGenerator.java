@@ -1,8 +1,11 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.level;
 
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.Directions;
+import org.dronewatch.sensor.acoustic.propagation.Normals;
 
 /**
  * Makes the rays that leave a surface: first the specular one, then one straight at the sensor if it lies on the same

@@ -1,13 +1,13 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.propagation;
 
 import org.dronewatch.geometry.TriangleMesh;
 
 /** Normals of triangles. */
-final class Normals {
+public final class Normals {
     private Normals() {}
 
     /** Writes the unit normal of a triangle on the side that a ray comes from. */
-    static void facing(TriangleMesh mesh, int triangle, AcousticRay ray, double[] target) {
+    public static void facing(TriangleMesh mesh, int triangle, AcousticRay ray, double[] target) {
         double ax = mesh.coordinate(triangle, 0, 0);
         double ay = mesh.coordinate(triangle, 0, 1);
         double az = mesh.coordinate(triangle, 0, 2);

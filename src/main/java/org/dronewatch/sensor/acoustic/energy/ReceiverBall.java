@@ -1,8 +1,9 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
 import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.OctaveBands;
 
 /**

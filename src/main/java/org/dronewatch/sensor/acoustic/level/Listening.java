@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.level;
 
 import java.util.LinkedHashMap;
 import java.util.Map;

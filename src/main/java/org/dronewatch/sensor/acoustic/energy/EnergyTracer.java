@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
 import java.util.List;
@@ -8,6 +8,10 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.Directions;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
@@ -19,7 +23,7 @@ import org.dronewatch.world.World;
  * mirror reflections are exact and not counted again.
  * One per thread.
  */
-final class EnergyTracer {
+public final class EnergyTracer {
     private static final int BANDS = OctaveBands.COUNT;
     private static final double STAND_OFF = 1e-9;
     private static final double SURVIVAL = 0.5;
@@ -49,7 +53,7 @@ final class EnergyTracer {
     private int history;
     private double emitted;
 
-    EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {
+    public EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {
         this.model = model;
         this.sensor = sensor;
         this.mesh = world.mesh();
@@ -71,7 +75,7 @@ final class EnergyTracer {
      * @param power sound power level in each band, dB re 1 pW; minus infinity for silence
      * @param recorder is told every piece of every ray
      */
-    EnergyReading trace(Position source, List<Double> power, RandomGenerator random, RayRecorder recorder) {
+    public EnergyReading trace(Position source, List<Double> power, RandomGenerator random, RayRecorder recorder) {
         books.clear();
         ball.clear();
         double[] watts = power.stream().mapToDouble(Levels::toRatio).toArray();

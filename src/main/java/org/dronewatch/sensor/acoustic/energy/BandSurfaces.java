@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.List;
 import org.dronewatch.sound.OctaveBands;

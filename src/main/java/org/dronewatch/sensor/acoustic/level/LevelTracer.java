@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.level;
 
 import java.util.OptionalInt;
 import java.util.random.RandomGenerator;
@@ -6,13 +6,16 @@ import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.Directions;
+import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.world.World;
 
 /**
  * The level model: follows rays breadth first, in a fixed order, from a drone to one sensor. Rays end below the level of
  * detection, at the largest order and with the ray budget; what was cut is counted. One per thread.
  */
-final class LevelTracer {
+public final class LevelTracer {
     /** How far rays that meet nothing are drawn, m. */
     private static final double DRAWN = 1000.0;
 
@@ -33,11 +36,18 @@ final class LevelTracer {
     private long cutByBudget;
     private int cutOrder;
 
-    LevelTracer(LevelModel model, AcousticSettings settings, World world) {
+    /**
+     * A tracer to one sensor.
+     *
+     * @param sensor its centre, m
+     * @param radius rays that pass within this distance are received, m
+     * @param detectionLevel the level from which on a sound is detected, dB
+     */
+    public LevelTracer(LevelModel model, Position sensor, double radius, double detectionLevel, World world) {
         this.model = model;
-        this.sensor = settings.position();
-        this.radius = settings.radius();
-        this.detectionLevel = settings.detectionLevel(world.backgroundNoise());
+        this.sensor = sensor;
+        this.radius = radius;
+        this.detectionLevel = detectionLevel;
         this.traversal = world.newTraversal();
         this.reflections = new ReflectionGenerator(world.mesh(), new SurfaceLevels(world), sensor);
     }
@@ -49,7 +59,8 @@ final class LevelTracer {
      * @param sourceLevel its level, dB
      * @param fully whether to go on after the first detection
      */
-    Listening trace(Position source, double sourceLevel, RandomGenerator random, boolean fully, RayRecorder recorder) {
+    public Listening trace(
+            Position source, double sourceLevel, RandomGenerator random, boolean fully, RayRecorder recorder) {
         reset();
         emit(source, sourceLevel, random);
         while (queue.take(ray)) {

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.propagation;
 
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;

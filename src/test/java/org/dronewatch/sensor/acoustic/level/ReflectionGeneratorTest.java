@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.level;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterials;

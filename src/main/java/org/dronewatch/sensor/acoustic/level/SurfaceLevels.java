@@ -1,6 +1,7 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.level;
 
 import java.util.List;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.SurfaceMaterial;

@@ -1,13 +1,13 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.propagation;
 
 import java.util.random.RandomGenerator;
 
 /** Random directions. */
-final class Directions {
+public final class Directions {
     private Directions() {}
 
     /** Gives a ray a direction drawn uniformly from the sphere (Archimedes: the height is uniform). */
-    static void draw(RandomGenerator random, AcousticRay ray) {
+    public static void draw(RandomGenerator random, AcousticRay ray) {
         double z = 2.0 * random.nextDouble() - 1.0;
         double angle = 2.0 * Math.PI * random.nextDouble();
         double radius = Math.sqrt(Math.max(0.0, 1.0 - z * z));
@@ -17,7 +17,7 @@ final class Directions {
     }
 
     /** Gives a ray a direction by Lambert's law about a unit normal: a uniform point of the sphere that touches it. */
-    static void drawLambert(RandomGenerator random, double[] normal, AcousticRay ray) {
+    public static void drawLambert(RandomGenerator random, double[] normal, AcousticRay ray) {
         double length;
         do {
             draw(random, ray);

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.energy;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -11,6 +11,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;

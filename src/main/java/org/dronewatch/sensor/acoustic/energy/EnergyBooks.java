@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.energy;
 
 /** Keeps account of where the energy of rays goes. One per thread. */
 final class EnergyBooks {
