@@ -55,7 +55,8 @@ public final class RunReport implements SceneListener, AutoCloseable {
                     "range_m",
                     "value",
                     "threshold",
-                    "unit");
+                    "unit",
+                    "heard_s");
             this.observations = withObservations
                     ? new Table(
                             directory.file(OBSERVATIONS),
@@ -70,6 +71,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
                             "threshold",
                             "unit",
                             "detected",
+                            "heard_s",
                             "figures")
                     : null;
         } catch (IOException e) {
@@ -97,6 +99,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
                     Numbers.text(o.threshold()),
                     o.unit(),
                     Boolean.toString(o.isDetected()),
+                    Numbers.text(o.arrival()),
                     text(o.figures()));
         }
     }
@@ -120,7 +123,8 @@ public final class RunReport implements SceneListener, AutoCloseable {
                 Numbers.text(o.range()),
                 Numbers.text(o.value()),
                 Numbers.text(o.threshold()),
-                o.unit());
+                o.unit(),
+                Numbers.text(o.arrival()));
     }
 
     /** Draws a curve of a sensor; it appears with the other plots. */

@@ -67,7 +67,7 @@ final class DetectionLog {
 
         void add(Observation observation) {
             if (first.isEmpty()) {
-                first = OptionalDouble.of(observation.time());
+                first = OptionalDouble.of(observation.arrival());
                 range = OptionalDouble.of(observation.range());
             }
             maxRange = OptionalDouble.of(Math.max(maxRange.orElse(0.0), observation.range()));

@@ -13,7 +13,6 @@ import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.world.LoadedModel;
 import org.dronewatch.world.ModelSettings;
 import org.dronewatch.world.ObjLoader;
-import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
 
 /** Loads each model and builds each tree once, however many runs need them, and measures how long that took. */
@@ -24,7 +23,7 @@ final class ModelCache {
     private final Consumer<String> notes;
     private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
     private final Map<List<ModelSettings>, KDTree> trees = new HashMap<>();
-    private final Set<List<String>> noted = new HashSet<>();
+    private final Set<String> noted = new HashSet<>();
     private double loadSeconds;
     private double buildSeconds;
 
@@ -64,11 +63,10 @@ final class ModelCache {
         return model;
     }
 
-    /** Tells once which materials are what is left over, because no surface is named for them. */
-    void noteSurfaces(List<String> leftOver, SurfaceSettings surfaces) {
-        if (!leftOver.isEmpty() && noted.add(leftOver)) {
-            notes.accept("warning: no surface is named for " + String.join(", ", leftOver) + ": taken as '"
-                    + surfaces.otherwise() + "'");
+    /** Warns, once for each text. */
+    void warn(String text) {
+        if (noted.add(text)) {
+            notes.accept("warning: " + text);
         }
     }
 

@@ -16,6 +16,7 @@ import org.djutils.metadata.ObjectDescriptor;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.ModelSettings;
@@ -97,9 +98,14 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().addToWorld(model);
     }
 
-    /** Sets the sound pressure level of the background, dB re 20 uPa. */
+    /** Sets the sound pressure level of the background, A-weighted, dB re 20 uPa; 30 dB unless set. */
     protected final void setBackgroundNoise(double level) {
-        building().setBackgroundNoise(level);
+        setBackgroundNoise(BackgroundNoise.of(level));
+    }
+
+    /** Sets the background with its spectrum, such as {@code BackgroundNoise.of(BandLevels.of(45, 41, ...))}. */
+    protected final void setBackgroundNoise(BackgroundNoise noise) {
+        building().setBackgroundNoise(noise);
     }
 
     /** Sets temperature, humidity and pressure of the air; 20 degrees Celsius, 70 % and one atmosphere unless set. */

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.ModelSettings;
 import org.dronewatch.world.SurfaceSettings;
@@ -13,7 +14,7 @@ import org.dronewatch.world.WorldSettings;
 /** Collects what a scene's {@code build()} says. */
 final class SceneBuilder {
     private WorldSettings world;
-    private double backgroundNoise = WorldSettings.QUIET;
+    private BackgroundNoise backgroundNoise = BackgroundNoise.of(WorldSettings.QUIET);
     private SurfaceSettings surfaces = SurfaceSettings.DEFAULT;
     private Atmosphere atmosphere = Atmosphere.STANDARD;
     private final Map<String, DroneSettings> drones = new LinkedHashMap<>();
@@ -33,8 +34,8 @@ final class SceneBuilder {
         atmosphere = air;
     }
 
-    void setBackgroundNoise(double level) {
-        backgroundNoise = level;
+    void setBackgroundNoise(BackgroundNoise noise) {
+        backgroundNoise = noise;
     }
 
     void addDrone(String id, DroneSettings settings) {

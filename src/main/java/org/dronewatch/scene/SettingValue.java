@@ -9,6 +9,8 @@ import java.util.TreeMap;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.sound.BandLevels;
+import org.dronewatch.sound.OctaveBands;
 
 /** Reads the value of one settings component from text. */
 final class SettingValue {
@@ -43,6 +45,9 @@ final class SettingValue {
         }
         if (type == Position.class) {
             return position(text);
+        }
+        if (type == BandLevels.class) {
+            return spectrum(text);
         }
         if (type.isSealed()) {
             return choice(type, text);
@@ -104,6 +109,16 @@ final class SettingValue {
 
     private static String kebab(String name) {
         return name.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-").toLowerCase(Locale.ROOT);
+    }
+
+    private static BandLevels spectrum(String text) {
+        String[] parts = text.split(",", -1);
+        if (parts.length != OctaveBands.COUNT) {
+            throw new IllegalArgumentException("'" + text + "' is no spectrum: write " + OctaveBands.COUNT
+                    + " levels from 63 Hz to 8 kHz as in 40, 38, 35, 32, 30, 27, 23, 18");
+        }
+        return BandLevels.of(
+                Arrays.stream(parts).mapToDouble(Quantity.LEVEL::parse).toArray());
     }
 
     private static Position position(String text) {

@@ -2,9 +2,11 @@ package org.dronewatch.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
 import org.dronewatch.sensor.Observation;
@@ -15,6 +17,7 @@ import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.FlightPath;
+import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
@@ -27,16 +30,36 @@ public final class Stage {
 
     Stage(SceneSettings settings, ModelCache models, long runSeed) {
         WorldSettings site = settings.world();
-        this.world = new World(models.tree(site.models()), site.backgroundNoise(), site.surfaces(), site.atmosphere());
-        if (settings.sensors().values().stream().anyMatch(SensorSettings::hearsSurfaces)) {
-            models.noteSurfaces(site.surfaces().leftOver(world.mesh().materialNames()), site.surfaces());
-        }
+        this.world = new World(models.tree(site.models()), site.noise(), site.surfaces(), site.atmosphere());
+        warn(settings, models);
         this.runSeed = runSeed;
         settings.drones().forEach((id, drone) -> {
             Drone created = drone.create(id, models.tree(List.of(drone.model())));
             fliers.add(new Flier(created, drone.createFlight()));
         });
         settings.sensors().forEach((id, sensor) -> lookers.add(new Looker(id, lookers.size(), sensor)));
+    }
+
+    private void warn(SceneSettings settings, ModelCache models) {
+        SurfaceSettings surfaces = settings.world().surfaces();
+        List<String> leftOver = surfaces.leftOver(world.mesh().materialNames());
+        if (!leftOver.isEmpty() && settings.sensors().values().stream().anyMatch(SensorSettings::hearsSurfaces)) {
+            models.warn("no surface is named for " + String.join(", ", leftOver) + ": taken as '" + surfaces.otherwise()
+                    + "'");
+        }
+        settings.sensors().forEach((id, sensor) -> {
+            Position at = sensor.position();
+            if (world.isInsideWall(at)) {
+                models.warn(String.format(
+                        Locale.ROOT,
+                        "sensor '%s' at (%.2f, %.2f, %.2f) m seems to be inside a wall or under the ground: most of what"
+                                + " is about it shows its back",
+                        id,
+                        at.x(),
+                        at.y(),
+                        at.z()));
+            }
+        });
     }
 
     /** The world. */
@@ -95,10 +118,26 @@ public final class Stage {
         for (Looker looker : lookers) {
             if (looker.nextTime() == time) {
                 Sample sample = Sample.of(runSeed, looker.number, looker.id, looker.nextIndex++, time);
-                looks.add(() -> looker.sensor.observe(world, drones, sample));
+                List<Drone> found = drones;
+                double speed = looker.settings.signalSpeed(world);
+                if (Double.isFinite(speed)) {
+                    found = dronesReaching(looker.settings.position(), speed, time);
+                }
+                List<Drone> reaching = found;
+                looks.add(() -> looker.sensor.observe(world, reaching, sample));
             }
         }
         return pool.all(looks).stream().flatMap(List::stream).toList();
+    }
+
+    /** The drones as they were when what reaches a place now left them; without those of which nothing has arrived yet. */
+    private List<Drone> dronesReaching(Position place, double speed, double time) {
+        List<Drone> reaching = new ArrayList<>();
+        for (Flier flier : fliers) {
+            EmissionTime.of(flier.path, place, speed, time)
+                    .ifPresent(emission -> reaching.add(flier.drone.at(flier.path.at(emission))));
+        }
+        return reaching;
     }
 
     private record Flier(Drone drone, FlightPath path) {}
@@ -106,6 +145,7 @@ public final class Stage {
     private static final class Looker {
         private final String id;
         private final int number;
+        private final SensorSettings<?> settings;
         private final Sensor sensor;
         private final double rate;
         private long nextIndex;
@@ -113,6 +153,7 @@ public final class Stage {
         Looker(String id, int number, SensorSettings<?> settings) {
             this.id = id;
             this.number = number;
+            this.settings = settings;
             this.sensor = settings.create();
             this.rate = settings.rate();
         }

@@ -24,8 +24,8 @@ public record Detection(Observation observation) {
         return observation.range();
     }
 
-    /** Seconds since the start of the run. */
+    /** When the sensor knew, seconds since the start of the run. */
     public double time() {
-        return observation.time();
+        return observation.arrival();
     }
 }

@@ -12,8 +12,9 @@ import java.util.Optional;
  * @param kind its kind
  * @param drone name of the drone: the ground truth, kept for scoring
  * @param sample index of the sample
- * @param time seconds since the start of the run
- * @param range distance from the sensor to the drone's origin, m
+ * @param time when what it measured happened, seconds since the start of the run
+ * @param arrival when that reached the sensor, seconds since the start of the run: later than {@code time} for sound
+ * @param range distance from the sensor to the drone's origin at {@code time}, m
  * @param value what was measured, in the unit
  * @param threshold what the value must reach to count
  * @param unit unit of value and threshold
@@ -26,6 +27,7 @@ public record Observation(
         String drone,
         long sample,
         double time,
+        double arrival,
         double range,
         double value,
         double threshold,
@@ -37,7 +39,7 @@ public record Observation(
         figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
     }
 
-    /** An observation without more figures. */
+    /** An observation of what needs no time to reach the sensor, without more figures. */
     public Observation(
             String sensor,
             String kind,
@@ -48,7 +50,7 @@ public record Observation(
             double value,
             double threshold,
             String unit) {
-        this(sensor, kind, drone, sample, time, range, value, threshold, unit, Map.of());
+        this(sensor, kind, drone, sample, time, time, range, value, threshold, unit, Map.of());
     }
 
     /** Whether the value reaches the threshold. */

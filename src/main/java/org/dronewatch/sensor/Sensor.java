@@ -14,7 +14,8 @@ public interface Sensor {
      * One look.
      *
      * @param world the site
-     * @param drones the drones as they are at the sample's time
+     * @param drones the drones that reach the sensor at the sample's time: as they are, or, for a signal that takes its
+     *     time, as they were when it left them
      * @param sample which look of which sensor this is, when, and with which random numbers
      * @return an observation for each drone, in the same order
      */

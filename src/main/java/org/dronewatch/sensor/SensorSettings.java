@@ -1,6 +1,7 @@
 package org.dronewatch.sensor;
 
 import org.dronewatch.geometry.Position;
+import org.dronewatch.world.World;
 
 /**
  * Settings of a sensor of any kind. Implementations are records, so that a scene file and {@code --set} reach every field.
@@ -17,6 +18,15 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
 
     /** The word for its kind in results: {@code camera}. */
     String kind();
+
+    /**
+     * How fast what it senses comes from the drone to it, m/s; infinity unless it takes its time.
+     *
+     * @param world the site, of which the air may matter
+     */
+    default double signalSpeed(World world) {
+        return Double.POSITIVE_INFINITY;
+    }
 
     /** Whether it matters to this sensor what the world's surfaces are to sound. */
     default boolean hearsSurfaces() {

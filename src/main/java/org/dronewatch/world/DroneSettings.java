@@ -7,6 +7,7 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSound;
 import org.dronewatch.sound.DroneSounds;
 
@@ -22,6 +23,7 @@ import org.dronewatch.sound.DroneSounds;
  * @param soundPowerLevel A-weighted sound power level for physical propagation, dB re 1e-12 W; near 85 for a real
  *     quadrotor
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}
+ * @param directivity at which elevation how much of the sound leaves, for physical propagation
  */
 public record DroneSettings(
         ModelSettings model,
@@ -31,7 +33,8 @@ public record DroneSettings(
         @In(Quantity.AREA) double radarCrossSection,
         @In(Quantity.LEVEL) double soundLevel,
         @In(Quantity.LEVEL) double soundPowerLevel,
-        String sound) {
+        String sound,
+        Directivity directivity) {
     private static final double MAX_SPEED = 400.0;
     private static final double MAX_LEVEL = 200.0;
 
@@ -50,6 +53,7 @@ public record DroneSettings(
         Check.between("soundLevel", soundLevel, 0.0, MAX_LEVEL, Quantity.LEVEL);
         Check.between("soundPowerLevel", soundPowerLevel, 0.0, MAX_LEVEL, Quantity.LEVEL);
         Check.present("sound", sound);
+        Check.present("directivity", directivity);
         try {
             DroneSounds.get(sound);
         } catch (InputException e) {
@@ -59,41 +63,66 @@ public record DroneSettings(
 
     /** A small quadrotor: 5 m/s, 2.5 m/s2, 0.01 m2, 55 dB in the level model, 85 dB of sound power. */
     public static DroneSettings of(ModelSettings model, FlightPathSettings flight) {
-        return new DroneSettings(model, flight, 5.0, 2.5, 0.01, 55.0, 85.0, DroneSounds.SMALL_QUADROTOR);
+        return new DroneSettings(
+                model, flight, 5.0, 2.5, 0.01, 55.0, 85.0, DroneSounds.SMALL_QUADROTOR, Directivity.OMNIDIRECTIONAL);
     }
 
     /** These settings with another mesh. */
     public DroneSettings withModel(ModelSettings other) {
         return new DroneSettings(
-                other, flight, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound);
+                other, flight, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with another way to fly. */
     public DroneSettings withFlight(FlightPathSettings other) {
         return new DroneSettings(
-                model, other, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound);
+                model, other, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with another cruise speed, m/s. */
     public DroneSettings withSpeed(double metresPerSecond) {
         return new DroneSettings(
-                model, flight, metresPerSecond, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound);
+                model,
+                flight,
+                metresPerSecond,
+                acceleration,
+                radarCrossSection,
+                soundLevel,
+                soundPowerLevel,
+                sound,
+                directivity);
     }
 
     /** These settings with another radar cross-section, m2. */
     public DroneSettings withRadarCrossSection(double area) {
-        return new DroneSettings(model, flight, speed, acceleration, area, soundLevel, soundPowerLevel, sound);
+        return new DroneSettings(
+                model, flight, speed, acceleration, area, soundLevel, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with another level for the level model, dB. */
     public DroneSettings withSoundLevel(double level) {
-        return new DroneSettings(model, flight, speed, acceleration, radarCrossSection, level, soundPowerLevel, sound);
+        return new DroneSettings(
+                model, flight, speed, acceleration, radarCrossSection, level, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with the sound of another kind of drone, spectrum and loudness. */
     public DroneSettings withSound(DroneSound other) {
         return new DroneSettings(
-                model, flight, speed, acceleration, radarCrossSection, soundLevel, other.level(), other.name());
+                model,
+                flight,
+                speed,
+                acceleration,
+                radarCrossSection,
+                soundLevel,
+                other.level(),
+                other.name(),
+                directivity);
+    }
+
+    /** These settings with sound that leaves in other directions. */
+    public DroneSettings withDirectivity(Directivity other) {
+        return new DroneSettings(
+                model, flight, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound, other);
     }
 
     /** Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's own loudness. */

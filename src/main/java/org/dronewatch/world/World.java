@@ -6,11 +6,13 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Hit;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.Ray;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
@@ -24,7 +26,7 @@ public final class World {
     private static final double SURFACE = 1e-9;
 
     private final KDTree tree;
-    private final double backgroundNoise;
+    private final BackgroundNoise backgroundNoise;
     private final List<SurfaceMaterial> surfaces;
     private final Atmosphere atmosphere;
 
@@ -32,11 +34,11 @@ public final class World {
      * A world around a finished tree.
      *
      * @param tree tree over the mesh, in the world's frame
-     * @param backgroundNoise sound pressure level of the background, dB re 20 uPa
+     * @param backgroundNoise the sound of the place
      * @param surfaces what the mesh's materials are to sound
      * @param atmosphere the air
      */
-    public World(KDTree tree, double backgroundNoise, SurfaceSettings surfaces, Atmosphere atmosphere) {
+    public World(KDTree tree, BackgroundNoise backgroundNoise, SurfaceSettings surfaces, Atmosphere atmosphere) {
         this(
                 tree,
                 backgroundNoise,
@@ -48,12 +50,12 @@ public final class World {
      * A world around a finished tree whose surfaces are not those of the table.
      *
      * @param tree tree over the mesh, in the world's frame
-     * @param backgroundNoise sound pressure level of the background, dB re 20 uPa
+     * @param backgroundNoise the sound of the place
      * @param surfaces one for each material of the mesh, by the mesh's material numbers
      * @param atmosphere the air
      * @throws IllegalArgumentException when there are more or fewer surfaces than materials
      */
-    public World(KDTree tree, double backgroundNoise, List<SurfaceMaterial> surfaces, Atmosphere atmosphere) {
+    public World(KDTree tree, BackgroundNoise backgroundNoise, List<SurfaceMaterial> surfaces, Atmosphere atmosphere) {
         int materials = tree.mesh().materialNames().size();
         if (surfaces.size() != materials) {
             throw new IllegalArgumentException(
@@ -67,7 +69,7 @@ public final class World {
 
     /** A world of a mesh without noise worth the name (0 dB). */
     public static World of(TriangleMesh mesh) {
-        return new World(KDTree.of(mesh), 0.0, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
+        return new World(KDTree.of(mesh), BackgroundNoise.of(0.0), SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
     }
 
     /** Merges meshes into one, so that one tree holds them all; source numbers run on from mesh to mesh. */
@@ -139,6 +141,14 @@ public final class World {
                 .orElse(OptionalDouble.empty());
     }
 
+    /**
+     * Whether a place seems to be inside a wall or under the ground: most of what rays from it meet shows its back. Right
+     * for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
+     */
+    public boolean isInsideWall(Position place) {
+        return new Surroundings(this).showTheirBacks(place);
+    }
+
     /** A traversal of the world's tree for the use of one thread. */
     public KDTraversal newTraversal() {
         return tree.newTraversal();
@@ -159,8 +169,8 @@ public final class World {
         return tree.bounds();
     }
 
-    /** Sound pressure level of the background, dB re 20 uPa. */
-    public double backgroundNoise() {
+    /** The sound of the place without drones. */
+    public BackgroundNoise backgroundNoise() {
         return backgroundNoise;
     }
 

@@ -6,25 +6,26 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
+import org.dronewatch.sound.BandLevels;
 
 /**
  * What a site is made of.
  *
  * @param models the meshes, merged into one; at least one
- * @param backgroundNoise sound pressure level of the background, -20 to 140 dB re 20 uPa
+ * @param backgroundNoise sound pressure level of the background, A-weighted, -20 to 140 dB re 20 uPa
+ * @param noiseShape how the background falls on the octave bands: their levels relative to one another, dB
  * @param surfaces what the models' materials are to sound
  * @param atmosphere the air
  */
 public record WorldSettings(
         List<ModelSettings> models,
         @In(Quantity.LEVEL) double backgroundNoise,
+        BandLevels noiseShape,
         SurfaceSettings surfaces,
         Atmosphere atmosphere) {
     /** Background of a quiet rural place, dB re 20 uPa. */
     public static final double QUIET = 30.0;
-
-    private static final double LEAST_NOISE = -20.0;
-    private static final double MOST_NOISE = 140.0;
 
     /**
      * Checks the limits and keeps its own list.
@@ -36,35 +37,47 @@ public record WorldSettings(
         if (models.isEmpty()) {
             throw new IllegalArgumentException("models is empty: a world needs at least one");
         }
-        Check.between("backgroundNoise", backgroundNoise, LEAST_NOISE, MOST_NOISE, Quantity.LEVEL);
+        Check.present("noiseShape", noiseShape);
+        new BackgroundNoise(backgroundNoise, noiseShape);
         Check.present("surfaces", surfaces);
         Check.present("atmosphere", atmosphere);
     }
 
     /** A quiet world of one model. */
     public static WorldSettings of(ModelSettings model) {
-        return new WorldSettings(List.of(model), QUIET, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
+        return new WorldSettings(
+                List.of(model), QUIET, BackgroundNoise.FALLING, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
     }
 
     /** These settings with one more model: a house on the hill. */
     public WorldSettings withModel(ModelSettings model) {
         List<ModelSettings> more = new ArrayList<>(models);
         more.add(model);
-        return new WorldSettings(more, backgroundNoise, surfaces, atmosphere);
+        return new WorldSettings(more, backgroundNoise, noiseShape, surfaces, atmosphere);
     }
 
-    /** These settings with another background, dB re 20 uPa. */
+    /** These settings with another level of the background, A-weighted, dB re 20 uPa. */
     public WorldSettings withBackgroundNoise(double level) {
-        return new WorldSettings(models, level, surfaces, atmosphere);
+        return new WorldSettings(models, level, noiseShape, surfaces, atmosphere);
+    }
+
+    /** These settings with another background. */
+    public WorldSettings withBackgroundNoise(BackgroundNoise noise) {
+        return new WorldSettings(models, noise.level(), noise.shape(), surfaces, atmosphere);
+    }
+
+    /** The background. */
+    public BackgroundNoise noise() {
+        return new BackgroundNoise(backgroundNoise, noiseShape);
     }
 
     /** These settings with other surfaces. */
     public WorldSettings withSurfaces(SurfaceSettings other) {
-        return new WorldSettings(models, backgroundNoise, other, atmosphere);
+        return new WorldSettings(models, backgroundNoise, noiseShape, other, atmosphere);
     }
 
     /** These settings with other air. */
     public WorldSettings withAtmosphere(Atmosphere air) {
-        return new WorldSettings(models, backgroundNoise, surfaces, air);
+        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, air);
     }
 }

@@ -341,7 +341,7 @@ class CommandLineTest {
                 .isGreaterThanOrEqualTo(pair.get("range_m").asDouble());
 
         List<String> rows = Files.readAllLines(directory.resolve("results/detections.csv"));
-        assertThat(rows.get(0)).isEqualTo("run,time_s,event,sensor,kind,drone,range_m,value,threshold,unit");
+        assertThat(rows.get(0)).isEqualTo("run,time_s,event,sensor,kind,drone,range_m,value,threshold,unit,heard_s");
         assertThat(rows.get(1))
                 .startsWith("0,")
                 .contains(",gained,camera,camera,quadrotor,")

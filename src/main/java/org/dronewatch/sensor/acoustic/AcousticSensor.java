@@ -15,16 +15,20 @@ import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.acoustic.energy.DecayCurve;
 import org.dronewatch.sensor.acoustic.energy.EnergyReading;
 import org.dronewatch.sensor.acoustic.energy.EnergyTracer;
+import org.dronewatch.sensor.acoustic.energy.SoundSource;
 import org.dronewatch.sensor.acoustic.level.LevelTracer;
 import org.dronewatch.sensor.acoustic.level.Listening;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel.Criterion;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
+import org.dronewatch.sound.BandLevels;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
 /**
- * A microphone that hears each drone for itself. By the level model its value is the best undivided level received, by the
- * energy model the A-weighted sound pressure level. Keeps scratch memory: one thread at a time.
+ * A microphone that hears each drone for itself. By the level model its value is the best undivided level received. By the
+ * energy model it is the A-weighted sound pressure level, or the signal-to-noise ratio of the best band, and the drones are
+ * to be given as they were when the sound left them. Keeps scratch memory: one thread at a time.
  */
 public final class AcousticSensor implements RaySensor, CurveSensor {
     private static final String UNIT = "dB";
@@ -49,30 +53,48 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
     public List<Observation> observe(World world, List<Drone> drones, Sample sample) {
         List<Observation> observations = new ArrayList<>(drones.size());
         for (Drone drone : drones) {
-            double value;
-            Map<String, Double> figures;
-            if (settings.propagation() instanceof LevelModel) {
-                Listening listening = listen(world, drone, sample.random());
-                value = listening.bestLevel();
-                figures = listening.figures();
-            } else {
-                EnergyReading reading = read(world, drone, sample.random());
-                value = reading.aWeightedLevel();
-                figures = reading.figures();
-            }
-            observations.add(new Observation(
-                    sample.sensor(),
-                    settings.kind(),
-                    drone.id(),
-                    sample.index(),
-                    sample.time(),
-                    drone.distance(settings.position()),
-                    value,
-                    settings.detectionLevel(world.backgroundNoise()),
-                    UNIT,
-                    figures));
+            observations.add(
+                    settings.propagation() instanceof EnergyModel model
+                            ? observe(world, drone, sample, model.criterion())
+                            : observeLevel(world, drone, sample));
         }
         return observations;
+    }
+
+    private Observation observeLevel(World world, Drone drone, Sample sample) {
+        Listening listening = listen(world, drone, sample.random());
+        double threshold = settings.detectionLevel(world.backgroundNoise().level());
+        return observation(sample, drone, sample.time(), listening.bestLevel(), threshold, listening.figures());
+    }
+
+    private Observation observe(World world, Drone drone, Sample sample, Criterion criterion) {
+        EnergyReading reading = read(world, drone, sample.random());
+        BandLevels background = world.backgroundNoise().spectrum();
+        double value = reading.aWeightedLevel();
+        double over = background.aWeighted();
+        if (criterion == Criterion.BEST_BAND) {
+            int band = reading.bestBand(background);
+            value = reading.level(band) - background.level(band);
+            over = 0.0;
+        }
+        double emission = sample.time() - drone.distance(settings.position()) / settings.signalSpeed(world);
+        return observation(sample, drone, emission, value, settings.detectionLevel(over), reading.figures(background));
+    }
+
+    private Observation observation(
+            Sample sample, Drone drone, double emission, double value, double threshold, Map<String, Double> figures) {
+        return new Observation(
+                sample.sensor(),
+                settings.kind(),
+                drone.id(),
+                sample.index(),
+                emission,
+                sample.time(),
+                drone.distance(settings.position()),
+                value,
+                threshold,
+                UNIT,
+                figures);
     }
 
     /**
@@ -104,8 +126,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
     }
 
     private EnergyReading read(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
-        List<Double> power = drone.settings().soundPower();
-        return energies(world).trace(place(drone), power, random, recorder);
+        return energies(world).trace(sound(drone), random, recorder);
     }
 
     @Override
@@ -125,9 +146,8 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
         }
         // Late sound is faint: rays must be followed for long, where levels need them only for a short while.
         EnergyModel patient = model.withRoulette(Math.min(model.roulette(), PATIENCE));
-        List<Double> power = drone.settings().soundPower();
         DecayCurve decay = new EnergyTracer(patient, settings.position(), settings.radius(), world)
-                .trace(place(drone), power, random, RayRecorder.NONE)
+                .trace(sound(drone), random, RayRecorder.NONE)
                 .decay();
         if (decay.t30().isEmpty()) {
             return List.of();
@@ -145,6 +165,11 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
                 drone.id(),
                 decay.t30().getAsDouble());
         return List.of(new Curve("decay", title, "time [s]", "level of what is still to come [dB]", times, shown));
+    }
+
+    private static SoundSource sound(Drone drone) {
+        return new SoundSource(
+                place(drone), drone.settings().soundPower(), drone.settings().directivity());
     }
 
     private static Position place(Drone drone) {
@@ -177,7 +202,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
                     model,
                     settings.position(),
                     settings.radius(),
-                    settings.detectionLevel(world.backgroundNoise()),
+                    settings.detectionLevel(world.backgroundNoise().level()),
                     world);
         } else if (settings.propagation() instanceof EnergyModel model) {
             energies = new EnergyTracer(model, settings.position(), settings.radius(), world);

@@ -8,6 +8,7 @@ import org.dronewatch.sensor.acoustic.propagation.Propagation;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.World;
 
 /**
  * A microphone, or an array of them at one place.
@@ -91,6 +92,12 @@ public record AcousticSettings(
     @Override
     public String kind() {
         return "acoustic";
+    }
+
+    /** By the energy model sound takes its time; the level model hears at once. */
+    @Override
+    public double signalSpeed(World world) {
+        return propagation instanceof EnergyModel ? world.atmosphere().speedOfSound() : Double.POSITIVE_INFINITY;
     }
 
     @Override

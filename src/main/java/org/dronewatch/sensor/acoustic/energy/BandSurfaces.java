@@ -14,6 +14,7 @@ final class BandSurfaces {
     private final double[] scattered;
     private final boolean[] transmits;
     private final boolean[] sheet;
+    private final boolean anyTransmits;
 
     BandSurfaces(List<SurfaceMaterial> surfaces) {
         int count = surfaces.size();
@@ -32,6 +33,7 @@ final class BandSurfaces {
                 scattered[BANDS * i + band] = surface.scattering().get(band);
             }
         }
+        this.anyTransmits = surfaces.stream().anyMatch(surface -> !surface.isOpaque());
     }
 
     double reflected(int material, int band) {
@@ -43,12 +45,32 @@ final class BandSurfaces {
         return transmitted[BANDS * material + band];
     }
 
+    /** The share that goes on as from a mirror. */
+    double mirrored(int material, int band) {
+        return reflected(material, band) * (1.0 - scattered(material, band));
+    }
+
+    /** Whether anything goes on as from a mirror. */
+    boolean mirrors(int material) {
+        for (int band = 0; band < BANDS; band++) {
+            if (mirrored(material, band) > 0.0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     double scattered(int material, int band) {
         return scattered[BANDS * material + band];
     }
 
     boolean transmits(int material) {
         return transmits[material];
+    }
+
+    /** Whether there is any material that lets sound through. */
+    boolean anyTransmits() {
+        return anyTransmits;
     }
 
     boolean isSheet(int material) {

@@ -3,6 +3,8 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntToDoubleFunction;
+import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
@@ -10,8 +12,9 @@ import org.dronewatch.sound.OctaveBands;
  * What one look of an acoustic sensor gave for one drone, in the energy model. Energies are per octave band and relative
  * to a sound pressure of 20 uPa squared, so that {@code 10 lg} of them are sound pressure levels.
  *
- * @param direct by the direct path, exact
- * @param mirrored by single mirror reflections, exact
+ * @param direct by the straight path, through walls that let sound pass; exact
+ * @param diffracted round the nearest edge of what hides the drone
+ * @param mirrored by mirror reflections of low order, exact
  * @param reverberant by all that comes later, estimated
  * @param standardError of the level of all together, dB, from the scatter among rays
  * @param audit where the rays' energy went
@@ -19,6 +22,7 @@ import org.dronewatch.sound.OctaveBands;
  */
 public record EnergyReading(
         List<Double> direct,
+        List<Double> diffracted,
         List<Double> mirrored,
         List<Double> reverberant,
         double standardError,
@@ -28,40 +32,75 @@ public record EnergyReading(
     /** Keeps its own lists. */
     public EnergyReading {
         direct = List.copyOf(direct);
+        diffracted = List.copyOf(diffracted);
         mirrored = List.copyOf(mirrored);
         reverberant = List.copyOf(reverberant);
     }
 
+    private double energy(int band) {
+        return direct.get(band) + diffracted.get(band) + mirrored.get(band) + reverberant.get(band);
+    }
+
     /** Sound pressure level in a band, dB; minus infinity for silence. */
     public double level(int band) {
-        return Levels.ofRatio(direct.get(band) + mirrored.get(band) + reverberant.get(band));
+        return Levels.ofRatio(energy(band));
     }
 
     /** Sound pressure level of all bands together, dB. */
     public double totalLevel() {
         double energy = 0.0;
         for (int band = 0; band < OctaveBands.COUNT; band++) {
-            energy += Levels.toRatio(level(band));
+            energy += energy(band);
         }
         return Levels.ofRatio(energy);
     }
 
     /** A-weighted sound pressure level of all bands together, dB. */
     public double aWeightedLevel() {
+        return aWeighted(this::energy);
+    }
+
+    /** A-weighted level of what comes first: straight or round an edge, dB. */
+    public double directLevel() {
+        return aWeighted(band -> direct.get(band) + diffracted.get(band));
+    }
+
+    /** A-weighted level of all that comes by reflections, dB. */
+    public double reverberantLevel() {
+        return aWeighted(band -> mirrored.get(band) + reverberant.get(band));
+    }
+
+    private static double aWeighted(IntToDoubleFunction energies) {
         double energy = 0.0;
         for (int band = 0; band < OctaveBands.COUNT; band++) {
-            energy += Levels.toRatio(level(band) + OctaveBands.aWeight(band));
+            energy += energies.applyAsDouble(band) * Levels.toRatio(OctaveBands.aWeight(band));
         }
         return Levels.ofRatio(energy);
     }
 
-    /** The figures for reports, by name with unit. */
-    public Map<String, Double> figures() {
+    /** The band in which this sound is highest above a background. */
+    public int bestBand(BandLevels background) {
+        int best = 0;
+        for (int band = 1; band < OctaveBands.COUNT; band++) {
+            if (level(band) - background.level(band) > level(best) - background.level(best)) {
+                best = band;
+            }
+        }
+        return best;
+    }
+
+    /** The figures for reports, by name with unit: levels, signal-to-noise ratios, parts, standard error. */
+    public Map<String, Double> figures(BandLevels background) {
         Map<String, Double> figures = new LinkedHashMap<>();
+        figures.put("direct_db", directLevel());
+        figures.put("reverberant_db", reverberantLevel());
+        figures.put("standard_error_db", standardError);
         for (int band = 0; band < OctaveBands.COUNT; band++) {
             figures.put("level_" + OctaveBands.nominal(band) + "hz_db", level(band));
         }
-        figures.put("standard_error_db", standardError);
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            figures.put("snr_" + OctaveBands.nominal(band) + "hz_db", level(band) - background.level(band));
+        }
         return figures;
     }
 }

@@ -1,9 +1,9 @@
 package org.dronewatch.sensor.acoustic.energy;
 
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntToDoubleFunction;
 import java.util.random.RandomGenerator;
-import java.util.stream.DoubleStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTraversal;
@@ -17,118 +17,146 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * The energy model: rays that each carry a share of the source's power in every band. A surface absorbs its share; the
- * rest goes on as one ray, reflected like a mirror, scattered by Lambert's law or passed on through the wall, chosen by
- * chance so that the mean is right. Rays that pass a ball about the sensor are counted there; direct paths and single
- * mirror reflections are exact and not counted again.
- * One per thread.
+ * The energy model. {@link ExactPaths} finds what needs no chance. The rest is found by rays that run backward, from the
+ * sensor: what they meet is what the sensor can hear, however far away the source is, and by reciprocity the share of the
+ * energy that they bring to the source is the share that the source would have sent to the sensor. A surface absorbs its
+ * share; the rest goes on as one ray, reflected like a mirror, scattered by Lambert's law or passed on through the wall,
+ * chosen by chance so that the mean is right. Where a ray is scattered, it is joined to the source; where it comes by the
+ * source after a mirror reflection, it is counted in a ball. One per thread.
  */
 public final class EnergyTracer {
     private static final int BANDS = OctaveBands.COUNT;
     private static final double STAND_OFF = 1e-9;
     private static final double SURVIVAL = 0.5;
 
+    /** Up to this order every surface that scatters is joined to the source, later ones when chance scatters there. */
+    private static final int ALWAYS_JOINED = 2;
+
     /** How far rays that meet nothing are drawn, m. */
     private static final double DRAWN = 1000.0;
-
-    /** Rays with this history are the mirror reflections that are counted exactly. */
-    private static final int DIRECT = 0;
-
-    private static final int MIRRORED_ONCE = 1;
-    private static final int OTHER = 2;
 
     private final EnergyModel model;
     private final Position sensor;
     private final TriangleMesh mesh;
     private final KDTraversal traversal;
     private final BandSurfaces surfaces;
+    private final WallPlanes planes;
+    private final Air air;
     private final ExactPaths exact;
+    private final EnergyTally tally;
     private final ReceiverBall ball;
+    private final DiffuseConnection connection;
     private final EnergyBooks books = new EnergyBooks();
-    private final double[] airLoss = new double[BANDS];
     private final AcousticRay ray = new AcousticRay();
     private final double[] energy = new double[BANDS];
+    private final double[] scattered = new double[BANDS];
     private final double[] normal = new double[3];
 
-    private int history;
-    private double emitted;
+    private SoundSource source;
+    private RandomGenerator random;
+    private RayRecorder recorder;
 
+    /** Whether the last thing that turned the ray was a mirror: such rays cannot be joined to a point. */
+    private boolean fromMirror;
+
+    /** How many mirrors the ray has met, if it met nothing else; {@link #NOT_EXACT} once its path is not an exact one. */
+    private int mirrors;
+
+    private static final int NOT_EXACT = -1;
+
+    /** Whether all mirrors so far were large walls. */
+    private boolean largeWallsOnly;
+
+    /**
+     * A tracer to one sensor.
+     *
+     * @param sensor where it is, m
+     * @param radius of the ball about the source in which rays from mirrors are counted, m
+     */
     public EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {
         this.model = model;
         this.sensor = sensor;
         this.mesh = world.mesh();
         this.traversal = world.newTraversal();
         this.surfaces = new BandSurfaces(world.surfaces());
-        double[] attenuations = world.atmosphere().attenuations();
-        for (int band = 0; band < BANDS; band++) {
-            // Energy factor exp(-m d) for a loss in dB/m.
-            airLoss[band] = attenuations[band] * Math.log(10.0) / 10.0;
-        }
-        this.exact = new ExactPaths(world, surfaces, airLoss);
-        this.ball = new ReceiverBall(sensor, radius, airLoss, world.atmosphere().speedOfSound());
+        this.planes = new WallPlanes(mesh, surfaces);
+        this.air = new Air(world.atmosphere());
+        this.exact = new ExactPaths(model, world, planes, surfaces, air);
+        this.tally = new EnergyTally(air);
+        this.ball = new ReceiverBall(radius, air, tally);
+        this.connection = new DiffuseConnection(world, surfaces, air, tally);
     }
 
     /**
      * One look.
      *
-     * @param source where the drone is
-     * @param power sound power level in each band, dB re 1 pW; minus infinity for silence
-     * @param recorder is told every piece of every ray
+     * @param from the drone's sound
+     * @param chance the random numbers of the rays
+     * @param told every piece of every ray, from the sensor on
      */
-    public EnergyReading trace(Position source, List<Double> power, RandomGenerator random, RayRecorder recorder) {
+    public EnergyReading trace(SoundSource from, RandomGenerator chance, RayRecorder told) {
+        source = from;
+        random = chance;
+        recorder = told;
         books.clear();
-        ball.clear();
-        double[] watts = power.stream().mapToDouble(Levels::toRatio).toArray();
-        emitted = Arrays.stream(watts).sum();
+        tally.clear();
         for (int i = 0; i < model.rays(); i++) {
             for (int band = 0; band < BANDS; band++) {
-                energy[band] = watts[band] / emitted / model.rays();
+                energy[band] = source.share(band) / model.rays();
             }
-            follow(source, random, recorder);
-            ball.endRay();
+            follow();
+            tally.endRay();
         }
-        double[] direct = exact.direct(source, sensor, watts);
-        double[] mirrored = exact.mirrored(source, sensor, watts);
-        double[] reverberant = ball.intensities();
-        for (int band = 0; band < BANDS; band++) {
-            reverberant[band] *= emitted;
-        }
-        ball.addExact(source.distance(sensor), sum(direct) / emitted);
-        exact.forEachMirror((way, heard) -> ball.addExact(way, heard / emitted));
-        double all = sum(direct) + sum(mirrored) + sum(reverberant);
-        double error = ball.standardError() * emitted;
+        exact.find(source, sensor);
+        return reading();
+    }
+
+    private EnergyReading reading() {
+        List<Double> direct = energies(exact.direct()::heard);
+        List<Double> diffracted = energies(exact.diffracted()::heard);
+        List<Double> mirrored = energies(exact.mirrored()::heard);
+        List<Double> reverberant = energies(tally::received);
+        double all = sum(direct) + sum(diffracted) + sum(mirrored) + sum(reverberant);
+        double error = tally.standardError() * source.emitted();
+        DecayCurve decay = tally.decay();
+        exact.direct().addTo(decay, air.soundSpeed());
+        exact.diffracted().addTo(decay, air.soundSpeed());
+        exact.mirrored().addTo(decay, air.soundSpeed());
         return new EnergyReading(
-                boxed(direct),
-                boxed(mirrored),
-                boxed(reverberant),
+                direct,
+                diffracted,
+                mirrored,
+                reverberant,
                 all > 0.0 ? Levels.ofRatio(1.0 + error / all) : 0.0,
                 books.audit(),
-                ball.decay());
+                decay);
     }
 
-    private static List<Double> boxed(double[] values) {
-        return DoubleStream.of(values).boxed().toList();
+    /** Energies over that of 20 uPa, from intensities over the source's power. */
+    private List<Double> energies(IntToDoubleFunction intensities) {
+        List<Double> energies = new ArrayList<>(BANDS);
+        for (int band = 0; band < BANDS; band++) {
+            energies.add(intensities.applyAsDouble(band) * source.emitted());
+        }
+        return energies;
     }
 
-    private static double sum(double[] values) {
+    private static double sum(List<Double> values) {
+        return values.stream().mapToDouble(Double::doubleValue).sum();
+    }
+
+    private double left() {
         double sum = 0.0;
-        for (double value : values) {
-            sum += value;
+        for (double inBand : energy) {
+            sum += inBand;
         }
         return sum;
     }
 
     /** Follows one ray to its end. */
-    private void follow(Position source, RandomGenerator random, RayRecorder recorder) {
-        ray.originX = source.x();
-        ray.originY = source.y();
-        ray.originZ = source.z();
-        Directions.draw(random, ray);
-        ray.travelled = 0.0;
-        ray.order = 0;
-        ray.medium = AcousticRay.AIR;
-        history = DIRECT;
-        double first = sum(energy);
+    private void follow() {
+        start();
+        double first = left();
         while (true) {
             boolean hit = traversal.closestHit(
                     ray.originX,
@@ -140,28 +168,46 @@ public final class EnergyTracer {
                     0.0,
                     Double.POSITIVE_INFINITY);
             double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
-            if (history == OTHER) {
-                ball.count(ray, energy, distance);
+            if (fromMirror && !isExact()) {
+                ball.count(ray, energy, distance, source);
             }
-            record(recorder, Math.min(distance, DRAWN));
+            record(Math.min(distance, DRAWN));
             if (!hit) {
-                books.escape(sum(energy));
+                books.escape(left());
                 return;
             }
             fly(distance);
             if (ray.order >= model.maxOrder()) {
-                books.giveUp(sum(energy));
+                books.giveUp(left());
                 return;
             }
-            meet(traversal.triangle(), distance, random);
-            if (!survives(first, random)) {
+            meet(traversal.triangle(), distance);
+            if (!survives(first)) {
                 return;
             }
         }
     }
 
+    private void start() {
+        ray.originX = sensor.x();
+        ray.originY = sensor.y();
+        ray.originZ = sensor.z();
+        Directions.draw(random, ray);
+        ray.travelled = 0.0;
+        ray.order = 0;
+        ray.medium = AcousticRay.AIR;
+        fromMirror = false;
+        mirrors = 0;
+        largeWallsOnly = true;
+    }
+
+    /** Whether a path straight on to the source is one of those that are computed exactly. */
+    private boolean isExact() {
+        return mirrors == 1 || mirrors > 1 && largeWallsOnly && mirrors <= model.mirrorOrder();
+    }
+
     /** The level of a piece is that of the share of the source's power which it carries. */
-    private void record(RayRecorder recorder, double length) {
+    private void record(double length) {
         if (recorder != RayRecorder.NONE) {
             recorder.record(
                     ray.originX,
@@ -170,22 +216,38 @@ public final class EnergyTracer {
                     ray.originX + length * ray.directionX,
                     ray.originY + length * ray.directionY,
                     ray.originZ + length * ray.directionZ,
-                    Levels.ofRatio(sum(energy) * emitted),
+                    Levels.ofRatio(left() * source.emitted()),
                     ray.order,
                     false);
         }
     }
 
-    private void fly(double distance) {
-        double before = sum(energy);
-        for (int band = 0; band < BANDS; band++) {
-            energy[band] *= Math.exp(-airLoss[band] * distance);
+    private void recordConnection() {
+        if (recorder != RayRecorder.NONE) {
+            Position place = source.place();
+            recorder.record(
+                    ray.originX,
+                    ray.originY,
+                    ray.originZ,
+                    place.x(),
+                    place.y(),
+                    place.z(),
+                    Levels.ofRatio(left() * source.emitted()),
+                    ray.order,
+                    true);
         }
-        books.leaveToAir(before - sum(energy));
+    }
+
+    private void fly(double distance) {
+        double before = left();
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] *= air.left(band, distance);
+        }
+        books.leaveToAir(before - left());
         ray.travelled += distance;
     }
 
-    private void meet(int triangle, double distance, RandomGenerator random) {
+    private void meet(int triangle, double distance) {
         int material = mesh.material(triangle);
         Normals.facing(mesh, triangle, ray, normal);
         ray.originX += distance * ray.directionX;
@@ -195,20 +257,31 @@ public final class EnergyTracer {
         if (ray.medium == material) {
             // Out of a solid: its loss was taken on the way in.
             ray.medium = AcousticRay.AIR;
-            history = OTHER;
+            mirrors = NOT_EXACT;
             standOff(-1.0);
             return;
         }
+        if (passes(material)) {
+            ray.medium = surfaces.isSheet(material) ? ray.medium : material;
+            mirrors = NOT_EXACT;
+            standOff(-1.0);
+        } else {
+            standOff(1.0);
+            reflect(triangle, material);
+        }
+    }
+
+    /** Absorbs the surface's share; chance decides whether the rest goes through or back. */
+    private boolean passes(int material) {
+        double before = left();
         double reflected = 0.0;
         double transmitted = 0.0;
         for (int band = 0; band < BANDS; band++) {
-            double r = energy[band] * surfaces.reflected(material, band);
-            double t = energy[band] * surfaces.transmitted(material, band);
-            reflected += r;
-            transmitted += t;
+            reflected += energy[band] * surfaces.reflected(material, band);
+            transmitted += energy[band] * surfaces.transmitted(material, band);
         }
         double onward = reflected + transmitted;
-        books.absorb(sum(energy) - onward);
+        books.absorb(before - onward);
         double chance = onward > 0.0 ? transmitted / onward : 0.0;
         boolean passes = surfaces.transmits(material) && random.nextDouble() < chance;
         for (int band = 0; band < BANDS; band++) {
@@ -216,40 +289,54 @@ public final class EnergyTracer {
                     ? surfaces.transmitted(material, band) / chance
                     : surfaces.reflected(material, band) / (1.0 - chance);
         }
-        books.exchange(onward, sum(energy));
-        if (passes) {
-            ray.medium = surfaces.isSheet(material) ? ray.medium : material;
-            history = OTHER;
-            standOff(-1.0);
-        } else {
-            reflect(material, random);
-            standOff(1.0);
-        }
+        books.exchange(onward, left());
+        return passes;
     }
 
-    private void reflect(int material, RandomGenerator random) {
-        double before = sum(energy);
-        double scattered = 0.0;
+    private void reflect(int triangle, int material) {
+        double before = left();
+        double sum = 0.0;
         for (int band = 0; band < BANDS; band++) {
-            scattered += energy[band] * surfaces.scattered(material, band);
+            scattered[band] = energy[band] * surfaces.scattered(material, band);
+            sum += scattered[band];
         }
-        double chance = before > 0.0 ? scattered / before : 0.0;
+        double chance = before > 0.0 ? sum / before : 0.0;
+        boolean always = ray.order <= ALWAYS_JOINED && chance > 0.0;
+        if (always) {
+            join(scattered);
+        }
         boolean diffuse = random.nextDouble() < chance;
         for (int band = 0; band < BANDS; band++) {
             double share = surfaces.scattered(material, band);
             energy[band] *= diffuse ? share / chance : (1.0 - share) / (1.0 - chance);
         }
-        books.exchange(before, sum(energy));
+        books.exchange(before, left());
         if (diffuse) {
+            if (!always) {
+                join(energy);
+            }
             Directions.drawLambert(random, normal, ray);
-            history = OTHER;
+            fromMirror = false;
+            mirrors = NOT_EXACT;
         } else {
-            double twice = 2.0 * (ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2]);
-            ray.directionX -= twice * normal[0];
-            ray.directionY -= twice * normal[1];
-            ray.directionZ -= twice * normal[2];
-            history = history == DIRECT ? MIRRORED_ONCE : OTHER;
+            mirror();
+            fromMirror = true;
+            mirrors = mirrors == NOT_EXACT ? NOT_EXACT : mirrors + 1;
+            largeWallsOnly &= planes.wallOf(triangle) != WallPlanes.NONE;
         }
+    }
+
+    private void join(double[] leaving) {
+        if (connection.add(ray, normal, leaving, source)) {
+            recordConnection();
+        }
+    }
+
+    private void mirror() {
+        double twice = 2.0 * (ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2]);
+        ray.directionX -= twice * normal[0];
+        ray.directionY -= twice * normal[1];
+        ray.directionZ -= twice * normal[2];
     }
 
     private void standOff(double side) {
@@ -261,8 +348,8 @@ public final class EnergyTracer {
     }
 
     /** Ends faint rays by chance and strengthens those that survive, which leaves the mean as it is. */
-    private boolean survives(double first, RandomGenerator random) {
-        double left = sum(energy);
+    private boolean survives(double first) {
+        double left = left();
         if (left >= model.roulette() * first) {
             return true;
         }
@@ -273,7 +360,7 @@ public final class EnergyTracer {
         for (int band = 0; band < BANDS; band++) {
             energy[band] /= SURVIVAL;
         }
-        books.exchange(left, sum(energy));
+        books.exchange(left, left());
         return true;
     }
 }

@@ -5,132 +5,170 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
-import org.dronewatch.sensor.acoustic.propagation.Normals;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * The paths that need no chance: straight from source to sensor, through what lets sound pass, and over one mirror
- * reflection. A triangle mirrors the source; the path counts when it crosses that triangle and nothing stands in its two
- * legs.
+ * The paths that need no chance: straight from source to sensor, through what lets sound pass; round the nearest edge of
+ * what hides the source; and over mirror reflections. Every triangle mirrors the source once; the path counts when it
+ * crosses that triangle and nothing stands in its two legs. One per thread.
  */
 final class ExactPaths {
     private static final int BANDS = OctaveBands.COUNT;
     private static final double OWN = 1e-6;
 
+    private final EnergyModel model;
     private final TriangleMesh mesh;
+    private final WallPlanes planes;
     private final KDTraversal traversal;
     private final BandSurfaces surfaces;
-    private final double[] airLoss;
-    private final double[] passed = new double[BANDS];
-    private final AcousticRay ray = new AcousticRay();
-    private final double[] normal = new double[3];
+    private final Air air;
+    private final WallPassage walls;
+    private final EdgePath edges;
+    private final MirrorChains chains;
 
-    private double[] mirrorWays = new double[16];
-    private double[] mirrorHeard = new double[16];
+    private final HeardPaths direct = new HeardPaths();
+    private final HeardPaths diffracted = new HeardPaths();
+    private final HeardPaths mirrored = new HeardPaths();
+    private final double[] heard = new double[BANDS];
     private Position[] mirrorPlaces = new Position[16];
     private int mirrors;
 
-    ExactPaths(World world, BandSurfaces surfaces, double[] airLoss) {
+    ExactPaths(EnergyModel model, World world, WallPlanes planes, BandSurfaces surfaces, Air air) {
+        this.model = model;
         this.mesh = world.mesh();
+        this.planes = planes;
         this.traversal = world.newTraversal();
         this.surfaces = surfaces;
-        this.airLoss = airLoss;
+        this.air = air;
+        this.walls = new WallPassage(world, surfaces);
+        this.edges = new EdgePath(world);
+        this.chains = new MirrorChains(world, planes, surfaces, air, model.mirrorOrder());
     }
 
-    /** Is given each mirror path of the last question: its length in metres and what is heard by it in all bands. */
-    interface Mirrors {
-        void accept(double way, double heard);
-    }
-
-    void forEachMirror(Mirrors target) {
-        for (int i = 0; i < mirrors; i++) {
-            target.accept(mirrorWays[i], mirrorHeard[i]);
-        }
-    }
-
-    /** What is heard straight from the source, by band: power over the sphere, less air and walls. */
-    double[] direct(Position source, Position sensor, double[] power) {
-        double[] heard = new double[BANDS];
-        if (passes(source, sensor)) {
-            double way = Math.max(source.distance(sensor), OWN);
-            for (int band = 0; band < BANDS; band++) {
-                heard[band] = passed[band] * spread(power[band], way, band);
-            }
-        }
-        return heard;
-    }
-
-    private double spread(double power, double way, int band) {
-        return power * Math.exp(-airLoss[band] * way) / (4.0 * Math.PI * way * way);
-    }
-
-    /** What is heard over single mirror reflections, by band. */
-    double[] mirrored(Position source, Position sensor, double[] power) {
-        double[] heard = new double[BANDS];
+    /** Finds all paths from a source to a sensor. */
+    void find(SoundSource source, Position sensor) {
+        direct.clear();
+        diffracted.clear();
+        mirrored.clear();
         mirrors = 0;
-        for (int triangle = 0; triangle < mesh.triangleCount(); triangle++) {
-            addMirror(triangle, source, sensor, power, heard);
+        addDirect(source, sensor);
+        if (!walls.isFree()) {
+            addDiffracted(source, sensor);
         }
-        return heard;
+        for (int triangle = 0; triangle < mesh.triangleCount(); triangle++) {
+            addMirror(triangle, source, sensor);
+        }
+        chains.addTo(mirrored, source, sensor);
     }
 
-    private void addMirror(int triangle, Position source, Position sensor, double[] power, double[] heard) {
-        // A ray of no direction: any side of the triangle will do.
-        ray.directionX = 0.0;
-        ray.directionY = 0.0;
-        ray.directionZ = 0.0;
-        Normals.facing(mesh, triangle, ray, normal);
-        double plane = normal[0] * mesh.coordinate(triangle, 0, 0)
-                + normal[1] * mesh.coordinate(triangle, 0, 1)
-                + normal[2] * mesh.coordinate(triangle, 0, 2);
-        double ofSource = height(source, plane);
-        double ofSensor = height(sensor, plane);
-        if (!(ofSource * ofSensor > 0.0)) {
+    /** What comes straight: power over the sphere, less air and walls. */
+    HeardPaths direct() {
+        return direct;
+    }
+
+    /** What comes round an edge. */
+    HeardPaths diffracted() {
+        return diffracted;
+    }
+
+    /** What comes over mirror reflections. */
+    HeardPaths mirrored() {
+        return mirrored;
+    }
+
+    private void addDirect(SoundSource source, Position sensor) {
+        Position place = source.place();
+        if (!walls.passes(place.x(), place.y(), place.z(), sensor.x(), sensor.y(), sensor.z(), AcousticRay.AIR)) {
+            return;
+        }
+        double way = Math.max(place.distance(sensor), OWN);
+        double rise = (sensor.z() - place.z()) / way;
+        for (int band = 0; band < BANDS; band++) {
+            heard[band] = walls.passed(band) * spread(source, band, rise, way);
+        }
+        direct.add(way, heard);
+    }
+
+    /** Power in a band that leaves at an elevation, spread over the sphere after a way. */
+    private double spread(SoundSource source, int band, double rise, double way) {
+        return source.share(band) * source.factor(band, rise) * air.left(band, way) / (4.0 * Math.PI * way * way);
+    }
+
+    private void addDiffracted(SoundSource source, Position sensor) {
+        Position place = source.place();
+        if (!edges.find(place, sensor)) {
+            return;
+        }
+        double straight = Math.max(place.distance(sensor), OWN);
+        double way = straight + edges.pathDifference();
+        for (int band = 0; band < BANDS; band++) {
+            double wavelength = air.soundSpeed() / OctaveBands.midband(band);
+            double loss = model.diffraction().attenuation(edges.pathDifference(), wavelength);
+            // The edge's loss is over what would arrive by the straight way; only the air takes its share on the
+            // longer.
+            heard[band] = Math.pow(10.0, -0.1 * loss)
+                    * source.share(band)
+                    * source.factor(band, edges.rise())
+                    * air.left(band, way)
+                    / (4.0 * Math.PI * straight * straight);
+        }
+        diffracted.add(way, heard);
+    }
+
+    private void addMirror(int triangle, SoundSource source, Position sensor) {
+        Position place = source.place();
+        double ofSource = planes.height(triangle, place.x(), place.y(), place.z());
+        double ofSensor = planes.height(triangle, sensor.x(), sensor.y(), sensor.z());
+        int material = mesh.material(triangle);
+        if (!(ofSource * ofSensor > 0.0) || !surfaces.mirrors(material)) {
             return;
         }
         // The straight way from the mirror image to the sensor crosses the plane here.
         double share = ofSource / (ofSource + ofSensor);
-        Position image = source.minus(new Position(normal[0], normal[1], normal[2]).times(2.0 * ofSource));
-        Position at = image.plus(sensor.minus(image).times(share));
-        if (!isInside(triangle, at)) {
+        double imageX = place.x() - 2.0 * ofSource * planes.normalX(triangle);
+        double imageY = place.y() - 2.0 * ofSource * planes.normalY(triangle);
+        double imageZ = place.z() - 2.0 * ofSource * planes.normalZ(triangle);
+        double x = imageX + share * (sensor.x() - imageX);
+        double y = imageY + share * (sensor.y() - imageY);
+        double z = imageZ + share * (sensor.z() - imageZ);
+        if (!isInside(triangle, x, y, z)) {
             return;
         }
-        double way = image.distance(sensor);
-        if (isKnown(at, way) || !sees(source, at) || !sees(sensor, at)) {
+        Position at = new Position(x, y, z);
+        double way = new Position(imageX, imageY, imageZ).distance(sensor);
+        if (isKnown(at, way) || !sees(place, at) || !sees(sensor, at)) {
             return;
         }
-        int material = mesh.material(triangle);
-        double all = 0.0;
+        remember(at);
+        double rise = (z - place.z()) / at.distance(place);
         for (int band = 0; band < BANDS; band++) {
-            double reflected = surfaces.reflected(material, band) * (1.0 - surfaces.scattered(material, band));
-            double level = reflected * spread(power[band], way, band);
-            heard[band] += level;
-            all += level;
+            heard[band] = surfaces.mirrored(material, band) * spread(source, band, rise, way);
         }
-        remember(at, way, all);
-    }
-
-    private double height(Position place, double plane) {
-        return normal[0] * place.x() + normal[1] * place.y() + normal[2] * place.z() - plane;
+        mirrored.add(way, heard);
     }
 
     /** Whether a point of the triangle's plane lies in it, its border included. */
-    private boolean isInside(int triangle, Position p) {
-        int axis = Math.abs(normal[0]) > Math.abs(normal[1])
-                ? (Math.abs(normal[0]) > Math.abs(normal[2]) ? 0 : 2)
-                : (Math.abs(normal[1]) > Math.abs(normal[2]) ? 1 : 2);
-        int u = (axis + 1) % 3;
-        int v = (axis + 2) % 3;
-        double[] place = {p.x(), p.y(), p.z()};
+    private boolean isInside(int triangle, double x, double y, double z) {
+        double nx = Math.abs(planes.normalX(triangle));
+        double ny = Math.abs(planes.normalY(triangle));
+        double nz = Math.abs(planes.normalZ(triangle));
+        if (nx > ny) {
+            return nx > nz ? isInside(triangle, 1, 2, y, z) : isInside(triangle, 0, 1, x, y);
+        }
+        return ny > nz ? isInside(triangle, 2, 0, z, x) : isInside(triangle, 0, 1, x, y);
+    }
+
+    private boolean isInside(int triangle, int u, int v, double atU, double atV) {
         boolean positive = false;
         boolean negative = false;
         for (int k = 0; k < 3; k++) {
-            int next = (k + 1) % 3;
-            double au = mesh.coordinate(triangle, k, u) - place[u];
-            double av = mesh.coordinate(triangle, k, v) - place[v];
-            double bu = mesh.coordinate(triangle, next, u) - place[u];
-            double bv = mesh.coordinate(triangle, next, v) - place[v];
+            int next = k == 2 ? 0 : k + 1;
+            double au = mesh.coordinate(triangle, k, u) - atU;
+            double av = mesh.coordinate(triangle, k, v) - atV;
+            double bu = mesh.coordinate(triangle, next, u) - atU;
+            double bv = mesh.coordinate(triangle, next, v) - atV;
             double side = au * bv - av * bu;
             positive |= side > 0.0;
             negative |= side < 0.0;
@@ -148,44 +186,15 @@ final class ExactPaths {
         return false;
     }
 
-    private void remember(Position at, double way, double heard) {
-        if (mirrors == mirrorWays.length) {
-            mirrorWays = Arrays.copyOf(mirrorWays, 2 * mirrors);
-            mirrorHeard = Arrays.copyOf(mirrorHeard, 2 * mirrors);
+    private void remember(Position at) {
+        if (mirrors == mirrorPlaces.length) {
             mirrorPlaces = Arrays.copyOf(mirrorPlaces, 2 * mirrors);
         }
-        mirrorWays[mirrors] = way;
-        mirrorHeard[mirrors] = heard;
-        mirrorPlaces[mirrors] = at;
-        mirrors++;
+        mirrorPlaces[mirrors++] = at;
     }
 
     private boolean sees(Position from, Position surface) {
         Position way = surface.minus(from);
         return !traversal.isOccluded(from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), 0.0, 1.0 - OWN);
-    }
-
-    /** Follows the straight way through all that stands in it; false where something lets nothing pass. */
-    private boolean passes(Position from, Position to) {
-        Arrays.fill(passed, 1.0);
-        Position way = to.minus(from);
-        double start = 0.0;
-        int medium = AcousticRay.AIR;
-        while (traversal.closestHit(from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), start, 1.0 - 1e-9)) {
-            int material = mesh.material(traversal.triangle());
-            if (!surfaces.transmits(material)) {
-                return false;
-            }
-            if (medium == material) {
-                medium = AcousticRay.AIR;
-            } else {
-                for (int band = 0; band < BANDS; band++) {
-                    passed[band] *= surfaces.transmitted(material, band);
-                }
-                medium = surfaces.isSheet(material) ? medium : material;
-            }
-            start = traversal.distance() + 1e-9;
-        }
-        return true;
     }
 }

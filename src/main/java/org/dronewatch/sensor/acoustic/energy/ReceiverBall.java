@@ -1,53 +1,35 @@
 package org.dronewatch.sensor.acoustic.energy;
 
-import java.util.Arrays;
 import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * The ball about a sensor in which rays are counted: what a ray brings is its energy times the length of its chord; over
- * the ball's volume the sum of that is the mean intensity in the ball. One per thread.
+ * A ball in which rays are counted that happen to come by: what a ray brings is its energy times the length of its chord;
+ * over the ball's volume the sum of that is the mean intensity in the ball. One per thread.
  */
 final class ReceiverBall {
     private static final int BANDS = OctaveBands.COUNT;
 
-    private final Position centre;
     private final double radius;
-    private final double[] airLoss;
-    private final double soundSpeed;
-    private final double[] received = new double[BANDS];
-    private final DecayCurve decay = new DecayCurve();
-    private double ofThisRay;
-    private double sum;
-    private double squares;
-    private long rays;
+    private final double volume;
+    private final Air air;
+    private final EnergyTally tally;
+    private final double[] brought = new double[BANDS];
+
+    ReceiverBall(double radius, Air air, EnergyTally tally) {
+        this.radius = radius;
+        this.volume = 4.0 / 3.0 * Math.PI * radius * radius * radius;
+        this.air = air;
+        this.tally = tally;
+    }
 
     /**
-     * A ball.
-     *
-     * @param airLoss exponents of the loss in the air by band, 1/m
-     * @param soundSpeed m/s
+     * Counts what a ray brings to the ball about a source on its way to {@code end} metres from its origin, if it comes by.
      */
-    ReceiverBall(Position centre, double radius, double[] airLoss, double soundSpeed) {
-        this.centre = centre;
-        this.radius = radius;
-        this.airLoss = airLoss;
-        this.soundSpeed = soundSpeed;
-    }
-
-    void clear() {
-        Arrays.fill(received, 0.0);
-        decay.clear();
-        ofThisRay = 0.0;
-        sum = 0.0;
-        squares = 0.0;
-        rays = 0;
-    }
-
-    /** Counts what a ray brings on its way to {@code end} metres from its origin, if it comes by. */
-    void count(AcousticRay ray, double[] energy, double end) {
+    void count(AcousticRay ray, double[] energy, double end, SoundSource source) {
+        Position centre = source.place();
         double entry = IntersectionHandler.raySphere(
                 ray.originX,
                 ray.originY,
@@ -69,45 +51,10 @@ final class ReceiverBall {
         double besideSquared = Math.max(0.0, x * x + y * y + z * z - middle * middle);
         double exit = Math.min(end, middle + Math.sqrt(Math.max(0.0, radius * radius - besideSquared)));
         double at = 0.5 * (entry + exit);
-        double brought = 0.0;
+        double chord = (exit - entry) / volume;
         for (int band = 0; band < BANDS; band++) {
-            double inBand = energy[band] * Math.exp(-airLoss[band] * at) * (exit - entry);
-            received[band] += inBand;
-            brought += inBand;
+            brought[band] = energy[band] * source.factor(band, ray.directionZ) * air.left(band, at) * chord;
         }
-        ofThisRay += brought;
-        decay.add((ray.travelled + at) / soundSpeed, brought);
-    }
-
-    /** Notes that a ray from the source has come to its end: rays are what scatters independently. */
-    void endRay() {
-        sum += ofThisRay;
-        squares += ofThisRay * ofThisRay;
-        ofThisRay = 0.0;
-        rays++;
-    }
-
-    /** Adds to the decay what was heard on an exact path, as intensity over the source's power. */
-    void addExact(double way, double intensity) {
-        decay.add(way / soundSpeed, intensity * volume());
-    }
-
-    /** Mean intensity in the ball by band, over the source's power, 1/m2. */
-    double[] intensities() {
-        return Arrays.stream(received).map(brought -> brought / volume()).toArray();
-    }
-
-    /** Standard error of the sum of all intensities. */
-    double standardError() {
-        return Math.sqrt(Math.max(0.0, squares - sum * sum / rays)) / volume();
-    }
-
-    /** How the sound dies away; keeps its own figures. */
-    DecayCurve decay() {
-        return decay.copy();
-    }
-
-    private double volume() {
-        return 4.0 / 3.0 * Math.PI * radius * radius * radius;
+        tally.add(ray, brought, at);
     }
 }

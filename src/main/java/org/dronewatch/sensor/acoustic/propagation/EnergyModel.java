@@ -5,23 +5,41 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How the energy model propagates sound: the drone's sound power, in octave bands, is spread over rays that lose energy
- * to the air and at surfaces, so that levels fall by spreading as real ones do. The direct path and single mirror
- * reflections are exact; the rest is estimated from rays through a ball about the sensor, with its standard error.
+ * How the energy model propagates sound: levels in octave bands fall by spreading, by the air and at surfaces, as real
+ * ones do. The straight path, mirror reflections of low order and the way round an edge are computed exactly; what comes
+ * later is estimated by rays, with its standard error.
  *
- * @param rays how many rays leave the drone, 1 to 10,000,000
+ * @param rays how many rays are followed in one look, 1 to 10,000,000
  * @param roulette a ray with less than this share of its first energy goes on by chance only, above 0 and below 1
  * @param maxOrder how many surfaces a ray may meet before what is left of it is given up, 0 to 10,000
+ * @param mirrorOrder up to how many reflections by the largest planes are computed exactly, 1 to 4; single ones by all
+ *     surfaces always are
+ * @param diffraction how sound bends round edges
+ * @param criterion what is compared with the background
  */
 public record EnergyModel(
-        @In(Quantity.NUMBER) int rays, @In(Quantity.NUMBER) double roulette, @In(Quantity.NUMBER) int maxOrder)
+        @In(Quantity.NUMBER) int rays,
+        @In(Quantity.NUMBER) double roulette,
+        @In(Quantity.NUMBER) int maxOrder,
+        @In(Quantity.NUMBER) int mirrorOrder,
+        Diffraction diffraction,
+        Criterion criterion)
         implements Propagation {
 
     /**
      * 8,000 rays, chance below one half, 1,000 orders: less than 0.5 dB of standard error in a church, for what a second
      * of tracing costs there. Late chance is cheap for levels; for reverberation times a thousandth is better.
      */
-    public static final EnergyModel DEFAULT = new EnergyModel(8_000, 0.5, 1000);
+    public static final EnergyModel DEFAULT =
+            new EnergyModel(8_000, 0.5, 1000, 3, Diffraction.MAEKAWA, Criterion.A_WEIGHTED);
+
+    /** What is compared with the background to decide whether a drone is heard. */
+    public enum Criterion {
+        /** The A-weighted level of all bands together with that of the background. */
+        A_WEIGHTED,
+        /** The level in each band with that of the background; the best band decides. */
+        BEST_BAND
+    }
 
     /**
      * Checks the limits.
@@ -32,15 +50,38 @@ public record EnergyModel(
         Check.between("rays", rays, 1, 10_000_000, Quantity.NUMBER);
         Check.inside("roulette", roulette, 0.0, 1.0, Quantity.NUMBER);
         Check.between("maxOrder", maxOrder, 0, 10_000, Quantity.NUMBER);
+        Check.between("mirrorOrder", mirrorOrder, 1, 4, Quantity.NUMBER);
+        Check.present("diffraction", diffraction);
+        Check.present("criterion", criterion);
     }
 
     /** This model with another number of rays. */
     public EnergyModel withRays(int number) {
-        return new EnergyModel(number, roulette, maxOrder);
+        return new EnergyModel(number, roulette, maxOrder, mirrorOrder, diffraction, criterion);
     }
 
     /** This model with another share of energy below which rays go on by chance only. */
     public EnergyModel withRoulette(double share) {
-        return new EnergyModel(rays, share, maxOrder);
+        return new EnergyModel(rays, share, maxOrder, mirrorOrder, diffraction, criterion);
+    }
+
+    /** This model with another number of surfaces that a ray may meet. */
+    public EnergyModel withMaxOrder(int orders) {
+        return new EnergyModel(rays, roulette, orders, mirrorOrder, diffraction, criterion);
+    }
+
+    /** This model with exact mirror reflections up to another order. */
+    public EnergyModel withMirrorOrder(int order) {
+        return new EnergyModel(rays, roulette, maxOrder, order, diffraction, criterion);
+    }
+
+    /** This model with another way round edges. */
+    public EnergyModel withDiffraction(Diffraction kind) {
+        return new EnergyModel(rays, roulette, maxOrder, mirrorOrder, kind, criterion);
+    }
+
+    /** This model with another criterion. */
+    public EnergyModel withCriterion(Criterion kind) {
+        return new EnergyModel(rays, roulette, maxOrder, mirrorOrder, diffraction, kind);
     }
 }

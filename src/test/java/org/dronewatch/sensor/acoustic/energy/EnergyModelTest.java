@@ -13,6 +13,8 @@ import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
+import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.SurfaceMaterial;
@@ -50,7 +52,7 @@ class EnergyModelTest {
     }
 
     private static World world(TriangleMesh mesh, SurfaceMaterial surface) {
-        return new World(KDTree.of(mesh), 20, List.of(surface), Atmosphere.STANDARD);
+        return new World(KDTree.of(mesh), BackgroundNoise.of(20), List.of(surface), Atmosphere.STANDARD);
     }
 
     private static World open() {
@@ -66,10 +68,14 @@ class EnergyModelTest {
         return power;
     }
 
+    private static SoundSource sound(Position place, int band) {
+        return new SoundSource(place, oneBand(band), Directivity.OMNIDIRECTIONAL);
+    }
+
     private static EnergyReading read(
             World world, Position source, Position sensor, double radius, int rays, int band, long seed) {
         return new EnergyTracer(EnergyModel.DEFAULT.withRays(rays).withRoulette(1e-3), sensor, radius, world)
-                .trace(source, oneBand(band), new SplittableRandom(seed), RayRecorder.NONE);
+                .trace(sound(source, band), new SplittableRandom(seed), RayRecorder.NONE);
     }
 
     @Test
@@ -188,7 +194,7 @@ class EnergyModelTest {
                 EnergyModel.DEFAULT.withRays(1000),
                 EnergyModel.DEFAULT.withRays(30_000).withRoulette(0.05))) {
             EnergyReading quick = new EnergyTracer(model, sensor, 0.4, room)
-                    .trace(SOURCE, oneBand(LOWEST), new SplittableRandom(22), RayRecorder.NONE);
+                    .trace(sound(SOURCE, LOWEST), new SplittableRandom(22), RayRecorder.NONE);
             double both = Math.hypot(careful.standardError(), quick.standardError());
             assertThat(quick.totalLevel()).as("%s", model).isCloseTo(careful.totalLevel(), within(4 * both));
         }

@@ -15,6 +15,7 @@ import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.FlightPathSettings.Hover;
@@ -41,7 +42,11 @@ class LevelModelTest {
     }
 
     private static World world(TriangleMesh... meshes) {
-        return new World(KDTree.of(World.merge(List.of(meshes))), QUIET, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
+        return new World(
+                KDTree.of(World.merge(List.of(meshes))),
+                BackgroundNoise.of(QUIET),
+                SurfaceSettings.DEFAULT,
+                Atmosphere.STANDARD);
     }
 
     private static World farGround() {

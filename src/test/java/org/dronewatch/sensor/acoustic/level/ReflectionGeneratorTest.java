@@ -11,6 +11,7 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterials;
 import org.dronewatch.world.SurfaceSettings;
@@ -32,7 +33,7 @@ class ReflectionGeneratorTest {
                 new int[1],
                 new int[1],
                 List.of(material));
-        return new World(KDTree.of(mesh), 20, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
+        return new World(KDTree.of(mesh), BackgroundNoise.of(20), SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
     }
 
     private static AcousticRay towardsOrigin(double degrees, int medium) {

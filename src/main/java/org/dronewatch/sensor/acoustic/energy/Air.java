@@ -1,0 +1,29 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.OctaveBands;
+
+/** What the energy model takes of the air. */
+final class Air {
+    private final double[] exponents = new double[OctaveBands.COUNT];
+    private final double soundSpeed;
+
+    Air(Atmosphere atmosphere) {
+        double[] attenuations = atmosphere.attenuations();
+        for (int band = 0; band < exponents.length; band++) {
+            // Energy factor exp(-m d) for a loss in dB/m.
+            exponents[band] = attenuations[band] * Math.log(10.0) / 10.0;
+        }
+        this.soundSpeed = atmosphere.speedOfSound();
+    }
+
+    /** The share of energy in a band that is left after a way, m. */
+    double left(int band, double way) {
+        return Math.exp(-exponents[band] * way);
+    }
+
+    /** m/s. */
+    double soundSpeed() {
+        return soundSpeed;
+    }
+}

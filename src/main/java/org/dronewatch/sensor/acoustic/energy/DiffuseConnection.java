@@ -1,0 +1,55 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.World;
+
+/**
+ * Joins a point of a surface that scatters sound to the source, through what stands between: next-event estimation. What
+ * is joined here must not be counted in the ball again. One per thread.
+ */
+final class DiffuseConnection {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    private final Air air;
+    private final WallPassage walls;
+    private final EnergyTally tally;
+    private final double[] brought = new double[BANDS];
+
+    DiffuseConnection(World world, BandSurfaces surfaces, Air air, EnergyTally tally) {
+        this.air = air;
+        this.walls = new WallPassage(world, surfaces);
+        this.tally = tally;
+    }
+
+    /**
+     * Adds what a surface scatters to the source.
+     *
+     * @param ray stands where it meets the surface
+     * @param normal of the surface, on the ray's side
+     * @param scattered the energy that leaves by Lambert's law, in each band
+     * @return whether anything arrives
+     */
+    boolean add(AcousticRay ray, double[] normal, double[] scattered, SoundSource source) {
+        Position place = source.place();
+        double x = place.x() - ray.originX;
+        double y = place.y() - ray.originY;
+        double z = place.z() - ray.originZ;
+        double squared = x * x + y * y + z * z;
+        double along = x * normal[0] + y * normal[1] + z * normal[2];
+        if (!(along > 0.0)
+                || !walls.passes(ray.originX, ray.originY, ray.originZ, place.x(), place.y(), place.z(), ray.medium)) {
+            return false;
+        }
+        double way = Math.sqrt(squared);
+        double geometry = along / (way * Math.PI * squared);
+        double rise = z / way;
+        for (int band = 0; band < BANDS; band++) {
+            brought[band] =
+                    scattered[band] * geometry * walls.passed(band) * source.factor(band, rise) * air.left(band, way);
+        }
+        tally.add(ray, brought, way);
+        return true;
+    }
+}

@@ -1,0 +1,113 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.world.World;
+
+/**
+ * The way round the nearest edge of what hides a source. In each of several half-planes through source and sensor, the
+ * lowest free rays from either end meet above the edge, or above the highest of several (Bullington, Proceedings of the
+ * IRE 35, 1947, for radio over hills); of all half-planes the one with the least detour counts. One per thread.
+ */
+final class EdgePath {
+    private static final int HALF_PLANES = 24;
+    private static final double FIRST_SLOPE = 0.01;
+    private static final double LARGEST_SLOPE = 12.0;
+    private static final int HALVINGS = 24;
+
+    private final KDTraversal traversal;
+    private double pathDifference;
+    private double rise;
+
+    EdgePath(World world) {
+        this.traversal = world.newTraversal();
+    }
+
+    /** Looks for the nearest edge between two points that do not see each other; false where there is no way round. */
+    boolean find(Position source, Position sensor) {
+        Position way = sensor.minus(source);
+        double straight = way.length();
+        Position ahead = way.times(1.0 / straight);
+        Position across = across(ahead);
+        Position up = cross(across, ahead);
+        pathDifference = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < HALF_PLANES; i++) {
+            double angle = 2.0 * Math.PI * i / HALF_PLANES;
+            Position side = up.times(Math.cos(angle)).plus(across.times(Math.sin(angle)));
+            double ofSource = lowestFree(source, way, side.times(straight));
+            if (!Double.isFinite(ofSource)) {
+                continue;
+            }
+            double ofSensor = lowestFree(sensor, way.times(-1.0), side.times(straight));
+            if (!Double.isFinite(ofSensor)) {
+                continue;
+            }
+            double share = ofSensor / (ofSource + ofSensor);
+            double first = share * Math.hypot(1.0, ofSource);
+            double second = (1.0 - share) * Math.hypot(1.0, ofSensor);
+            double detour = straight * (first + second - 1.0);
+            if (detour < pathDifference) {
+                pathDifference = detour;
+                Position leaving = ahead.plus(side.times(ofSource));
+                rise = leaving.z() / leaving.length();
+            }
+        }
+        return Double.isFinite(pathDifference);
+    }
+
+    /** How much longer the last way found is than the straight one, m. */
+    double pathDifference() {
+        return pathDifference;
+    }
+
+    /** Sine of the elevation at which the last way found leaves the source. */
+    double rise() {
+        return rise;
+    }
+
+    /** Slope against the straight way of the lowest ray that passes all that is in it; infinity where none does. */
+    private double lowestFree(Position from, Position way, Position side) {
+        double blocked = 0.0;
+        double free = FIRST_SLOPE;
+        while (isBlocked(from, way, side, free)) {
+            blocked = free;
+            free *= 2.0;
+            if (free > LARGEST_SLOPE) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
+        for (int i = 0; i < HALVINGS; i++) {
+            double middle = 0.5 * (blocked + free);
+            if (isBlocked(from, way, side, middle)) {
+                blocked = middle;
+            } else {
+                free = middle;
+            }
+        }
+        return free;
+    }
+
+    private boolean isBlocked(Position from, Position way, Position side, double slope) {
+        return traversal.isOccluded(
+                from.x(),
+                from.y(),
+                from.z(),
+                way.x() + slope * side.x(),
+                way.y() + slope * side.y(),
+                way.z() + slope * side.z(),
+                0.0,
+                1.0);
+    }
+
+    /** A level direction across, so that the first half-plane stands upright; any for a vertical way. */
+    private static Position across(Position ahead) {
+        Position across = new Position(ahead.y(), -ahead.x(), 0.0);
+        double length = across.length();
+        return length < 1e-9 ? new Position(1.0, 0.0, 0.0) : across.times(1.0 / length);
+    }
+
+    private static Position cross(Position a, Position b) {
+        return new Position(
+                a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x());
+    }
+}

@@ -1,0 +1,74 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sound.OctaveBands;
+
+/**
+ * Sums what rays bring, as intensity over the source's power, and keeps account of how it scatters from ray to ray. One
+ * per thread.
+ */
+final class EnergyTally {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    private final Air air;
+    private final double[] received = new double[BANDS];
+    private final DecayCurve decay = new DecayCurve();
+    private double ofThisRay;
+    private double sum;
+    private double squares;
+    private long rays;
+
+    EnergyTally(Air air) {
+        this.air = air;
+    }
+
+    void clear() {
+        Arrays.fill(received, 0.0);
+        decay.clear();
+        ofThisRay = 0.0;
+        sum = 0.0;
+        squares = 0.0;
+        rays = 0;
+    }
+
+    /**
+     * What a ray brings.
+     *
+     * @param ray where it comes from
+     * @param inBand what it brings in each band, 1/m2
+     * @param onward how far it still was from its last surface, m
+     */
+    void add(AcousticRay ray, double[] inBand, double onward) {
+        double brought = 0.0;
+        for (int band = 0; band < BANDS; band++) {
+            received[band] += inBand[band];
+            brought += inBand[band];
+        }
+        ofThisRay += brought;
+        decay.add((ray.travelled + onward) / air.soundSpeed(), brought);
+    }
+
+    /** Notes that a ray has come to its end: rays are what scatters independently. */
+    void endRay() {
+        sum += ofThisRay;
+        squares += ofThisRay * ofThisRay;
+        ofThisRay = 0.0;
+        rays++;
+    }
+
+    /** What all rays brought in a band, 1/m2. */
+    double received(int band) {
+        return received[band];
+    }
+
+    /** Standard error of what all rays brought in all bands, 1/m2. */
+    double standardError() {
+        return Math.sqrt(Math.max(0.0, squares - sum * sum / rays));
+    }
+
+    /** When it arrived; keeps its own figures. */
+    DecayCurve decay() {
+        return decay.copy();
+    }
+}

@@ -1,0 +1,55 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+import org.dronewatch.sound.OctaveBands;
+
+/** Paths that were found one by one: what is heard over them, as intensity over the source's power in all bands, 1/m2. */
+final class HeardPaths {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    private final double[] heard = new double[BANDS];
+    private double[] ways = new double[16];
+    private double[] brought = new double[16];
+    private int count;
+
+    void clear() {
+        Arrays.fill(heard, 0.0);
+        count = 0;
+    }
+
+    /**
+     * One path.
+     *
+     * @param way its length, m
+     * @param inBand what is heard by it, by band
+     */
+    void add(double way, double[] inBand) {
+        double all = 0.0;
+        for (int band = 0; band < BANDS; band++) {
+            heard[band] += inBand[band];
+            all += inBand[band];
+        }
+        if (count == ways.length) {
+            ways = Arrays.copyOf(ways, 2 * count);
+            brought = Arrays.copyOf(brought, 2 * count);
+        }
+        ways[count] = way;
+        brought[count] = all;
+        count++;
+    }
+
+    int count() {
+        return count;
+    }
+
+    double heard(int band) {
+        return heard[band];
+    }
+
+    /** Puts every path into a decay curve at its time of arrival. */
+    void addTo(DecayCurve decay, double soundSpeed) {
+        for (int i = 0; i < count; i++) {
+            decay.add(ways[i] / soundSpeed, brought[i]);
+        }
+    }
+}

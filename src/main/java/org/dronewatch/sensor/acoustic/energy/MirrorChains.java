@@ -1,0 +1,158 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.World;
+
+/**
+ * Paths over two or more mirror reflections by the largest walls, exact: the source is mirrored from wall to wall, and the
+ * path back from the sensor must meet every wall where it should, with nothing between (Allen and Berkley, JASA 65, 1979;
+ * Borish, JASA 75, 1984, for rooms of any shape). One per thread.
+ */
+final class MirrorChains {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    /** How exactly a path must meet a wall, as a share of the way to it. */
+    private static final double OWN = 1e-6;
+
+    /** A point so near to a plane is on it, m: at the edge of two walls a path meets both at once. */
+    private static final double ON = 1e-6;
+
+    private final TriangleMesh mesh;
+    private final WallPlanes planes;
+    private final KDTraversal traversal;
+    private final BandSurfaces surfaces;
+    private final Air air;
+    private final int maxOrder;
+    private final int[] walls;
+    private final int[] materials;
+    private final double[][] images;
+    private final double[] heard = new double[BANDS];
+    private double[] heardImages = new double[3 * 16];
+    private int heardCount;
+
+    MirrorChains(World world, WallPlanes planes, BandSurfaces surfaces, Air air, int maxOrder) {
+        this.mesh = world.mesh();
+        this.planes = planes;
+        this.traversal = world.newTraversal();
+        this.surfaces = surfaces;
+        this.air = air;
+        this.maxOrder = maxOrder;
+        this.walls = new int[maxOrder];
+        this.materials = new int[maxOrder];
+        this.images = new double[maxOrder + 1][3];
+    }
+
+    /** Adds all paths of order two to the largest one. */
+    void addTo(HeardPaths paths, SoundSource source, Position sensor) {
+        Position place = source.place();
+        images[0][0] = place.x();
+        images[0][1] = place.y();
+        images[0][2] = place.z();
+        heardCount = 0;
+        mirror(0, source, sensor, paths);
+    }
+
+    /** Mirrors the last image in every wall but the one before; looks for a path from two reflections on. */
+    private void mirror(int order, SoundSource source, Position sensor, HeardPaths paths) {
+        for (int wall = 0; wall < planes.wallCount(); wall++) {
+            if (order > 0 && walls[order - 1] == wall) {
+                continue;
+            }
+            int triangle = planes.triangleOf(wall);
+            double[] from = images[order];
+            double[] to = images[order + 1];
+            double twice = 2.0 * planes.height(triangle, from[0], from[1], from[2]);
+            to[0] = from[0] - twice * planes.normalX(triangle);
+            to[1] = from[1] - twice * planes.normalY(triangle);
+            to[2] = from[2] - twice * planes.normalZ(triangle);
+            walls[order] = wall;
+            if (order > 0) {
+                follow(order, source, sensor, paths);
+            }
+            if (order + 1 < maxOrder) {
+                mirror(order + 1, source, sensor, paths);
+            }
+        }
+    }
+
+    /** Follows a path back from the sensor over the walls of the last images, and adds it if it gets to the source. */
+    private void follow(int last, SoundSource source, Position sensor, HeardPaths paths) {
+        double x = sensor.x();
+        double y = sensor.y();
+        double z = sensor.z();
+        double tMin = 0.0;
+        for (int k = last; k >= 0; k--) {
+            int triangle = planes.triangleOf(walls[k]);
+            double[] image = images[k + 1];
+            double here = planes.height(triangle, x, y, z);
+            if (k < last && Math.abs(here) < ON && planes.mayContain(walls[k], x, y, z)) {
+                materials[k] = mesh.material(triangle);
+                continue;
+            }
+            double there = planes.height(triangle, image[0], image[1], image[2]);
+            if (!(here * there < 0.0)) {
+                return;
+            }
+            double share = here / (here - there);
+            double dx = share * (image[0] - x);
+            double dy = share * (image[1] - y);
+            double dz = share * (image[2] - z);
+            if (!planes.mayContain(walls[k], x + dx, y + dy, z + dz)
+                    || !traversal.closestHit(x, y, z, dx, dy, dz, tMin, 1.0 + OWN)
+                    || traversal.distance() < 1.0 - OWN
+                    || planes.wallOf(traversal.triangle()) != walls[k]) {
+                return;
+            }
+            materials[k] = mesh.material(traversal.triangle());
+            x += dx;
+            y += dy;
+            z += dz;
+            tMin = OWN;
+        }
+        double[] place = images[0];
+        if (traversal.isOccluded(x, y, z, place[0] - x, place[1] - y, place[2] - z, OWN, 1.0 - OWN)) {
+            return;
+        }
+        double[] image = images[last + 1];
+        if (isKnown(image)) {
+            return;
+        }
+        double way = new Position(image[0], image[1], image[2]).distance(sensor);
+        double firstLeg = Math.sqrt(square(x - place[0]) + square(y - place[1]) + square(z - place[2]));
+        double rise = (z - place[2]) / firstLeg;
+        for (int band = 0; band < BANDS; band++) {
+            heard[band] =
+                    source.share(band) * source.factor(band, rise) * air.left(band, way) / (4.0 * Math.PI * way * way);
+            for (int k = 0; k <= last; k++) {
+                heard[band] *= surfaces.mirrored(materials[k], band);
+            }
+        }
+        paths.add(way, heard);
+    }
+
+    /** Over the edge of two walls at a right angle, both orders of the walls give the same path. */
+    private boolean isKnown(double[] image) {
+        for (int i = 0; i < heardCount; i++) {
+            double away = Math.abs(heardImages[3 * i] - image[0])
+                    + Math.abs(heardImages[3 * i + 1] - image[1])
+                    + Math.abs(heardImages[3 * i + 2] - image[2]);
+            if (away < ON) {
+                return true;
+            }
+        }
+        if (3 * heardCount == heardImages.length) {
+            heardImages = Arrays.copyOf(heardImages, 2 * heardImages.length);
+        }
+        System.arraycopy(image, 0, heardImages, 3 * heardCount, 3);
+        heardCount++;
+        return false;
+    }
+
+    private static double square(double value) {
+        return value * value;
+    }
+}

@@ -1,0 +1,56 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.List;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sound.Directivity;
+import org.dronewatch.sound.Levels;
+
+/** What a drone gives to the air: where, how much in each band, and how that depends on the elevation. */
+public final class SoundSource {
+    private final Position place;
+    private final double[] power;
+    private final EmissionPattern pattern;
+    private final double emitted;
+
+    /**
+     * A source.
+     *
+     * @param place where it is, m
+     * @param powerLevels sound power level in each band, dB re 1 pW; minus infinity for silence
+     * @param directivity how much of it leaves at which elevation
+     */
+    public SoundSource(Position place, List<Double> powerLevels, Directivity directivity) {
+        this.place = place;
+        this.power = powerLevels.stream().mapToDouble(Levels::toRatio).toArray();
+        this.pattern = EmissionPattern.of(directivity);
+        double sum = 0.0;
+        for (double inBand : power) {
+            sum += inBand;
+        }
+        this.emitted = sum;
+    }
+
+    /** Where it is. */
+    Position place() {
+        return place;
+    }
+
+    /** Power of all bands together, over 1 pW. */
+    double emitted() {
+        return emitted;
+    }
+
+    /** Power in a band over that of all bands. */
+    double share(int band) {
+        return power[band] / emitted;
+    }
+
+    /**
+     * What the power in a band counts for in one direction: 1 in the mean of all directions.
+     *
+     * @param rise sine of the elevation at which the sound leaves
+     */
+    double factor(int band, double rise) {
+        return pattern.factor(band, rise);
+    }
+}

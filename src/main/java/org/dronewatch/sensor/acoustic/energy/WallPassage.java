@@ -1,0 +1,78 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.World;
+
+/**
+ * Straight ways through all that stands in them: a sheet takes its transmission loss, a solid takes it once, on the way
+ * in; what is opaque lets nothing pass. One per thread.
+ */
+final class WallPassage {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    /** How near to an end of a way a surface counts as the end's own, as a share of the way. */
+    private static final double OWN = 1e-9;
+
+    private final TriangleMesh mesh;
+    private final KDTraversal traversal;
+    private final BandSurfaces surfaces;
+    private final double[] passed = new double[BANDS];
+    private boolean free;
+
+    WallPassage(World world, BandSurfaces surfaces) {
+        this.mesh = world.mesh();
+        this.traversal = world.newTraversal();
+        this.surfaces = surfaces;
+    }
+
+    /**
+     * Whether anything of the sound gets from one point to another.
+     *
+     * @param medium number of the material in which the way begins, or {@link AcousticRay#AIR}
+     */
+    boolean passes(double fromX, double fromY, double fromZ, double toX, double toY, double toZ, int medium) {
+        double x = toX - fromX;
+        double y = toY - fromY;
+        double z = toZ - fromZ;
+        Arrays.fill(passed, 1.0);
+        free = !traversal.isOccluded(fromX, fromY, fromZ, x, y, z, OWN, 1.0 - OWN);
+        if (free) {
+            return true;
+        }
+        if (!surfaces.anyTransmits()) {
+            return false;
+        }
+        double start = OWN;
+        int within = medium;
+        while (traversal.closestHit(fromX, fromY, fromZ, x, y, z, start, 1.0 - OWN)) {
+            int material = mesh.material(traversal.triangle());
+            if (!surfaces.transmits(material)) {
+                return false;
+            }
+            if (within == material) {
+                within = AcousticRay.AIR;
+            } else {
+                for (int band = 0; band < BANDS; band++) {
+                    passed[band] *= surfaces.transmitted(material, band);
+                }
+                within = surfaces.isSheet(material) ? within : material;
+            }
+            start = traversal.distance() + OWN;
+        }
+        return true;
+    }
+
+    /** Whether nothing stood in the last way. */
+    boolean isFree() {
+        return free;
+    }
+
+    /** The share of a band that passed on the last way. */
+    double passed(int band) {
+        return passed[band];
+    }
+}

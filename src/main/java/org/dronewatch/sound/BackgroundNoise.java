@@ -1,0 +1,46 @@
+package org.dronewatch.sound;
+
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * The sound of a place without drones: one level, and how it falls on the octave bands.
+ *
+ * @param level A-weighted sound pressure level of all bands together, -20 to 140 dB re 20 uPa
+ * @param shape levels of the bands relative to one another, dB
+ */
+public record BackgroundNoise(double level, BandLevels shape) {
+    /**
+     * Falls by 4 dB from octave to octave. Assumed: between wind in leaves, which is flatter, and far traffic, which is
+     * steeper. A decision by bands stands and falls with it, so measure your own.
+     */
+    public static final BandLevels FALLING = BandLevels.of(0, -4, -8, -12, -16, -20, -24, -28);
+
+    private static final double LEAST = -20.0;
+    private static final double MOST = 140.0;
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public BackgroundNoise {
+        Check.between("backgroundNoise", level, LEAST, MOST, Quantity.LEVEL);
+        Check.present("noiseShape", shape);
+    }
+
+    /** A level with the shape that is assumed unless something is known. */
+    public static BackgroundNoise of(double level) {
+        return new BackgroundNoise(level, FALLING);
+    }
+
+    /** A measured spectrum: sound pressure levels by band, dB re 20 uPa, without weighting. */
+    public static BackgroundNoise of(BandLevels spectrum) {
+        return new BackgroundNoise(spectrum.aWeighted(), spectrum);
+    }
+
+    /** Sound pressure levels by band, dB re 20 uPa, without weighting. */
+    public BandLevels spectrum() {
+        return shape.plus(level - shape.aWeighted());
+    }
+}

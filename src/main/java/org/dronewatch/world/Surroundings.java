@@ -1,0 +1,56 @@
+package org.dronewatch.world;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTraversal;
+
+/** What stands about a place, seen by one ray to each corner, edge and face of a cube. */
+final class Surroundings {
+    private final TriangleMesh mesh;
+    private final KDTraversal traversal;
+
+    Surroundings(World world) {
+        this.mesh = world.mesh();
+        this.traversal = world.newTraversal();
+    }
+
+    /**
+     * Whether most surfaces about a place show their backs: then it is inside a wall or under the ground, in a mesh whose
+     * triangles are wound counter-clockwise seen from where sound and light are.
+     */
+    boolean showTheirBacks(Position place) {
+        int fronts = 0;
+        int backs = 0;
+        for (int x = -1; x <= 1; x++) {
+            for (int y = -1; y <= 1; y++) {
+                for (int z = -1; z <= 1; z++) {
+                    boolean any = (x != 0 || y != 0 || z != 0)
+                            && traversal.closestHit(
+                                    place.x(), place.y(), place.z(), x, y, z, 0.0, Double.POSITIVE_INFINITY);
+                    if (any && isBack(traversal.triangle(), x, y, z)) {
+                        backs++;
+                    } else if (any) {
+                        fronts++;
+                    }
+                }
+            }
+        }
+        return backs > fronts;
+    }
+
+    private boolean isBack(int triangle, int x, int y, int z) {
+        double[] a = side(triangle, 1);
+        double[] b = side(triangle, 2);
+        double along =
+                x * (a[1] * b[2] - a[2] * b[1]) + y * (a[2] * b[0] - a[0] * b[2]) + z * (a[0] * b[1] - a[1] * b[0]);
+        return along > 0.0;
+    }
+
+    private double[] side(int triangle, int corner) {
+        double[] side = new double[3];
+        for (int axis = 0; axis < side.length; axis++) {
+            side[axis] = mesh.coordinate(triangle, corner, axis) - mesh.coordinate(triangle, 0, axis);
+        }
+        return side;
+    }
+}
