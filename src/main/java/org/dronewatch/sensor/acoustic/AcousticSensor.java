@@ -145,7 +145,8 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
             return List.of();
         }
         // Late sound is faint: rays must be followed for long, where levels need them only for a short while.
-        EnergyModel patient = model.withRoulette(Math.min(model.roulette(), PATIENCE));
+        EnergyModel patient =
+                model.withRoulette(Math.min(model.roulette(), PATIENCE)).withAccuracy(0.0);
         DecayCurve decay = new EnergyTracer(patient, settings.position(), settings.radius(), world)
                 .trace(sound(drone), random, RayRecorder.NONE)
                 .decay();

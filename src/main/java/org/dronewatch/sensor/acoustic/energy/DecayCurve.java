@@ -30,11 +30,13 @@ public final class DecayCurve {
         Arrays.fill(received, 0.0);
     }
 
-    /** A copy, for a result to keep. */
-    DecayCurve copy() {
-        DecayCurve copy = new DecayCurve();
-        System.arraycopy(received, 0, copy.received, 0, BINS);
-        return copy;
+    /** A curve of its own with all energies times a factor. */
+    DecayCurve scaled(double factor) {
+        DecayCurve scaled = new DecayCurve();
+        for (int bin = 0; bin < BINS; bin++) {
+            scaled.received[bin] = factor * received[bin];
+        }
+        return scaled;
     }
 
     /** Levels of what is still to come at the beginning of each bin, dB re all; minus infinity after the last arrival. */

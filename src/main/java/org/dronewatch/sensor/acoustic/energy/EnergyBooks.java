@@ -44,7 +44,19 @@ final class EnergyBooks {
         lost += Math.max(0.0, before - after);
     }
 
-    EnergyAudit audit() {
-        return new EnergyAudit(1.0, gained, absorbed, air, escaped, lost, residual);
+    /**
+     * The shares of what was emitted.
+     *
+     * @param emitted by all rays together
+     */
+    EnergyAudit audit(double emitted) {
+        return new EnergyAudit(
+                1.0,
+                gained / emitted,
+                absorbed / emitted,
+                air / emitted,
+                escaped / emitted,
+                lost / emitted,
+                residual / emitted);
     }
 }

@@ -16,6 +16,7 @@ import org.dronewatch.sound.OctaveBands;
  * @param diffracted round the nearest edge of what hides the drone
  * @param mirrored by mirror reflections of low order, exact
  * @param reverberant by all that comes later, estimated
+ * @param traced how many straight pieces of rays were traced
  * @param standardError of the level of all together, dB, from the scatter among rays
  * @param audit where the rays' energy went
  * @param decay how the sound dies away
@@ -25,6 +26,7 @@ public record EnergyReading(
         List<Double> diffracted,
         List<Double> mirrored,
         List<Double> reverberant,
+        long traced,
         double standardError,
         EnergyAudit audit,
         DecayCurve decay) {
@@ -94,6 +96,7 @@ public record EnergyReading(
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("direct_db", directLevel());
         figures.put("reverberant_db", reverberantLevel());
+        figures.put("rays_traced", (double) traced);
         figures.put("standard_error_db", standardError);
         for (int band = 0; band < OctaveBands.COUNT; band++) {
             figures.put("level_" + OctaveBands.nominal(band) + "hz_db", level(band));

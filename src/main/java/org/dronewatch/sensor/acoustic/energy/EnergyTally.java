@@ -57,18 +57,28 @@ final class EnergyTally {
         rays++;
     }
 
-    /** What all rays brought in a band, 1/m2. */
+    /** How many rays have ended. */
+    long rays() {
+        return rays;
+    }
+
+    /** What a ray brings in a band in the mean, 1/m2. */
     double received(int band) {
-        return received[band];
+        return received[band] / rays;
     }
 
-    /** Standard error of what all rays brought in all bands, 1/m2. */
+    /** What a ray brings in all bands in the mean, 1/m2. */
+    double received() {
+        return sum / rays;
+    }
+
+    /** Standard error of {@link #received()}, 1/m2. */
     double standardError() {
-        return Math.sqrt(Math.max(0.0, squares - sum * sum / rays));
+        return Math.sqrt(Math.max(0.0, squares - sum * sum / rays)) / rays;
     }
 
-    /** When it arrived; keeps its own figures. */
+    /** When it arrives; keeps its own figures. */
     DecayCurve decay() {
-        return decay.copy();
+        return decay.scaled(1.0 / rays);
     }
 }

@@ -32,6 +32,11 @@ public final class EnergyTracer {
     /** Up to this order every surface that scatters is joined to the source, later ones when chance scatters there. */
     private static final int ALWAYS_JOINED = 2;
 
+    /** Rays before the first look at the standard error, which a few may deceive, and from one look to the next. */
+    private static final int FEWEST = 1000;
+
+    private static final int BATCH = 500;
+
     /** How far rays that meet nothing are drawn, m. */
     private static final double DRAWN = 1000.0;
 
@@ -52,6 +57,7 @@ public final class EnergyTracer {
     private final double[] scattered = new double[BANDS];
     private final double[] normal = new double[3];
 
+    private long traced;
     private SoundSource source;
     private RandomGenerator random;
     private RayRecorder recorder;
@@ -100,15 +106,24 @@ public final class EnergyTracer {
         recorder = told;
         books.clear();
         tally.clear();
-        for (int i = 0; i < model.rays(); i++) {
-            for (int band = 0; band < BANDS; band++) {
-                energy[band] = source.share(band) / model.rays();
-            }
+        traced = 0;
+        exact.find(source, sensor);
+        for (int i = 0; i < model.rays() && !isAccurate(i); i++) {
             follow();
             tally.endRay();
         }
-        exact.find(source, sensor);
         return reading();
+    }
+
+    /** Looks now and then only: to stop at the first chance prefers low values. */
+    private boolean isAccurate(int rays) {
+        return rays >= FEWEST && rays % BATCH == 0 && errorLevel() <= model.accuracy();
+    }
+
+    /** Standard error of the level of all that is heard so far, dB; infinity as long as that is nothing. */
+    private double errorLevel() {
+        double all = exact.heard() + tally.received();
+        return all > 0.0 ? Levels.ofRatio(1.0 + tally.standardError() / all) : Double.POSITIVE_INFINITY;
     }
 
     private EnergyReading reading() {
@@ -116,8 +131,7 @@ public final class EnergyTracer {
         List<Double> diffracted = energies(exact.diffracted()::heard);
         List<Double> mirrored = energies(exact.mirrored()::heard);
         List<Double> reverberant = energies(tally::received);
-        double all = sum(direct) + sum(diffracted) + sum(mirrored) + sum(reverberant);
-        double error = tally.standardError() * source.emitted();
+        double error = errorLevel();
         DecayCurve decay = tally.decay();
         exact.direct().addTo(decay, air.soundSpeed());
         exact.diffracted().addTo(decay, air.soundSpeed());
@@ -127,8 +141,9 @@ public final class EnergyTracer {
                 diffracted,
                 mirrored,
                 reverberant,
-                all > 0.0 ? Levels.ofRatio(1.0 + error / all) : 0.0,
-                books.audit(),
+                traced,
+                Double.isFinite(error) ? error : 0.0,
+                books.audit(tally.rays()),
                 decay);
     }
 
@@ -139,10 +154,6 @@ public final class EnergyTracer {
             energies.add(intensities.applyAsDouble(band) * source.emitted());
         }
         return energies;
-    }
-
-    private static double sum(List<Double> values) {
-        return values.stream().mapToDouble(Double::doubleValue).sum();
     }
 
     private double left() {
@@ -167,6 +178,7 @@ public final class EnergyTracer {
                     ray.directionZ,
                     0.0,
                     Double.POSITIVE_INFINITY);
+            traced++;
             double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
             if (fromMirror && !isExact()) {
                 ball.count(ray, energy, distance, source);
@@ -189,6 +201,9 @@ public final class EnergyTracer {
     }
 
     private void start() {
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] = source.share(band);
+        }
         ray.originX = sensor.x();
         ray.originY = sensor.y();
         ray.originZ = sensor.z();
@@ -216,7 +231,7 @@ public final class EnergyTracer {
                     ray.originX + length * ray.directionX,
                     ray.originY + length * ray.directionY,
                     ray.originZ + length * ray.directionZ,
-                    Levels.ofRatio(left() * source.emitted()),
+                    Levels.ofRatio(left() * source.emitted() / model.rays()),
                     ray.order,
                     false);
         }
@@ -232,7 +247,7 @@ public final class EnergyTracer {
                     place.x(),
                     place.y(),
                     place.z(),
-                    Levels.ofRatio(left() * source.emitted()),
+                    Levels.ofRatio(left() * source.emitted() / model.rays()),
                     ray.order,
                     true);
         }
@@ -327,6 +342,7 @@ public final class EnergyTracer {
     }
 
     private void join(double[] leaving) {
+        traced++;
         if (connection.add(ray, normal, leaving, source)) {
             recordConnection();
         }

@@ -63,6 +63,11 @@ final class ExactPaths {
         chains.addTo(mirrored, source, sensor);
     }
 
+    /** What comes over all exact paths in all bands. */
+    double heard() {
+        return direct.heard() + diffracted.heard() + mirrored.heard();
+    }
+
     /** What comes straight: power over the sphere, less air and walls. */
     HeardPaths direct() {
         return direct;

@@ -38,10 +38,16 @@ final class HeardPaths {
         count++;
     }
 
-    int count() {
-        return count;
+    /** What is heard over all paths in all bands. */
+    double heard() {
+        double sum = 0.0;
+        for (double inBand : heard) {
+            sum += inBand;
+        }
+        return sum;
     }
 
+    /** What is heard over all paths in a band. */
     double heard(int band) {
         return heard[band];
     }

@@ -9,7 +9,8 @@ import org.dronewatch.setting.Quantity;
  * ones do. The straight path, mirror reflections of low order and the way round an edge are computed exactly; what comes
  * later is estimated by rays, with its standard error.
  *
- * @param rays how many rays are followed in one look, 1 to 10,000,000
+ * @param rays how many rays are followed in one look at most, 1 to 10,000,000
+ * @param accuracy no more rays are followed once the standard error of the level is below this, 0 to 10 dB; with 0 all are
  * @param roulette a ray with less than this share of its first energy goes on by chance only, above 0 and below 1
  * @param maxOrder how many surfaces a ray may meet before what is left of it is given up, 0 to 10,000
  * @param mirrorOrder up to how many reflections by the largest planes are computed exactly, 1 to 4; single ones by all
@@ -19,6 +20,7 @@ import org.dronewatch.setting.Quantity;
  */
 public record EnergyModel(
         @In(Quantity.NUMBER) int rays,
+        @In(Quantity.LEVEL) double accuracy,
         @In(Quantity.NUMBER) double roulette,
         @In(Quantity.NUMBER) int maxOrder,
         @In(Quantity.NUMBER) int mirrorOrder,
@@ -27,11 +29,12 @@ public record EnergyModel(
         implements Propagation {
 
     /**
-     * 8,000 rays, chance below one half, 1,000 orders: less than 0.5 dB of standard error in a church, for what a second
-     * of tracing costs there. Late chance is cheap for levels; for reverberation times a thousandth is better.
+     * 8,000 rays, chance below one half, 1,000 orders: less than 0.5 dB of standard error in a church, for half a second
+     * of tracing. In the open 0.1 dB is reached by fewer. Late chance is cheap for levels; for reverberation times a
+     * thousandth is better.
      */
     public static final EnergyModel DEFAULT =
-            new EnergyModel(8_000, 0.5, 1000, 3, Diffraction.MAEKAWA, Criterion.A_WEIGHTED);
+            new EnergyModel(8_000, 0.1, 0.5, 1000, 3, Diffraction.MAEKAWA, Criterion.A_WEIGHTED);
 
     /** What is compared with the background to decide whether a drone is heard. */
     public enum Criterion {
@@ -48,6 +51,7 @@ public record EnergyModel(
      */
     public EnergyModel {
         Check.between("rays", rays, 1, 10_000_000, Quantity.NUMBER);
+        Check.between("accuracy", accuracy, 0.0, 10.0, Quantity.LEVEL);
         Check.inside("roulette", roulette, 0.0, 1.0, Quantity.NUMBER);
         Check.between("maxOrder", maxOrder, 0, 10_000, Quantity.NUMBER);
         Check.between("mirrorOrder", mirrorOrder, 1, 4, Quantity.NUMBER);
@@ -57,31 +61,36 @@ public record EnergyModel(
 
     /** This model with another number of rays. */
     public EnergyModel withRays(int number) {
-        return new EnergyModel(number, roulette, maxOrder, mirrorOrder, diffraction, criterion);
+        return new EnergyModel(number, accuracy, roulette, maxOrder, mirrorOrder, diffraction, criterion);
+    }
+
+    /** This model with another standard error at which no more rays are followed, dB. */
+    public EnergyModel withAccuracy(double decibels) {
+        return new EnergyModel(rays, decibels, roulette, maxOrder, mirrorOrder, diffraction, criterion);
     }
 
     /** This model with another share of energy below which rays go on by chance only. */
     public EnergyModel withRoulette(double share) {
-        return new EnergyModel(rays, share, maxOrder, mirrorOrder, diffraction, criterion);
+        return new EnergyModel(rays, accuracy, share, maxOrder, mirrorOrder, diffraction, criterion);
     }
 
     /** This model with another number of surfaces that a ray may meet. */
     public EnergyModel withMaxOrder(int orders) {
-        return new EnergyModel(rays, roulette, orders, mirrorOrder, diffraction, criterion);
+        return new EnergyModel(rays, accuracy, roulette, orders, mirrorOrder, diffraction, criterion);
     }
 
     /** This model with exact mirror reflections up to another order. */
     public EnergyModel withMirrorOrder(int order) {
-        return new EnergyModel(rays, roulette, maxOrder, order, diffraction, criterion);
+        return new EnergyModel(rays, accuracy, roulette, maxOrder, order, diffraction, criterion);
     }
 
     /** This model with another way round edges. */
     public EnergyModel withDiffraction(Diffraction kind) {
-        return new EnergyModel(rays, roulette, maxOrder, mirrorOrder, kind, criterion);
+        return new EnergyModel(rays, accuracy, roulette, maxOrder, mirrorOrder, kind, criterion);
     }
 
     /** This model with another criterion. */
     public EnergyModel withCriterion(Criterion kind) {
-        return new EnergyModel(rays, roulette, maxOrder, mirrorOrder, diffraction, kind);
+        return new EnergyModel(rays, accuracy, roulette, maxOrder, mirrorOrder, diffraction, kind);
     }
 }

@@ -3,18 +3,16 @@ package org.dronewatch.sensor.acoustic.energy;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
+import static org.dronewatch.sensor.acoustic.energy.Sites.LOWEST;
+import static org.dronewatch.sensor.acoustic.energy.Sites.LW;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.Atmosphere;
-import org.dronewatch.sound.BackgroundNoise;
-import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.SurfaceMaterial;
@@ -26,56 +24,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** The energy model against closed forms, an exact image-source sum and an independent Monte Carlo simulation. */
 class EnergyModelTest {
-    private static final double LW = 100.0;
     private static final Position SOURCE = new Position(2, 3, 1.5);
-    private static final int LOWEST = 0;
-
-    /** A box from the origin to a corner; its material is number 0. */
-    private static TriangleMesh box(double x, double y, double z) {
-        float[] vertices = new float[24];
-        for (int i = 0; i < 8; i++) {
-            vertices[3 * i] = (float) ((i & 1) == 0 ? 0 : x);
-            vertices[3 * i + 1] = (float) ((i & 2) == 0 ? 0 : y);
-            vertices[3 * i + 2] = (float) ((i & 4) == 0 ? 0 : z);
-        }
-        int[] corners = {
-            0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5
-        };
-        return TriangleMesh.of(vertices, corners);
-    }
-
-    /** A level square about the z axis. */
-    private static TriangleMesh square(double half, double z) {
-        float h = (float) half;
-        float at = (float) z;
-        return TriangleMesh.of(new float[] {-h, -h, at, h, -h, at, h, h, at, -h, h, at}, new int[] {0, 1, 2, 0, 2, 3});
-    }
-
-    private static World world(TriangleMesh mesh, SurfaceMaterial surface) {
-        return new World(KDTree.of(mesh), BackgroundNoise.of(20), List.of(surface), Atmosphere.STANDARD);
-    }
-
-    private static World open() {
-        return world(square(1, -1e6), SurfaceMaterial.uniform("any", 0.5, 0));
-    }
-
-    /** 100 dB of sound power in one band. */
-    private static List<Double> oneBand(int band) {
-        List<Double> power = new ArrayList<>();
-        for (int i = 0; i < OctaveBands.COUNT; i++) {
-            power.add(i == band ? LW : Double.NEGATIVE_INFINITY);
-        }
-        return power;
-    }
-
-    private static SoundSource sound(Position place, int band) {
-        return new SoundSource(place, oneBand(band), Directivity.OMNIDIRECTIONAL);
-    }
 
     private static EnergyReading read(
             World world, Position source, Position sensor, double radius, int rays, int band, long seed) {
-        return new EnergyTracer(EnergyModel.DEFAULT.withRays(rays).withRoulette(1e-3), sensor, radius, world)
-                .trace(sound(source, band), new SplittableRandom(seed), RayRecorder.NONE);
+        return new EnergyTracer(
+                        EnergyModel.DEFAULT.withRays(rays).withAccuracy(0.0).withRoulette(1e-3), sensor, radius, world)
+                .trace(Sites.sound(source, band), new SplittableRandom(seed), RayRecorder.NONE);
     }
 
     @Test
@@ -83,7 +38,8 @@ class EnergyModelTest {
         for (int band = 0; band < OctaveBands.COUNT; band++) {
             double a = Atmosphere.STANDARD.attenuation(OctaveBands.midband(band));
             for (double r : new double[] {1, 2, 10, 100, 1000}) {
-                EnergyReading reading = read(open(), new Position(0, r, 0), new Position(0, 0, 0), 0.5, 1, band, 1);
+                EnergyReading reading =
+                        read(Sites.open(), new Position(0, r, 0), new Position(0, 0, 0), 0.5, 1, band, 1);
                 assertThat(reading.totalLevel())
                         .as("%d Hz at %f m", OctaveBands.nominal(band), r)
                         .isCloseTo(LW - 10.99 - 20 * Math.log10(r) - a * r, within(0.05));
@@ -94,7 +50,7 @@ class EnergyModelTest {
     /** Source 50 m, receiver 1.5 m over a rigid plane, 100 m apart: the mirror image adds 2.9585 dB (less its own air). */
     @Test
     void aRigidPlaneAddsItsMirrorImage() {
-        World plane = world(square(5000, 0), SurfaceMaterial.uniform("rigid", 0, 0));
+        World plane = Sites.world(Sites.square(5000, 0), SurfaceMaterial.uniform("rigid", 0, 0));
         EnergyReading reading = read(plane, new Position(100, 0, 50), new Position(0, 0, 1.5), 0.5, 1000, LOWEST, 1);
 
         double gain = reading.totalLevel() - Levels.ofRatio(reading.direct().get(LOWEST));
@@ -105,7 +61,7 @@ class EnergyModelTest {
     /** Over the common edge of a wall's two triangles there is one reflection, not two. */
     @Test
     void aReflectionOnTheEdgeOfTwoTrianglesCountsOnce() {
-        World plane = world(square(50, 0), SurfaceMaterial.uniform("rigid", 0, 0));
+        World plane = Sites.world(Sites.square(50, 0), SurfaceMaterial.uniform("rigid", 0, 0));
         EnergyReading reading = read(plane, new Position(-3, -3, 4), new Position(3, 3, 4), 0.5, 1, LOWEST, 1);
 
         double direct = 6 * Math.sqrt(2);
@@ -120,7 +76,7 @@ class EnergyModelTest {
     @ParameterizedTest
     @CsvSource({"7, 5, 1.7, 12.431, 1.0171", "4, 3, 1.5, 5.6829, 0.9952"})
     void aRoomOfMirrorsIsTheSumOfItsImages(double x, double y, double z, double level, double t30) {
-        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0));
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0));
         Position sensor = new Position(x, y, z);
         EnergyReading reading = read(room, SOURCE, sensor, 0.4, 100_000, OctaveBands.ONE_KILOHERTZ, 7);
 
@@ -151,7 +107,7 @@ class EnergyModelTest {
     })
     void aRoomThatScattersAgreesWithAnIndependentSimulation(
             double scattering, double x, double y, double z, double level, double error, double t30) {
-        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, scattering));
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, scattering));
         Position sensor = new Position(x, y, z);
         EnergyReading reading = read(room, SOURCE, sensor, 0.4, 60_000, LOWEST, 11);
 
@@ -167,7 +123,7 @@ class EnergyModelTest {
     /** The level must scatter as its standard error says: the spread of many readings against the mean stated error. */
     @Test
     void theStandardErrorIsHonest() {
-        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.3, 0.5));
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.3, 0.5));
         int runs = 60;
         double sum = 0;
         double squares = 0;
@@ -186,15 +142,16 @@ class EnergyModelTest {
     /** Neither the number of rays nor where chance begins moves the level beyond what the standard errors allow. */
     @Test
     void theLevelDoesNotDependOnHowItIsEstimated() {
-        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.1, 0.3));
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.1, 0.3));
         Position sensor = new Position(7, 5, 1.7);
         EnergyReading careful = read(room, SOURCE, sensor, 0.4, 60_000, LOWEST, 21);
         for (EnergyModel model : List.of(
                 EnergyModel.DEFAULT,
+                EnergyModel.DEFAULT.withAccuracy(0.0),
                 EnergyModel.DEFAULT.withRays(1000),
                 EnergyModel.DEFAULT.withRays(30_000).withRoulette(0.05))) {
             EnergyReading quick = new EnergyTracer(model, sensor, 0.4, room)
-                    .trace(sound(SOURCE, LOWEST), new SplittableRandom(22), RayRecorder.NONE);
+                    .trace(Sites.sound(SOURCE, LOWEST), new SplittableRandom(22), RayRecorder.NONE);
             double both = Math.hypot(careful.standardError(), quick.standardError());
             assertThat(quick.totalLevel()).as("%s", model).isCloseTo(careful.totalLevel(), within(4 * both));
         }
@@ -202,7 +159,7 @@ class EnergyModelTest {
 
     @Test
     void sourceAndSensorMayChangePlaces() {
-        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
         Position other = new Position(7.5, 6, 2.5);
         EnergyReading there = read(room, SOURCE, other, 0.4, 60_000, LOWEST, 3);
         EnergyReading back = read(room, other, SOURCE, 0.4, 60_000, LOWEST, 4);
@@ -215,7 +172,7 @@ class EnergyModelTest {
     void moreAbsorptionIsNeverLouder() {
         double before = Double.POSITIVE_INFINITY;
         for (double absorption : new double[] {0.05, 0.2, 0.5, 0.9, 1.0}) {
-            World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", absorption, 0.2));
+            World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", absorption, 0.2));
             double level = read(room, SOURCE, new Position(7, 5, 1.7), 0.4, 5000, LOWEST, 5)
                     .totalLevel();
             assertThat(level).isLessThan(before);
@@ -228,24 +185,32 @@ class EnergyModelTest {
     void aWallTakesItsLossOnce() {
         SurfaceMaterial sheet = SurfaceMaterial.uniform("wall", 0.3, 0.1).withTransmissionLoss(25, Wall.SHEET);
         SurfaceMaterial solid = SurfaceMaterial.uniform("wall", 0.3, 0.1).withTransmissionLoss(25, Wall.SOLID);
-        TriangleMesh twoFaces = World.merge(List.of(square(1000, 5), square(1000, 5.2)));
+        TriangleMesh twoFaces = World.merge(List.of(Sites.square(1000, 5), Sites.square(1000, 5.2)));
         Position above = new Position(0, 0, 10);
         Position below = new Position(0, 0, 0);
-        double free = read(open(), above, below, 0.5, 1, LOWEST, 1).totalLevel();
+        double free = read(Sites.open(), above, below, 0.5, 1, LOWEST, 1).totalLevel();
 
-        EnergyReading throughSheet = read(world(square(1000, 5), sheet), above, below, 0.5, 2000, LOWEST, 1);
+        EnergyReading throughSheet =
+                read(Sites.world(Sites.square(1000, 5), sheet), above, below, 0.5, 2000, LOWEST, 1);
         assertThat(throughSheet.totalLevel()).isCloseTo(free - 25, within(0.01));
-        EnergyReading throughSolid = read(world(twoFaces, solid), above, below, 0.5, 2000, LOWEST, 1);
+        EnergyReading throughSolid = read(Sites.world(twoFaces, solid), above, below, 0.5, 2000, LOWEST, 1);
         assertThat(Levels.ofRatio(throughSolid.direct().get(LOWEST))).isCloseTo(free - 25, within(1e-6));
         EnergyReading opaque = read(
-                world(square(1000, 5), SurfaceMaterial.uniform("wall", 0.3, 0.1)), above, below, 0.5, 2000, LOWEST, 1);
+                Sites.world(Sites.square(1000, 5), SurfaceMaterial.uniform("wall", 0.3, 0.1)),
+                above,
+                below,
+                0.5,
+                2000,
+                LOWEST,
+                1);
         assertThat(opaque.totalLevel()).isEqualTo(Double.NEGATIVE_INFINITY);
     }
 
     @Test
     void theAuditClosesWithEverythingInIt() {
         SurfaceMaterial window = SurfaceMaterial.uniform("wall", 0.5, 0.4).withTransmissionLoss(6, Wall.SHEET);
-        EnergyReading reading = read(world(box(10, 8, 4), window), SOURCE, new Position(7, 5, 1.7), 0.4, 20_000, 7, 9);
+        EnergyReading reading =
+                read(Sites.world(Sites.room(10, 8, 4), window), SOURCE, new Position(7, 5, 1.7), 0.4, 20_000, 7, 9);
 
         EnergyAudit audit = reading.audit();
         assertThat(audit.imbalance()).isCloseTo(0.0, within(1e-9));
@@ -258,7 +223,7 @@ class EnergyModelTest {
 
     @Test
     void theSameSeedGivesTheSame() {
-        World room = world(box(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
         EnergyReading first = read(room, SOURCE, new Position(7, 5, 1.7), 0.4, 1000, LOWEST, 5);
         EnergyReading second = read(room, SOURCE, new Position(7, 5, 1.7), 0.4, 1000, LOWEST, 5);
 

@@ -1,0 +1,89 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
+import org.dronewatch.sound.Directivity;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.world.World;
+
+/** Simple sites, one-band sources and readings for tests of the energy model. */
+final class Sites {
+    /** Sound power level of every source, dB. */
+    static final double LW = 100.0;
+
+    /** The band of 63 Hz, in which the air takes next to nothing. */
+    static final int LOWEST = 0;
+
+    private Sites() {}
+
+    /** A box from one corner to another. */
+    static TriangleMesh box(double x0, double y0, double z0, double x1, double y1, double z1) {
+        float[] vertices = new float[24];
+        for (int i = 0; i < 8; i++) {
+            vertices[3 * i] = (float) ((i & 1) == 0 ? x0 : x1);
+            vertices[3 * i + 1] = (float) ((i & 2) == 0 ? y0 : y1);
+            vertices[3 * i + 2] = (float) ((i & 4) == 0 ? z0 : z1);
+        }
+        int[] corners = {
+            0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5
+        };
+        return TriangleMesh.of(vertices, corners);
+    }
+
+    /** A room from the origin to a corner. */
+    static TriangleMesh room(double x, double y, double z) {
+        return box(0, 0, 0, x, y, z);
+    }
+
+    /** A rectangle in a plane of constant x, y or z (axis 0, 1, 2); the other two axes follow in turn. */
+    static TriangleMesh wall(int axis, double at, double u0, double u1, double v0, double v1) {
+        double[][] corners = {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}};
+        float[] vertices = new float[12];
+        for (int i = 0; i < 4; i++) {
+            vertices[3 * i + axis] = (float) at;
+            vertices[3 * i + (axis + 1) % 3] = (float) corners[i][0];
+            vertices[3 * i + (axis + 2) % 3] = (float) corners[i][1];
+        }
+        return TriangleMesh.of(vertices, new int[] {0, 1, 2, 0, 2, 3});
+    }
+
+    /** A level square about the z axis. */
+    static TriangleMesh square(double half, double z) {
+        return wall(2, z, -half, half, -half, half);
+    }
+
+    static World world(TriangleMesh mesh, SurfaceMaterial surface) {
+        return new World(KDTree.of(mesh), BackgroundNoise.of(20), List.of(surface), Atmosphere.STANDARD);
+    }
+
+    /** Nothing near. */
+    static World open() {
+        return world(square(1, -1e6), SurfaceMaterial.uniform("any", 0.5, 0));
+    }
+
+    /** 100 dB of sound power in one band. */
+    static SoundSource sound(Position place, int band) {
+        return sound(place, band, Directivity.OMNIDIRECTIONAL);
+    }
+
+    static SoundSource sound(Position place, int band, Directivity directivity) {
+        List<Double> power = new ArrayList<>();
+        for (int i = 0; i < OctaveBands.COUNT; i++) {
+            power.add(i == band ? LW : Double.NEGATIVE_INFINITY);
+        }
+        return new SoundSource(place, power, directivity);
+    }
+
+    static EnergyReading read(EnergyModel model, World world, SoundSource source, Position sensor, long seed) {
+        return new EnergyTracer(model, sensor, 0.4, world).trace(source, new SplittableRandom(seed), RayRecorder.NONE);
+    }
+}
