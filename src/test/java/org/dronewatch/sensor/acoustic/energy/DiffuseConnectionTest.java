@@ -82,7 +82,7 @@ class DiffuseConnectionTest {
             assertThat(reading.reverberant().get(band))
                     .as("%s, seed 5, relative error %f", directivity, error / expected)
                     .isCloseTo(expected, within(4 * error + 1e-3 * expected));
-            assertThat(error / expected).isLessThan(0.05);
+            assertThat(reading.standardError()).isLessThan(0.02);
         }
     }
 
