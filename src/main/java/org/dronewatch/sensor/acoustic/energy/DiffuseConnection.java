@@ -43,7 +43,7 @@ final class DiffuseConnection {
             return false;
         }
         double way = Math.sqrt(squared);
-        double geometry = along / (way * Math.PI * squared);
+        double geometry = weight(ray, normal, along / way, way) * along / (way * Math.PI * squared);
         double rise = z / way;
         for (int band = 0; band < BANDS; band++) {
             brought[band] =
@@ -51,5 +51,15 @@ final class DiffuseConnection {
         }
         tally.add(ray, brought, way);
         return true;
+    }
+
+    /** Paths over a single surface are found from the source, too: see {@link FirstScattering}. */
+    private double weight(AcousticRay ray, double[] normal, double leaving, double way) {
+        if (ray.order > 1 || !walls.isFree()) {
+            return 1.0;
+        }
+        double arriving = -(ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2]);
+        double own = FirstScattering.density(arriving, ray.travelled);
+        return own / (own + FirstScattering.density(leaving, way));
     }
 }

@@ -51,6 +51,7 @@ public final class EnergyTracer {
     private final EnergyTally tally;
     private final ReceiverBall ball;
     private final DiffuseConnection connection;
+    private final FirstScattering firstScattering;
     private final EnergyBooks books = new EnergyBooks();
     private final AcousticRay ray = new AcousticRay();
     private final double[] energy = new double[BANDS];
@@ -90,6 +91,7 @@ public final class EnergyTracer {
         this.exact = new ExactPaths(model, world, planes, surfaces, air);
         this.tally = new EnergyTally(air);
         this.ball = new ReceiverBall(radius, air, tally);
+        this.firstScattering = new FirstScattering(world, surfaces, air, tally);
         this.connection = new DiffuseConnection(world, surfaces, air, tally);
     }
 
@@ -110,6 +112,7 @@ public final class EnergyTracer {
         exact.find(source, sensor);
         for (int i = 0; i < model.rays() && !isAccurate(i); i++) {
             follow();
+            traced += firstScattering.add(source, sensor, random);
             tally.endRay();
         }
         return reading();

@@ -6,6 +6,7 @@ import static org.dronewatch.sensor.acoustic.energy.Sites.LOWEST;
 import static org.dronewatch.sensor.acoustic.energy.Sites.LW;
 
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -28,39 +29,47 @@ class DiffuseConnectionTest {
     private static final EnergyModel ALL = EnergyModel.DEFAULT.withAccuracy(0);
 
     /**
-     * What a plane at z = 0 that reflects 0.7 by Lambert's law sends from source to sensor, over the source's power:
-     * 0.7 times the integral of cos cos / (4 pi r1^2 pi r2^2), by the midpoint rule in coordinates about the sensor's foot
-     * in which equal steps matter equally.
+     * What a plane at z = 0 that reflects 0.7 by Lambert's law sends from source to sensor, over the source's power: 0.7
+     * times the integral of cos cos / (4 pi r1^2 pi r2^2), by the midpoint rule. The integrand is steep below either end:
+     * each half-plane nearer to one of them is integrated in steps that grow from its foot.
      */
     private static double scattered(Position source, Position sensor, Directivity directivity, int band) {
-        double m = Atmosphere.STANDARD.attenuations()[band] * Math.log(10) / 10;
-        int steps = 2000;
-        int turns = 720;
+        return 0.7
+                * (aboutFoot(sensor, source, at -> integrand(at, source, sensor, directivity, band))
+                        + aboutFoot(source, sensor, at -> integrand(at, source, sensor, directivity, band)));
+    }
+
+    private static double aboutFoot(Position foot, Position other, ToDoubleFunction<Position> integrand) {
+        int steps = 600;
+        int turns = 600;
         double sum = 0.0;
         for (int i = 0; i < steps; i++) {
             double u = (i + 0.5) / steps * Math.PI / 2;
-            double rho = sensor.z() * Math.tan(u);
-            double width = sensor.z() / (Math.cos(u) * Math.cos(u)) * Math.PI / 2 / steps;
+            double rho = foot.z() * Math.tan(u);
+            double width = foot.z() / (Math.cos(u) * Math.cos(u)) * Math.PI / 2 / steps;
             for (int k = 0; k < turns; k++) {
                 double phi = 2 * Math.PI * (k + 0.5) / turns;
-                Position at = new Position(sensor.x() + rho * Math.cos(phi), sensor.y() + rho * Math.sin(phi), 0);
-                double r1 = at.distance(source);
-                double r2 = at.distance(sensor);
-                double gain = Levels.toRatio(directivity.index(band, Math.asin(-source.z() / r1)));
-                sum += gain
-                        * source.z()
-                        / (4 * Math.PI * r1 * r1 * r1)
-                        * sensor.z()
-                        / (Math.PI * r2 * r2 * r2)
-                        * Math.exp(-m * (r1 + r2))
-                        * rho
-                        * width
-                        * 2
-                        * Math.PI
-                        / turns;
+                Position at = new Position(foot.x() + rho * Math.cos(phi), foot.y() + rho * Math.sin(phi), 0);
+                double there = Math.hypot(at.x() - other.x(), at.y() - other.y());
+                // Smoothly shared: a sharp border would cost the rule its accuracy.
+                double share = there * there * there / (there * there * there + rho * rho * rho);
+                sum += share * integrand.applyAsDouble(at) * rho * width * 2 * Math.PI / turns;
             }
         }
-        return 0.7 * sum;
+        return sum;
+    }
+
+    private static double integrand(Position at, Position source, Position sensor, Directivity directivity, int band) {
+        double m = Atmosphere.STANDARD.attenuations()[band] * Math.log(10) / 10;
+        double r1 = at.distance(source);
+        double r2 = at.distance(sensor);
+        double gain = Levels.toRatio(directivity.index(band, Math.asin(-source.z() / r1)));
+        return gain
+                * source.z()
+                / (4 * Math.PI * r1 * r1 * r1)
+                * sensor.z()
+                / (Math.PI * r2 * r2 * r2)
+                * Math.exp(-m * (r1 + r2));
     }
 
     /** Near the ground and far away, and high up: from the sensor it takes few rays, wherever the source is. */
@@ -81,8 +90,8 @@ class DiffuseConnectionTest {
             double error = whole * (Levels.toRatio(reading.standardError()) - 1.0);
             assertThat(reading.reverberant().get(band))
                     .as("%s, seed 5, relative error %f", directivity, error / expected)
-                    .isCloseTo(expected, within(4 * error + 1e-3 * expected));
-            assertThat(reading.standardError()).isLessThan(0.02);
+                    .isCloseTo(expected, within(4 * error + 2e-3 * expected));
+            assertThat(error / expected).isLessThan(0.01);
         }
     }
 
@@ -96,7 +105,7 @@ class DiffuseConnectionTest {
         for (int seed = 10; seed < 20; seed++) {
             EnergyReading quick = Sites.read(EnergyModel.DEFAULT, plane, source, sensor, seed);
             assertThat(quick.standardError()).isLessThan(0.1);
-            assertThat(quick.traced()).isLessThan(5000);
+            assertThat(quick.traced()).isLessThan(6000);
             assertThat(quick.totalLevel())
                     .as("seed %d", seed)
                     .isCloseTo(careful.totalLevel(), within(4 * quick.standardError() + 0.01));

@@ -1,0 +1,109 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.random.RandomGenerator;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.Directions;
+import org.dronewatch.sensor.acoustic.propagation.Normals;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.World;
+
+/**
+ * Paths from the source over one surface that scatters to the sensor, found from the source. Rays from the sensor find the
+ * same paths; each kind alone almost never meets what is near the far end, where a drone flies low or a microphone stands
+ * on the ground, and its standard error would not tell. Together, each path counts by the share of the chance with which
+ * its own kind finds it (Veach and Guibas, SIGGRAPH 1995, the balance heuristic), and no path is rare. One per thread.
+ */
+final class FirstScattering {
+    private static final int BANDS = OctaveBands.COUNT;
+    private static final double OWN = 1e-9;
+
+    private final TriangleMesh mesh;
+    private final KDTraversal traversal;
+    private final BandSurfaces surfaces;
+    private final Air air;
+    private final EnergyTally tally;
+    private final AcousticRay ray = new AcousticRay();
+    private final double[] normal = new double[3];
+    private final double[] brought = new double[BANDS];
+
+    FirstScattering(World world, BandSurfaces surfaces, Air air, EnergyTally tally) {
+        this.mesh = world.mesh();
+        this.traversal = world.newTraversal();
+        this.surfaces = surfaces;
+        this.air = air;
+        this.tally = tally;
+    }
+
+    /**
+     * The chance with which uniform rays from a point find a place on a surface, over the surface's area and but for a
+     * constant.
+     *
+     * @param cosine of the angle between the ray and the surface's normal
+     * @param distance from the point, m
+     */
+    static double density(double cosine, double distance) {
+        return cosine / (distance * distance);
+    }
+
+    /**
+     * Follows one ray from the source to the first surface and on to the sensor.
+     *
+     * @return how many pieces were traced
+     */
+    int add(SoundSource source, Position sensor, RandomGenerator random) {
+        Position place = source.place();
+        ray.originX = place.x();
+        ray.originY = place.y();
+        ray.originZ = place.z();
+        Directions.draw(random, ray);
+        if (!traversal.closestHit(
+                ray.originX,
+                ray.originY,
+                ray.originZ,
+                ray.directionX,
+                ray.directionY,
+                ray.directionZ,
+                0.0,
+                Double.POSITIVE_INFINITY)) {
+            return 1;
+        }
+        double before = traversal.distance();
+        int triangle = traversal.triangle();
+        Normals.facing(mesh, triangle, ray, normal);
+        double arriving = -(ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2]);
+        double atX = ray.originX + before * ray.directionX;
+        double atY = ray.originY + before * ray.directionY;
+        double atZ = ray.originZ + before * ray.directionZ;
+        double x = sensor.x() - atX;
+        double y = sensor.y() - atY;
+        double z = sensor.z() - atZ;
+        double after = Math.sqrt(x * x + y * y + z * z);
+        double leaving = (x * normal[0] + y * normal[1] + z * normal[2]) / after;
+        if (!(leaving > 0.0)) {
+            return 1;
+        }
+        // From the sensor, so that the surface is at the far end for both kinds of rays.
+        if (!traversal.isOccluded(sensor.x(), sensor.y(), sensor.z(), -x, -y, -z, OWN, 1.0 - OWN)) {
+            double own = density(arriving, before);
+            double weight = own / (own + density(leaving, after));
+            bring(source, mesh.material(triangle), before, after, weight * leaving / (Math.PI * after * after));
+        }
+        return 2;
+    }
+
+    private void bring(SoundSource source, int material, double before, double after, double geometry) {
+        for (int band = 0; band < BANDS; band++) {
+            brought[band] = source.share(band)
+                    * source.factor(band, ray.directionZ)
+                    * surfaces.reflected(material, band)
+                    * surfaces.scattered(material, band)
+                    * air.left(band, before + after)
+                    * geometry;
+        }
+        ray.travelled = before;
+        tally.add(ray, brought, after);
+    }
+}
