@@ -3,6 +3,7 @@ package org.dronewatch.jmh;
 import java.nio.file.Path;
 import org.dronewatch.bench.RayGenerator;
 import org.dronewatch.bench.RaySet;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.world.ModelSettings;
@@ -23,6 +24,13 @@ final class Bench {
     /** A model with z up, as scenes load it. */
     static TriangleMesh worldMesh(String model) {
         return new ObjLoader(MODELS).load(ModelSettings.of(model + ".obj")).mesh();
+    }
+
+    /** A model with z up at a place, m. */
+    static TriangleMesh worldMesh(String model, Position at) {
+        return new ObjLoader(MODELS)
+                .load(ModelSettings.of(model + ".obj").withPosition(at))
+                .mesh();
     }
 
     /** The rays of a picture ("camera"), or those that bounce about what it shows ("diffuse"). */

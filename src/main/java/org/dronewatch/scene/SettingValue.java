@@ -75,13 +75,13 @@ final class SettingValue {
     }
 
     private static Object constant(Class<?> type, String text) {
-        String wanted = text.strip().toUpperCase(Locale.ROOT);
+        String wanted = text.strip().toUpperCase(Locale.ROOT).replace('-', '_');
         List<?> constants = Arrays.asList(type.getEnumConstants());
         return constants.stream()
                 .filter(constant -> constant.toString().equals(wanted))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException(
-                        "'" + text + "' is none of " + constants.toString().toLowerCase(Locale.ROOT)));
+                .orElseThrow(() -> new IllegalArgumentException("'" + text + "' is none of "
+                        + constants.toString().toLowerCase(Locale.ROOT).replace('_', '-')));
     }
 
     /** One of several kinds of settings by its name, with the values that it has by default. */

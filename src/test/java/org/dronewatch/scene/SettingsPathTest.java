@@ -9,6 +9,7 @@ import org.dronewatch.scenes.AcousticRange;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.sound.BandLevels;
 import org.dronewatch.world.FlightPathSettings.Approach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,6 +17,26 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class SettingsPathTest {
     private final SceneSettings settings = new HillScene().describe();
+
+    @Test
+    void aSpectrumIsWrittenAsEightLevelsOrOneByOne() {
+        SceneSettings scene = new AcousticRange().describe();
+        SceneSettings all = new SettingsPath("world.noiseShape").write(scene, "50, 48, 44 dB, 41, 38, 33, 27, 20");
+        assertThat(all.world().noiseShape()).isEqualTo(BandLevels.of(50, 48, 44, 41, 38, 33, 27, 20));
+        SceneSettings one = new SettingsPath("world.noiseShape.hz4000").write(all, "30");
+        assertThat(one.world().noiseShape().hz4000()).isEqualTo(30.0);
+    }
+
+    @Test
+    void aConstantOfTwoWordsIsWrittenWithADash() {
+        SceneSettings scene = new AcousticRange().describe();
+        SceneSettings physical = new SettingsPath("sensors.microphone.propagation").write(scene, "energy-model");
+        SettingsPath path = new SettingsPath("sensors.microphone.propagation.criterion");
+        assertThat(path.read(path.write(physical, "best-band"))).isEqualTo(EnergyModel.Criterion.BEST_BAND);
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> path.write(physical, "any"))
+                .withMessageContaining("a-weighted, best-band");
+    }
 
     @ParameterizedTest
     @CsvSource(
@@ -85,6 +106,8 @@ class SettingsPathTest {
                 "sensors.wide.width             | 12.5    | 12.5          | whole number",
                 "sensors.wide.fovAxis           | round   | round         | vertical, horizontal",
                 "sensors.wide.position          | 1, 2    | 1, 2          | east, north, up",
+                "world.noiseShape               | 40, 38  | 40, 38        | 8 levels from 63 Hz",
+                "world.noiseShape.hz125         | loud    | loud          | dB",
                 "sensors.wide                   | 1       | sensors.wide  | parts",
                 "drones.comer.speed             | -5      | speed -5.0 m/s | above 0",
                 "drones.comer.speed             | NaN     | NaN           | number",

@@ -63,4 +63,19 @@ class AcousticRangeTest {
                 .asString()
                 .contains("plaster", "wood", "'solid'");
     }
+
+    @Test
+    void aMicrophoneUnderTheGroundIsWarnedOf() {
+        List<String> notes = new ArrayList<>();
+        new SceneRunner(new AcousticRange())
+                .notes(notes::add)
+                .set("run.duration", "0.1")
+                .set("sensors.microphone.position", "0, 0, 125 m")
+                .run();
+        assertThat(notes)
+                .filteredOn(note -> note.startsWith("warning"))
+                .singleElement()
+                .asString()
+                .contains("'microphone' at (0.00, 0.00, 125.00) m", "inside a wall or under the ground");
+    }
 }

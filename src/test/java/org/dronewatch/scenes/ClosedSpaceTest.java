@@ -6,6 +6,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
@@ -75,5 +79,40 @@ class ClosedSpaceTest {
         assertThat(heard.get(2).traced()).isEqualTo(50_000);
         assertThat(heard.get(2).cutByBudget()).isPositive();
         assertThat(heard.get(2).cutOrder()).hasValue(3);
+    }
+
+    /** What order and budget cut is the same whether one thread listens or two do at the same time. */
+    @Test
+    void theSameIsCutForAnyNumberOfThreads() throws Exception {
+        SceneRunner runner = new SceneRunner(new ClosedSpace())
+                .set("sensors.microphone.propagation.initialRays", "20")
+                .set("sensors.microphone.propagation.reflectionsPerHit", "20")
+                .set("sensors.microphone.propagation.rayBudget", "50000");
+        SceneSettings settings = runner.settings();
+        Stage stage = runner.stage(settings);
+        Drone drone = stage.dronesAt(0.0).get(0);
+        List<Callable<Listening>> looks = new ArrayList<>();
+        for (int i = 0; i < 2; i++) {
+            AcousticSensor sensor = ((AcousticSettings) settings.sensors().get("microphone")).create();
+            looks.add(() -> sensor.listenFully(stage.world(), drone, new SplittableRandom(9), RayRecorder.NONE));
+        }
+        List<Listening> together = results(looks, 2);
+        assertThat(together.get(0).cutByOrder()).isPositive();
+        assertThat(together.get(0).cutByBudget()).isPositive();
+        assertThat(together.get(1)).isEqualTo(together.get(0));
+        assertThat(results(looks.subList(0, 1), 1).get(0)).isEqualTo(together.get(0));
+    }
+
+    private static List<Listening> results(List<Callable<Listening>> looks, int threads) throws Exception {
+        ExecutorService pool = Executors.newFixedThreadPool(threads);
+        try {
+            List<Listening> results = new ArrayList<>();
+            for (Future<Listening> look : pool.invokeAll(looks)) {
+                results.add(look.get());
+            }
+            return results;
+        } finally {
+            pool.shutdownNow();
+        }
     }
 }

@@ -30,11 +30,11 @@ public record EnergyModel(
 
     /**
      * 8,000 rays, chance below one half, 1,000 orders: less than 0.5 dB of standard error in a church, for half a second
-     * of tracing. In the open 0.1 dB is reached by fewer. Late chance is cheap for levels; for reverberation times a
+     * of tracing. In the open 0.2 dB is reached by fewer. Late chance is cheap for levels; for reverberation times a
      * thousandth is better.
      */
     public static final EnergyModel DEFAULT =
-            new EnergyModel(8_000, 0.1, 0.5, 1000, 3, Diffraction.MAEKAWA, Criterion.A_WEIGHTED);
+            new EnergyModel(8_000, 0.2, 0.5, 1000, 3, Diffraction.MAEKAWA, Criterion.A_WEIGHTED);
 
     /** What is compared with the background to decide whether a drone is heard. */
     public enum Criterion {

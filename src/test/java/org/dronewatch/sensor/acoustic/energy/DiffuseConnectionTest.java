@@ -104,7 +104,7 @@ class DiffuseConnectionTest {
         EnergyReading careful = Sites.read(ALL.withRays(200_000), plane, source, sensor, 1);
         for (int seed = 10; seed < 20; seed++) {
             EnergyReading quick = Sites.read(EnergyModel.DEFAULT, plane, source, sensor, seed);
-            assertThat(quick.standardError()).isLessThan(0.1);
+            assertThat(quick.standardError()).isLessThan(0.2);
             assertThat(quick.traced()).isLessThan(6000);
             assertThat(quick.totalLevel())
                     .as("seed %d", seed)
