@@ -57,7 +57,13 @@ public final class AcousticRange extends Scene {
     public Optional<SweepAxis> sweepAxis() {
         return Optional.of(new SweepAxis(
                 "level of the drone over the background [dB]",
-                settings -> settings.drones().get("quadrotor").soundLevel()
-                        - settings.world().backgroundNoise()));
+                settings -> loudness(settings) - settings.world().backgroundNoise()));
+    }
+
+    /** What the chosen propagation takes for the drone's level, dB. */
+    private static double loudness(SceneSettings settings) {
+        DroneSettings drone = settings.drones().get("quadrotor");
+        AcousticSettings microphone = (AcousticSettings) settings.sensors().get("microphone");
+        return microphone.propagation() instanceof LevelModel ? drone.soundLevel() : drone.soundPowerLevel();
     }
 }

@@ -8,6 +8,9 @@ import java.util.List;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
 import org.junit.jupiter.api.Test;
 
 class AcousticRangeTest {
@@ -23,6 +26,35 @@ class AcousticRangeTest {
                             .orElseThrow())
                     .isCloseTo(ranges[run], within(STEP));
         }
+    }
+
+    /** Physical ranges: where spreading and air alone bring the drone to the level of detection, and a little beyond. */
+    @Test
+    void theEnergyModelHearsItALittleBeyondTheRangeInTheOpen() {
+        SceneResult result = new SceneRunner(new AcousticRange())
+                .set("sensors.microphone.propagation", "energy-model")
+                .set("world.backgroundNoise", "20")
+                .run();
+        double range = result.firstDetectionRange("microphone", "quadrotor").orElseThrow();
+
+        List<Double> power =
+                new AcousticRange().describe().drones().get("quadrotor").soundPower();
+        double open = 1.0;
+        while (levelInTheOpen(power, open) > 20 + 15) {
+            open += 0.1;
+        }
+        assertThat(range).isBetween(open - STEP, 1.1 * open);
+        assertThat(range).as("as the README says").isCloseTo(80, within(1.0));
+    }
+
+    private static double levelInTheOpen(List<Double> power, double range) {
+        double energy = 0.0;
+        for (int band = 0; band < power.size(); band++) {
+            double air = range * Atmosphere.STANDARD.attenuation(OctaveBands.midband(band));
+            energy += Levels.toRatio(
+                    power.get(band) + OctaveBands.aWeight(band) - Levels.sphericalSpreading(range) - air);
+        }
+        return Levels.ofRatio(energy);
     }
 
     @Test

@@ -36,8 +36,14 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
     /** Share of its first energy down to which a ray is followed for sure when a decay curve is drawn. */
     private static final double PATIENCE = 1e-4;
 
+    /** As many rays as a decay curve needs: its reverberation time scatters by 2 % with them. */
+    private static final int DECAY_RAYS = 4_000;
+
+    /** Where more than this share of the sound leaves the site, it has no reverberation to speak of. */
+    private static final double OPEN = 0.5;
+
     /** Below this level, dB, a decay curve is the end of the estimate and not of the sound. */
-    private static final double LOWEST_DECAY = -50.0;
+    private static final double LOWEST_DECAY = -40.0;
 
     private final AcousticSettings settings;
     private World heard;
@@ -138,19 +144,20 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
         }
     }
 
-    /** By the energy model in a closed space: how the sound dies away. In the open it does so too fast to be a curve. */
+    /** By the energy model, in a space that keeps at least half of the sound: how it dies away. */
     @Override
     public List<Curve> curves(World world, Drone drone, RandomGenerator random) {
         if (!(settings.propagation() instanceof EnergyModel model)) {
             return List.of();
         }
         // Late sound is faint: rays must be followed for long, where levels need them only for a short while.
-        EnergyModel patient =
-                model.withRoulette(Math.min(model.roulette(), PATIENCE)).withAccuracy(0.0);
-        DecayCurve decay = new EnergyTracer(patient, settings.position(), settings.radius(), world)
-                .trace(sound(drone), random, RayRecorder.NONE)
-                .decay();
-        if (decay.t30().isEmpty()) {
+        EnergyModel patient = model.withRays(Math.min(model.rays(), DECAY_RAYS))
+                .withRoulette(Math.min(model.roulette(), PATIENCE))
+                .withAccuracy(0.0);
+        EnergyReading reading = new EnergyTracer(patient, settings.position(), settings.radius(), world)
+                .trace(sound(drone), random, RayRecorder.NONE);
+        DecayCurve decay = reading.decay();
+        if (reading.audit().escaped() > OPEN || decay.t30().isEmpty()) {
             return List.of();
         }
         List<Double> times = new ArrayList<>();
