@@ -54,7 +54,7 @@ class InterruptionTest {
         assertThat(Files.readString(results.resolve("summary.json"))).contains("\"complete\" : false");
         List<String> rows = Files.readAllLines(results.resolve("observations.csv"));
         assertThat(rows).hasSizeGreaterThan(3);
-        assertThat(rows).allSatisfy(row -> assertThat(row.split(",", -1)).hasSize(12));
+        assertThat(rows).allSatisfy(row -> assertThat(row.split(",", -1)).hasSize(13));
         try (Stream<Path> left = Files.list(directory)) {
             assertThat(left.map(file -> file.getFileName().toString()))
                     .containsExactlyInAnyOrder("results", "out.txt", "err.txt");
