@@ -1,0 +1,322 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.random.RandomGenerator;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.Directions;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sensor.acoustic.propagation.Normals;
+import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.World;
+
+/**
+ * The way of one ray from the sensor. A surface absorbs its share; the rest goes on as one ray, reflected like a mirror,
+ * scattered by Lambert's law or passed on through the wall, chosen by chance so that the mean is right. Where it is
+ * scattered, it is joined to the source; where it comes by the source after a mirror reflection, it is counted in a ball,
+ * unless its path is one of those that are computed exactly. One per thread.
+ */
+final class RayJourney {
+    private static final int BANDS = OctaveBands.COUNT;
+    private static final double STAND_OFF = 1e-9;
+    private static final double SURVIVAL = 0.5;
+
+    /** Up to this order every surface that scatters is joined to the source, later ones when chance scatters there. */
+    private static final int ALWAYS_JOINED = 2;
+
+    /** How far rays that meet nothing are drawn, m. */
+    private static final double DRAWN = 1000.0;
+
+    /** Stands for the number of mirrors of a path that was turned by something else, too. */
+    private static final int NOT_EXACT = -1;
+
+    private final EnergyModel model;
+    private final Position sensor;
+    private final TriangleMesh mesh;
+    private final KDTraversal traversal;
+    private final BandSurfaces surfaces;
+    private final WallPlanes planes;
+    private final Air air;
+    private final ReceiverBall ball;
+    private final DiffuseConnection connection;
+    private final EnergyBooks books;
+    private final AcousticRay ray = new AcousticRay();
+    private final double[] energy = new double[BANDS];
+    private final double[] scattered = new double[BANDS];
+    private final double[] normal = new double[3];
+
+    private SoundSource source;
+    private RandomGenerator random;
+    private RayRecorder recorder;
+    private int traced;
+
+    /** Whether the last thing that turned the ray was a mirror: such rays cannot be joined to a point. */
+    private boolean fromMirror;
+
+    /** How many mirrors the ray has met, if it met nothing else. */
+    private int mirrors;
+
+    /** Whether all mirrors so far were large walls. */
+    private boolean largeWallsOnly;
+
+    /**
+     * Journeys from one sensor.
+     *
+     * @param radius of the ball about the source, m
+     * @param tally is given what rays bring
+     * @param books are told where their energy goes
+     */
+    RayJourney(
+            EnergyModel model,
+            Position sensor,
+            double radius,
+            World world,
+            WallPlanes planes,
+            BandSurfaces surfaces,
+            Air air,
+            EnergyTally tally,
+            EnergyBooks books) {
+        this.model = model;
+        this.sensor = sensor;
+        this.mesh = world.mesh();
+        this.traversal = world.newTraversal();
+        this.surfaces = surfaces;
+        this.planes = planes;
+        this.air = air;
+        this.ball = new ReceiverBall(radius, air, tally);
+        this.connection = new DiffuseConnection(world, surfaces, air, tally);
+        this.books = books;
+    }
+
+    private double left() {
+        double sum = 0.0;
+        for (double inBand : energy) {
+            sum += inBand;
+        }
+        return sum;
+    }
+
+    /** Follows one ray to its end; gives how many pieces were traced. */
+    int follow(SoundSource from, RandomGenerator chance, RayRecorder told) {
+        source = from;
+        random = chance;
+        recorder = told;
+        traced = 0;
+
+        start();
+        double first = left();
+        while (true) {
+            boolean hit = traversal.closestHit(
+                    ray.originX,
+                    ray.originY,
+                    ray.originZ,
+                    ray.directionX,
+                    ray.directionY,
+                    ray.directionZ,
+                    0.0,
+                    Double.POSITIVE_INFINITY);
+            traced++;
+            double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
+            if (fromMirror && !isExact()) {
+                ball.count(ray, energy, distance, source);
+            }
+            record(Math.min(distance, DRAWN));
+            if (!hit) {
+                books.escape(left());
+                return traced;
+            }
+            fly(distance);
+            if (ray.order >= model.maxOrder()) {
+                books.giveUp(left());
+                return traced;
+            }
+            meet(traversal.triangle(), distance);
+            if (!survives(first)) {
+                return traced;
+            }
+        }
+    }
+
+    private void start() {
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] = source.share(band);
+        }
+        ray.originX = sensor.x();
+        ray.originY = sensor.y();
+        ray.originZ = sensor.z();
+        Directions.draw(random, ray);
+        ray.travelled = 0.0;
+        ray.order = 0;
+        ray.medium = AcousticRay.AIR;
+        fromMirror = false;
+        mirrors = 0;
+        largeWallsOnly = true;
+    }
+
+    /** Whether a path straight on to the source is one of those that are computed exactly. */
+    private boolean isExact() {
+        return mirrors == 1 || mirrors > 1 && largeWallsOnly && mirrors <= model.mirrorOrder();
+    }
+
+    /** The level of a piece is that of the share of the source's power which it carries. */
+    private void record(double length) {
+        if (recorder != RayRecorder.NONE) {
+            recorder.record(
+                    ray.originX,
+                    ray.originY,
+                    ray.originZ,
+                    ray.originX + length * ray.directionX,
+                    ray.originY + length * ray.directionY,
+                    ray.originZ + length * ray.directionZ,
+                    Levels.ofRatio(left() * source.emitted() / model.rays()),
+                    ray.order,
+                    false);
+        }
+    }
+
+    private void recordConnection() {
+        if (recorder != RayRecorder.NONE) {
+            Position place = source.place();
+            recorder.record(
+                    ray.originX,
+                    ray.originY,
+                    ray.originZ,
+                    place.x(),
+                    place.y(),
+                    place.z(),
+                    Levels.ofRatio(left() * source.emitted() / model.rays()),
+                    ray.order,
+                    true);
+        }
+    }
+
+    private void fly(double distance) {
+        double before = left();
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] *= air.left(band, distance);
+        }
+        books.leaveToAir(before - left());
+        ray.travelled += distance;
+    }
+
+    private void meet(int triangle, double distance) {
+        int material = mesh.material(triangle);
+        Normals.facing(mesh, triangle, ray, normal);
+        ray.originX += distance * ray.directionX;
+        ray.originY += distance * ray.directionY;
+        ray.originZ += distance * ray.directionZ;
+        ray.order++;
+        if (ray.medium == material) {
+            // Out of a solid: its loss was taken on the way in.
+            ray.medium = AcousticRay.AIR;
+            mirrors = NOT_EXACT;
+            standOff(-1.0);
+            return;
+        }
+        if (passes(material)) {
+            ray.medium = surfaces.isSheet(material) ? ray.medium : material;
+            mirrors = NOT_EXACT;
+            standOff(-1.0);
+        } else {
+            standOff(1.0);
+            reflect(triangle, material);
+        }
+    }
+
+    /** Absorbs the surface's share; chance decides whether the rest goes through or back. */
+    private boolean passes(int material) {
+        double before = left();
+        double reflected = 0.0;
+        double transmitted = 0.0;
+        for (int band = 0; band < BANDS; band++) {
+            reflected += energy[band] * surfaces.reflected(material, band);
+            transmitted += energy[band] * surfaces.transmitted(material, band);
+        }
+        double onward = reflected + transmitted;
+        books.absorb(before - onward);
+        double chance = onward > 0.0 ? transmitted / onward : 0.0;
+        boolean passes = surfaces.transmits(material) && random.nextDouble() < chance;
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] *= passes
+                    ? surfaces.transmitted(material, band) / chance
+                    : surfaces.reflected(material, band) / (1.0 - chance);
+        }
+        books.exchange(onward, left());
+        return passes;
+    }
+
+    private void reflect(int triangle, int material) {
+        double before = left();
+        double sum = 0.0;
+        for (int band = 0; band < BANDS; band++) {
+            scattered[band] = energy[band] * surfaces.scattered(material, band);
+            sum += scattered[band];
+        }
+        double chance = before > 0.0 ? sum / before : 0.0;
+        boolean always = ray.order <= ALWAYS_JOINED && chance > 0.0;
+        if (always) {
+            join(scattered);
+        }
+        boolean diffuse = random.nextDouble() < chance;
+        for (int band = 0; band < BANDS; band++) {
+            double share = surfaces.scattered(material, band);
+            energy[band] *= diffuse ? share / chance : (1.0 - share) / (1.0 - chance);
+        }
+        books.exchange(before, left());
+        if (diffuse) {
+            if (!always) {
+                join(energy);
+            }
+            Directions.drawLambert(random, normal, ray);
+            fromMirror = false;
+            mirrors = NOT_EXACT;
+        } else {
+            mirror();
+            fromMirror = true;
+            mirrors = mirrors == NOT_EXACT ? NOT_EXACT : mirrors + 1;
+            largeWallsOnly = largeWallsOnly && planes.wallOf(triangle) != WallPlanes.NONE;
+        }
+    }
+
+    private void join(double[] leaving) {
+        traced++;
+        if (connection.add(ray, normal, leaving, source)) {
+            recordConnection();
+        }
+    }
+
+    private void mirror() {
+        double twice = 2.0 * (ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2]);
+        ray.directionX -= twice * normal[0];
+        ray.directionY -= twice * normal[1];
+        ray.directionZ -= twice * normal[2];
+    }
+
+    private void standOff(double side) {
+        double far = 1.0 + Math.abs(ray.originX) + Math.abs(ray.originY) + Math.abs(ray.originZ);
+        double step = side * STAND_OFF * far;
+        ray.originX += step * normal[0];
+        ray.originY += step * normal[1];
+        ray.originZ += step * normal[2];
+    }
+
+    /** Ends faint rays by chance and strengthens those that survive, which leaves the mean as it is. */
+    private boolean survives(double first) {
+        double left = left();
+        if (left >= model.roulette() * first) {
+            return true;
+        }
+        if (left == 0.0 || random.nextDouble() >= SURVIVAL) {
+            books.exchange(left, 0.0);
+            return false;
+        }
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] /= SURVIVAL;
+        }
+        books.exchange(left, left());
+        return true;
+    }
+}
