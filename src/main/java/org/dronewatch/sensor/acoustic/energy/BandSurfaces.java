@@ -60,6 +60,16 @@ final class BandSurfaces {
         return false;
     }
 
+    /** Whether anything is scattered. */
+    boolean scatters(int material) {
+        for (int band = 0; band < BANDS; band++) {
+            if (scattered(material, band) > 0.0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     double scattered(int material, int band) {
         return scattered[BANDS * material + band];
     }

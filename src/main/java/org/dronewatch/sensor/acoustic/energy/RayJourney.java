@@ -10,7 +10,6 @@ import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.sound.Levels;
-import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
@@ -20,9 +19,7 @@ import org.dronewatch.world.World;
  * unless its path is one of those that are computed exactly. One per thread.
  */
 final class RayJourney {
-    private static final int BANDS = OctaveBands.COUNT;
     private static final double STAND_OFF = 1e-9;
-    private static final double SURVIVAL = 0.5;
 
     /** Up to this order every surface that scatters is joined to the source, later ones when chance scatters there. */
     private static final int ALWAYS_JOINED = 2;
@@ -39,13 +36,10 @@ final class RayJourney {
     private final KDTraversal traversal;
     private final BandSurfaces surfaces;
     private final WallPlanes planes;
-    private final Air air;
     private final ReceiverBall ball;
     private final DiffuseConnection connection;
-    private final EnergyBooks books;
+    private final EnergyPacket energy;
     private final AcousticRay ray = new AcousticRay();
-    private final double[] energy = new double[BANDS];
-    private final double[] scattered = new double[BANDS];
     private final double[] normal = new double[3];
 
     private SoundSource source;
@@ -85,18 +79,9 @@ final class RayJourney {
         this.traversal = world.newTraversal();
         this.surfaces = surfaces;
         this.planes = planes;
-        this.air = air;
         this.ball = new ReceiverBall(radius, air, tally);
         this.connection = new DiffuseConnection(world, surfaces, air, tally);
-        this.books = books;
-    }
-
-    private double left() {
-        double sum = 0.0;
-        for (double inBand : energy) {
-            sum += inBand;
-        }
-        return sum;
+        this.energy = new EnergyPacket(model, surfaces, air, books);
     }
 
     /** Follows one ray to its end; gives how many pieces were traced. */
@@ -107,7 +92,6 @@ final class RayJourney {
         traced = 0;
 
         start();
-        double first = left();
         while (true) {
             boolean hit = traversal.closestHit(
                     ray.originX,
@@ -121,29 +105,28 @@ final class RayJourney {
             traced++;
             double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
             if (fromMirror && !isExact()) {
-                ball.count(ray, energy, distance, source);
+                ball.count(ray, energy.byBand(), distance, source);
             }
-            record(Math.min(distance, DRAWN));
+            recordFlight(Math.min(distance, DRAWN));
             if (!hit) {
-                books.escape(left());
+                energy.escape();
                 return traced;
             }
-            fly(distance);
+            energy.fly(distance);
+            ray.travelled += distance;
             if (ray.order >= model.maxOrder()) {
-                books.giveUp(left());
+                energy.giveUp();
                 return traced;
             }
             meet(traversal.triangle(), distance);
-            if (!survives(first)) {
+            if (!energy.survives(random)) {
                 return traced;
             }
         }
     }
 
     private void start() {
-        for (int band = 0; band < BANDS; band++) {
-            energy[band] = source.share(band);
-        }
+        energy.fill(source);
         ray.originX = sensor.x();
         ray.originY = sensor.y();
         ray.originZ = sensor.z();
@@ -161,18 +144,12 @@ final class RayJourney {
         return mirrors == 1 || mirrors > 1 && largeWallsOnly && mirrors <= model.mirrorOrder();
     }
 
-    /** The level of a piece is that of the share of the source's power which it carries. */
-    private void record(double length) {
+    private void recordFlight(double length) {
         if (recorder != RayRecorder.NONE) {
-            recorder.record(
-                    ray.originX,
-                    ray.originY,
-                    ray.originZ,
+            record(
                     ray.originX + length * ray.directionX,
                     ray.originY + length * ray.directionY,
                     ray.originZ + length * ray.directionZ,
-                    Levels.ofRatio(left() * source.emitted() / model.rays()),
-                    ray.order,
                     false);
         }
     }
@@ -180,26 +157,14 @@ final class RayJourney {
     private void recordConnection() {
         if (recorder != RayRecorder.NONE) {
             Position place = source.place();
-            recorder.record(
-                    ray.originX,
-                    ray.originY,
-                    ray.originZ,
-                    place.x(),
-                    place.y(),
-                    place.z(),
-                    Levels.ofRatio(left() * source.emitted() / model.rays()),
-                    ray.order,
-                    true);
+            record(place.x(), place.y(), place.z(), true);
         }
     }
 
-    private void fly(double distance) {
-        double before = left();
-        for (int band = 0; band < BANDS; band++) {
-            energy[band] *= air.left(band, distance);
-        }
-        books.leaveToAir(before - left());
-        ray.travelled += distance;
+    /** The level of a piece is that of the share of the source's power which it carries. */
+    private void record(double toX, double toY, double toZ, boolean received) {
+        double level = Levels.ofRatio(energy.all() * source.emitted() / model.rays());
+        recorder.record(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, level, ray.order, received);
     }
 
     private void meet(int triangle, double distance) {
@@ -216,7 +181,7 @@ final class RayJourney {
             standOff(-1.0);
             return;
         }
-        if (passes(material)) {
+        if (energy.passes(material, random)) {
             ray.medium = surfaces.isSheet(material) ? ray.medium : material;
             mirrors = NOT_EXACT;
             standOff(-1.0);
@@ -226,49 +191,14 @@ final class RayJourney {
         }
     }
 
-    /** Absorbs the surface's share; chance decides whether the rest goes through or back. */
-    private boolean passes(int material) {
-        double before = left();
-        double reflected = 0.0;
-        double transmitted = 0.0;
-        for (int band = 0; band < BANDS; band++) {
-            reflected += energy[band] * surfaces.reflected(material, band);
-            transmitted += energy[band] * surfaces.transmitted(material, band);
-        }
-        double onward = reflected + transmitted;
-        books.absorb(before - onward);
-        double chance = onward > 0.0 ? transmitted / onward : 0.0;
-        boolean passes = surfaces.transmits(material) && random.nextDouble() < chance;
-        for (int band = 0; band < BANDS; band++) {
-            energy[band] *= passes
-                    ? surfaces.transmitted(material, band) / chance
-                    : surfaces.reflected(material, band) / (1.0 - chance);
-        }
-        books.exchange(onward, left());
-        return passes;
-    }
-
     private void reflect(int triangle, int material) {
-        double before = left();
-        double sum = 0.0;
-        for (int band = 0; band < BANDS; band++) {
-            scattered[band] = energy[band] * surfaces.scattered(material, band);
-            sum += scattered[band];
-        }
-        double chance = before > 0.0 ? sum / before : 0.0;
-        boolean always = ray.order <= ALWAYS_JOINED && chance > 0.0;
+        boolean always = ray.order <= ALWAYS_JOINED && surfaces.scatters(material);
         if (always) {
-            join(scattered);
+            join(energy.scatteredBy(material));
         }
-        boolean diffuse = random.nextDouble() < chance;
-        for (int band = 0; band < BANDS; band++) {
-            double share = surfaces.scattered(material, band);
-            energy[band] *= diffuse ? share / chance : (1.0 - share) / (1.0 - chance);
-        }
-        books.exchange(before, left());
-        if (diffuse) {
+        if (energy.isScattered(material, random)) {
             if (!always) {
-                join(energy);
+                join(energy.byBand());
             }
             Directions.drawLambert(random, normal, ray);
             fromMirror = false;
@@ -301,22 +231,5 @@ final class RayJourney {
         ray.originX += step * normal[0];
         ray.originY += step * normal[1];
         ray.originZ += step * normal[2];
-    }
-
-    /** Ends faint rays by chance and strengthens those that survive, which leaves the mean as it is. */
-    private boolean survives(double first) {
-        double left = left();
-        if (left >= model.roulette() * first) {
-            return true;
-        }
-        if (left == 0.0 || random.nextDouble() >= SURVIVAL) {
-            books.exchange(left, 0.0);
-            return false;
-        }
-        for (int band = 0; band < BANDS; band++) {
-            energy[band] /= SURVIVAL;
-        }
-        books.exchange(left, left());
-        return true;
     }
 }

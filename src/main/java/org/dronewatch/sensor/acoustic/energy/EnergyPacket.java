@@ -1,0 +1,134 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.random.RandomGenerator;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sound.OctaveBands;
+
+/**
+ * The energy that a ray carries in each band, and what air, surfaces and chance do to it. Chance chooses one branch for all
+ * bands, by the energy of all of them; each band is then weighted so that its mean is right. One per thread.
+ */
+final class EnergyPacket {
+    private static final int BANDS = OctaveBands.COUNT;
+    private static final double SURVIVAL = 0.5;
+
+    private final EnergyModel model;
+    private final BandSurfaces surfaces;
+    private final Air air;
+    private final EnergyBooks books;
+    private final double[] energy = new double[BANDS];
+    private final double[] scattered = new double[BANDS];
+    private double first;
+
+    EnergyPacket(EnergyModel model, BandSurfaces surfaces, Air air, EnergyBooks books) {
+        this.model = model;
+        this.surfaces = surfaces;
+        this.air = air;
+        this.books = books;
+    }
+
+    /** Gives it all that one ray carries at first. */
+    void fill(SoundSource source) {
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] = source.share(band);
+        }
+        first = all();
+    }
+
+    /** The energies by band; for reading. */
+    double[] byBand() {
+        return energy;
+    }
+
+    /** The energy in all bands. */
+    double all() {
+        double sum = 0.0;
+        for (double inBand : energy) {
+            sum += inBand;
+        }
+        return sum;
+    }
+
+    /** Leaves the air its share of a way, m. */
+    void fly(double distance) {
+        double before = all();
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] *= air.left(band, distance);
+        }
+        books.leaveToAir(before - all());
+    }
+
+    /** Leaves the site. */
+    void escape() {
+        books.escape(all());
+    }
+
+    /** Is given up at the largest order. */
+    void giveUp() {
+        books.giveUp(all());
+    }
+
+    /** Leaves a surface its share; chance decides whether the rest goes through or back. */
+    boolean passes(int material, RandomGenerator random) {
+        double before = all();
+        double reflected = 0.0;
+        double transmitted = 0.0;
+        for (int band = 0; band < BANDS; band++) {
+            reflected += energy[band] * surfaces.reflected(material, band);
+            transmitted += energy[band] * surfaces.transmitted(material, band);
+        }
+        double onward = reflected + transmitted;
+        books.absorb(before - onward);
+        double chance = onward > 0.0 ? transmitted / onward : 0.0;
+        boolean passes = surfaces.transmits(material) && random.nextDouble() < chance;
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] *= passes
+                    ? surfaces.transmitted(material, band) / chance
+                    : surfaces.reflected(material, band) / (1.0 - chance);
+        }
+        books.exchange(onward, all());
+        return passes;
+    }
+
+    /** What a surface would scatter of it, by band; valid until the next question. */
+    double[] scatteredBy(int material) {
+        for (int band = 0; band < BANDS; band++) {
+            scattered[band] = energy[band] * surfaces.scattered(material, band);
+        }
+        return scattered;
+    }
+
+    /** Chance decides whether what a surface reflects goes on scattered or as from a mirror. */
+    boolean isScattered(int material, RandomGenerator random) {
+        double before = all();
+        double sum = 0.0;
+        for (double inBand : scatteredBy(material)) {
+            sum += inBand;
+        }
+        double chance = before > 0.0 ? sum / before : 0.0;
+        boolean diffuse = random.nextDouble() < chance;
+        for (int band = 0; band < BANDS; band++) {
+            double share = surfaces.scattered(material, band);
+            energy[band] *= diffuse ? share / chance : (1.0 - share) / (1.0 - chance);
+        }
+        books.exchange(before, all());
+        return diffuse;
+    }
+
+    /** Ends faint energies by chance and strengthens those that survive, which leaves the mean as it is. */
+    boolean survives(RandomGenerator random) {
+        double left = all();
+        if (left >= model.roulette() * first) {
+            return true;
+        }
+        if (left == 0.0 || random.nextDouble() >= SURVIVAL) {
+            books.exchange(left, 0.0);
+            return false;
+        }
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] /= SURVIVAL;
+        }
+        books.exchange(left, all());
+        return true;
+    }
+}
