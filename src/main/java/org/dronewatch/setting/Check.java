@@ -1,8 +1,6 @@
 package org.dronewatch.setting;
 
-import java.util.Locale;
-
-/** Limits of settings: each check returns its value, or throws an exception that names it, its value and the limit. */
+/** Limits of what is no component of a record (for those see {@link Limits}): each check returns its value, or throws an exception that names it, its value and the limit. */
 public final class Check {
 
     private Check() {}
@@ -23,35 +21,10 @@ public final class Check {
         return value;
     }
 
-    /** A value that must be finite. */
-    public static double finite(String name, double value, Quantity quantity) {
-        if (!Double.isFinite(value)) {
-            throw fails(name, value, quantity, "must be finite");
-        }
-        return value;
-    }
-
-    /** A value strictly between two limits. */
-    public static double inside(String name, double value, double low, double high, Quantity quantity) {
-        if (!(value > low && value < high)) {
-            throw fails(name, value, quantity, String.format(Locale.ROOT, "must be above %s and below %s", low, high));
-        }
-        return value;
-    }
-
     /** A value between two limits or on one of them. */
     public static double between(String name, double value, double low, double high, Quantity quantity) {
         if (!(value >= low && value <= high)) {
-            throw fails(name, value, quantity, String.format(Locale.ROOT, "must be %s to %s", low, high));
-        }
-        return value;
-    }
-
-    /** A count between two limits or on one of them. */
-    public static int between(String name, int value, int low, int high, Quantity quantity) {
-        if (value < low || value > high) {
-            throw new IllegalArgumentException(
-                    named(name, Integer.toString(value), quantity) + " must be " + low + " to " + high);
+            throw fails(name, value, quantity, "must be " + Limits.number(low) + " to " + Limits.number(high));
         }
         return value;
     }
@@ -65,7 +38,7 @@ public final class Check {
     }
 
     private static IllegalArgumentException fails(String name, double value, Quantity quantity, String limit) {
-        return new IllegalArgumentException(named(name, Double.toString(value), quantity) + " " + limit);
+        return new IllegalArgumentException(named(name, Limits.number(value), quantity) + " " + limit);
     }
 
     private static String named(String name, String value, Quantity quantity) {

@@ -3,22 +3,33 @@ package org.dronewatch.setting;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 
 /** Finds what a person may have meant. */
 public final class Spelling {
+    private static final double LEFT_OVER = 0.2;
+
     private Spelling() {}
 
-    /** The names nearest to a mistyped one, nearest first: by how many letters must be changed, added or removed. */
+    /**
+     * The names nearest to a mistyped one, nearest first: by how many letters must be changed, added or removed; capitals do
+     * not matter.
+     */
     public static List<String> nearest(String typed, Collection<String> names, int count) {
         return names.stream()
-                .sorted(Comparator.<String>comparingInt(name -> distance(typed, name))
+                .sorted(Comparator.<String>comparingDouble(name -> distance(typed, name))
                         .thenComparing(Comparator.naturalOrder()))
                 .limit(count)
                 .toList();
     }
 
-    /** Levenshtein's distance, row by row. */
-    private static int distance(String a, String b) {
+    /**
+     * Levenshtein's distance, row by row, or that to the best beginning of the name: {@code brik} is meant for
+     * {@code brick_rough}, not for {@code solid}. What is left over of the name counts a little.
+     */
+    private static double distance(String typed, String name) {
+        String a = typed.toLowerCase(Locale.ROOT);
+        String b = name.toLowerCase(Locale.ROOT);
         int[] row = new int[b.length() + 1];
         for (int j = 0; j <= b.length(); j++) {
             row[j] = j;
@@ -32,6 +43,10 @@ public final class Spelling {
                 row[j] = Math.min(changed, 1 + Math.min(row[j], row[j - 1]));
             }
         }
-        return row[b.length()];
+        double best = row[b.length()];
+        for (int j = 0; j < b.length(); j++) {
+            best = Math.min(best, row[j] + LEFT_OVER * (b.length() - j));
+        }
+        return best;
     }
 }

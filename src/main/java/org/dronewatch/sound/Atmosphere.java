@@ -1,7 +1,7 @@
 package org.dronewatch.sound;
 
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
@@ -12,9 +12,9 @@ import org.dronewatch.setting.Quantity;
  * @param pressure 50,000 to 120,000 Pa
  */
 public record Atmosphere(
-        @In(Quantity.TEMPERATURE) double temperature,
-        @In(Quantity.RATIO) double humidity,
-        @In(Quantity.PRESSURE) double pressure) {
+        @In(value = Quantity.TEMPERATURE, from = 213.15, to = 333.15) double temperature,
+        @In(value = Quantity.RATIO, from = 0, to = 1) double humidity,
+        @In(value = Quantity.PRESSURE, from = 50_000, to = 120_000) double pressure) {
     /** 20 degrees Celsius, 70 %, one standard atmosphere. */
     public static final Atmosphere STANDARD = new Atmosphere(293.15, 0.7, 101_325.0);
 
@@ -28,9 +28,7 @@ public record Atmosphere(
      * @throws IllegalArgumentException when one does not hold
      */
     public Atmosphere {
-        Check.between("temperature", temperature, 213.15, 333.15, Quantity.TEMPERATURE);
-        Check.between("humidity", humidity, 0.0, 1.0, Quantity.RATIO);
-        Check.between("pressure", pressure, 50_000.0, 120_000.0, Quantity.PRESSURE);
+        Limits.check(Atmosphere.class, temperature, humidity, pressure);
     }
 
     /** This air at another temperature, K. */

@@ -1,6 +1,7 @@
 package org.dronewatch.sound;
 
-import org.dronewatch.setting.Check;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
@@ -9,15 +10,12 @@ import org.dronewatch.setting.Quantity;
  * @param level A-weighted sound pressure level of all bands together, -20 to 140 dB re 20 uPa
  * @param shape levels of the bands relative to one another, dB
  */
-public record BackgroundNoise(double level, BandLevels shape) {
+public record BackgroundNoise(@In(value = Quantity.LEVEL, from = -20, to = 140) double level, BandLevels shape) {
     /**
      * Falls by 4 dB from octave to octave. Assumed: between wind in leaves, which is flatter, and far traffic, which is
      * steeper. A decision by bands stands and falls with it, so measure your own.
      */
     public static final BandLevels FALLING = BandLevels.of(0, -4, -8, -12, -16, -20, -24, -28);
-
-    private static final double LEAST = -20.0;
-    private static final double MOST = 140.0;
 
     /**
      * Checks the limits.
@@ -25,8 +23,7 @@ public record BackgroundNoise(double level, BandLevels shape) {
      * @throws IllegalArgumentException when one does not hold
      */
     public BackgroundNoise {
-        Check.between("backgroundNoise", level, LEAST, MOST, Quantity.LEVEL);
-        Check.present("noiseShape", shape);
+        Limits.check(BackgroundNoise.class, level, shape);
     }
 
     /** A level with the shape that is assumed unless something is known. */

@@ -3,8 +3,8 @@ package org.dronewatch.sound;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
@@ -36,14 +36,7 @@ public record BandLevels(
      * @throws IllegalArgumentException when a level is not finite
      */
     public BandLevels {
-        Check.finite("hz63", hz63, Quantity.LEVEL);
-        Check.finite("hz125", hz125, Quantity.LEVEL);
-        Check.finite("hz250", hz250, Quantity.LEVEL);
-        Check.finite("hz500", hz500, Quantity.LEVEL);
-        Check.finite("hz1000", hz1000, Quantity.LEVEL);
-        Check.finite("hz2000", hz2000, Quantity.LEVEL);
-        Check.finite("hz4000", hz4000, Quantity.LEVEL);
-        Check.finite("hz8000", hz8000, Quantity.LEVEL);
+        Limits.check(BandLevels.class, hz63, hz125, hz250, hz500, hz1000, hz2000, hz4000, hz8000);
     }
 
     /**

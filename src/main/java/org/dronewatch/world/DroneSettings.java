@@ -3,9 +3,9 @@ package org.dronewatch.world;
 import java.nio.file.Path;
 import java.util.List;
 import org.dronewatch.kdtree.KDTree;
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSound;
@@ -28,32 +28,30 @@ import org.dronewatch.sound.DroneSounds;
 public record DroneSettings(
         ModelSettings model,
         FlightPathSettings flight,
-        @In(Quantity.SPEED) double speed,
-        @In(Quantity.ACCELERATION) double acceleration,
-        @In(Quantity.AREA) double radarCrossSection,
-        @In(Quantity.LEVEL) double soundLevel,
-        @In(Quantity.LEVEL) double soundPowerLevel,
+        @In(value = Quantity.SPEED, above = 0, to = 400) double speed,
+        @In(value = Quantity.ACCELERATION, above = 0) double acceleration,
+        @In(value = Quantity.AREA, above = 0) double radarCrossSection,
+        @In(value = Quantity.LEVEL, from = 0, to = 200) double soundLevel,
+        @In(value = Quantity.LEVEL, from = 0, to = 200) double soundPowerLevel,
         String sound,
         Directivity directivity) {
-    private static final double MAX_SPEED = 400.0;
-    private static final double MAX_LEVEL = 200.0;
-
     /**
      * Checks the limits.
      *
      * @throws IllegalArgumentException when one does not hold
      */
     public DroneSettings {
-        Check.present("model", model);
-        Check.present("flight", flight);
-        Check.positive("speed", speed, Quantity.SPEED);
-        Check.between("speed", speed, 0.0, MAX_SPEED, Quantity.SPEED);
-        Check.positive("acceleration", acceleration, Quantity.ACCELERATION);
-        Check.positive("radarCrossSection", radarCrossSection, Quantity.AREA);
-        Check.between("soundLevel", soundLevel, 0.0, MAX_LEVEL, Quantity.LEVEL);
-        Check.between("soundPowerLevel", soundPowerLevel, 0.0, MAX_LEVEL, Quantity.LEVEL);
-        Check.present("sound", sound);
-        Check.present("directivity", directivity);
+        Limits.check(
+                DroneSettings.class,
+                model,
+                flight,
+                speed,
+                acceleration,
+                radarCrossSection,
+                soundLevel,
+                soundPowerLevel,
+                sound,
+                directivity);
         try {
             DroneSounds.get(sound);
         } catch (InputException e) {

@@ -4,6 +4,7 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /** The way a drone flies; how fast is the drone's own setting. */
@@ -31,8 +32,7 @@ public sealed interface FlightPathSettings {
     record Hover(Position position, @In(Quantity.ANGLE) double heading) implements FlightPathSettings {
         /** Checks the limits. */
         public Hover {
-            Check.present("position", position);
-            Check.finite("heading", heading, Quantity.ANGLE);
+            Limits.check(Hover.class, position, heading);
         }
 
         @Override
@@ -51,8 +51,7 @@ public sealed interface FlightPathSettings {
     record Approach(Position from, Position to) implements FlightPathSettings {
         /** Checks that there is a way to go. */
         public Approach {
-            Check.present("from", from);
-            Check.present("to", to);
+            Limits.check(Approach.class, from, to);
             Check.positive("distance from 'from' to 'to'", from.distance(to), Quantity.LENGTH);
         }
 

@@ -1,8 +1,8 @@
 package org.dronewatch.world;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
@@ -18,7 +18,7 @@ import org.dronewatch.setting.Quantity;
 public record ModelSettings(
         String file,
         UpAxis upAxis,
-        @In(Quantity.NUMBER) double scale,
+        @In(value = Quantity.NUMBER, above = 0) double scale,
         @In(Quantity.LENGTH) Position position,
         @In(Quantity.ANGLE) double heading) {
     /** The prefix of models that come with the library. */
@@ -30,14 +30,10 @@ public record ModelSettings(
      * @throws IllegalArgumentException when one does not hold
      */
     public ModelSettings {
-        Check.present("file", file);
+        Limits.check(ModelSettings.class, file, upAxis, scale, position, heading);
         if (file.isBlank()) {
             throw new IllegalArgumentException("file is empty: it must name an .obj file");
         }
-        Check.present("upAxis", upAxis);
-        Check.positive("scale", scale, Quantity.NUMBER);
-        Check.present("position", position);
-        Check.finite("heading", heading, Quantity.ANGLE);
     }
 
     /** A y-up file in metres, at the origin, as most OBJ files are. */

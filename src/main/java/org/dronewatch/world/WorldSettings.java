@@ -2,8 +2,8 @@ package org.dronewatch.world;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
@@ -20,7 +20,7 @@ import org.dronewatch.sound.BandLevels;
  */
 public record WorldSettings(
         List<ModelSettings> models,
-        @In(Quantity.LEVEL) double backgroundNoise,
+        @In(value = Quantity.LEVEL, from = -20, to = 140) double backgroundNoise,
         BandLevels noiseShape,
         SurfaceSettings surfaces,
         Atmosphere atmosphere) {
@@ -33,14 +33,11 @@ public record WorldSettings(
      * @throws IllegalArgumentException when one does not hold
      */
     public WorldSettings {
-        models = List.copyOf(Check.present("models", models));
+        Limits.check(WorldSettings.class, models, backgroundNoise, noiseShape, surfaces, atmosphere);
+        models = List.copyOf(models);
         if (models.isEmpty()) {
             throw new IllegalArgumentException("models is empty: a world needs at least one");
         }
-        Check.present("noiseShape", noiseShape);
-        new BackgroundNoise(backgroundNoise, noiseShape);
-        Check.present("surfaces", surfaces);
-        Check.present("atmosphere", atmosphere);
     }
 
     /** A quiet world of one model. */

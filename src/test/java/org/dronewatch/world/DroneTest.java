@@ -104,7 +104,7 @@ class DroneTest {
     void settingsHaveLimits() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> SETTINGS.withSpeed(-1.0))
-                .withMessageContaining("speed -1.0 m/s");
+                .withMessageContaining("speed -1 m/s");
         assertThatIllegalArgumentException().isThrownBy(() -> SETTINGS.withSpeed(Double.NaN));
         assertThatIllegalArgumentException().isThrownBy(() -> SETTINGS.withRadarCrossSection(0.0));
         assertThatIllegalArgumentException().isThrownBy(() -> SETTINGS.withSoundLevel(500.0));

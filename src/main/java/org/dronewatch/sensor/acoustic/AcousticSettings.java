@@ -5,8 +5,8 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.World;
 
@@ -22,31 +22,19 @@ import org.dronewatch.world.World;
  */
 public record AcousticSettings(
         Position position,
-        @In(Quantity.LENGTH) double radius,
-        @In(Quantity.FREQUENCY) double rate,
-        @In(Quantity.LEVEL) double threshold,
-        @In(Quantity.LEVEL) double arrayGain,
+        @In(value = Quantity.LENGTH, above = 0, to = 100) double radius,
+        @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
+        @In(value = Quantity.LEVEL, from = -100, to = 100) double threshold,
+        @In(value = Quantity.LEVEL, from = 0, to = 60) double arrayGain,
         Propagation propagation)
         implements SensorSettings<AcousticSensor> {
-    private static final double MAX_RATE = 10_000.0;
-    private static final double MAX_THRESHOLD = 100.0;
-    private static final double MAX_GAIN = 60.0;
-    private static final double MAX_RADIUS = 100.0;
-
     /**
      * Checks the limits.
      *
      * @throws IllegalArgumentException when one does not hold
      */
     public AcousticSettings {
-        Check.present("position", position);
-        Check.positive("radius", radius, Quantity.LENGTH);
-        Check.between("radius", radius, 0.0, MAX_RADIUS, Quantity.LENGTH);
-        Check.positive("rate", rate, Quantity.FREQUENCY);
-        Check.between("rate", rate, 0.0, MAX_RATE, Quantity.FREQUENCY);
-        Check.between("threshold", threshold, -MAX_THRESHOLD, MAX_THRESHOLD, Quantity.LEVEL);
-        Check.between("arrayGain", arrayGain, 0.0, MAX_GAIN, Quantity.LEVEL);
-        Check.present("propagation", propagation);
+        Limits.check(AcousticSettings.class, position, radius, rate, threshold, arrayGain, propagation);
     }
 
     /** A microphone of 0.5 m radius that listens ten times a second and hears what is 15 dB above the background. */

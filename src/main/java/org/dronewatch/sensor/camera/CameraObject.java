@@ -37,7 +37,7 @@ public final class CameraObject {
         this.height = settings.height();
         this.focalLength = settings.focalLength();
 
-        this.forward = settings.lookAt().minus(position).toVector3d();
+        this.forward = settings.aim().from(position).toVector3d();
         forward.normalize();
         Vector3d top = Math.abs(forward.z) < VERTICAL ? new Vector3d(0, 0, 1) : new Vector3d(0, 1, 0);
         this.right = new Vector3d();

@@ -1,16 +1,17 @@
 package org.dronewatch.sensor.camera;
 
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
  * A camera that stands still.
  *
  * @param position where its centre of projection is, m
- * @param lookAt a point on its axis, m; not the position
+ * @param aim where its axis points; the horizon is level
  * @param width pixels in a row, 1 to 16384
  * @param height rows, 1 to 16384
  * @param fov field of view, above 0 and below pi, rad
@@ -20,75 +21,75 @@ import org.dronewatch.setting.Quantity;
  */
 public record CameraSettings(
         Position position,
-        Position lookAt,
-        @In(Quantity.PIXELS) int width,
-        @In(Quantity.PIXELS) int height,
-        @In(Quantity.ANGLE) double fov,
+        Aim aim,
+        @In(value = Quantity.PIXELS, from = 1, to = 16_384) int width,
+        @In(value = Quantity.PIXELS, from = 1, to = 16_384) int height,
+        @In(value = Quantity.ANGLE, above = 0, below = Math.PI) double fov,
         FieldOfView fovAxis,
-        @In(Quantity.FREQUENCY) double rate,
+        @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         DetectionFunction detection)
         implements SensorSettings<CameraSensor> {
-    private static final int MAX_SIDE = 16384;
-    private static final double MAX_RATE = 10_000.0;
-
     /**
      * Checks the limits.
      *
      * @throws IllegalArgumentException when one does not hold
      */
     public CameraSettings {
-        Check.present("position", position);
-        Check.present("lookAt", lookAt);
-        Check.positive("distance from 'position' to 'lookAt'", position.distance(lookAt), Quantity.LENGTH);
-        Check.between("width", width, 1, MAX_SIDE, Quantity.PIXELS);
-        Check.between("height", height, 1, MAX_SIDE, Quantity.PIXELS);
-        Check.inside("fov", fov, 0.0, Math.PI, Quantity.ANGLE);
-        Check.present("fovAxis", fovAxis);
-        Check.positive("rate", rate, Quantity.FREQUENCY);
-        Check.between("rate", rate, 0.0, MAX_RATE, Quantity.FREQUENCY);
-        Check.present("detection", detection);
+        Limits.check(CameraSettings.class, position, aim, width, height, fov, fovAxis, rate, detection);
+        aim.from(position);
     }
 
     /** A full HD camera, 0.6918 rad (39.6 degrees) vertically, 10 frames a second, detecting from 12 pixels on. */
     public static CameraSettings at(Position position) {
-        Position north = position.plus(new Position(0, 1, 0));
         return new CameraSettings(
-                position, north, 1920, 1080, 0.6918, FieldOfView.VERTICAL, 10.0, PixelThreshold.DEFAULT);
+                position,
+                Aim.Direction.DEFAULT,
+                1920,
+                1080,
+                0.6918,
+                FieldOfView.VERTICAL,
+                10.0,
+                PixelThreshold.DEFAULT);
     }
 
-    /** These settings at another place; the camera keeps looking at the same point. */
+    /** These settings at another place; a camera that points at a place keeps looking there. */
     public CameraSettings withPosition(Position place) {
-        return new CameraSettings(place, lookAt, width, height, fov, fovAxis, rate, detection);
+        return new CameraSettings(place, aim, width, height, fov, fovAxis, rate, detection);
     }
 
     /** These settings looking at another point, m. */
     public CameraSettings withLookAt(Position point) {
-        return new CameraSettings(position, point, width, height, fov, fovAxis, rate, detection);
+        return withAim(new Aim.Target(point));
+    }
+
+    /** These settings pointing elsewhere. */
+    public CameraSettings withAim(Aim other) {
+        return new CameraSettings(position, other, width, height, fov, fovAxis, rate, detection);
     }
 
     /** These settings with another picture size in pixels. */
     public CameraSettings withResolution(int pixelsWide, int pixelsHigh) {
-        return new CameraSettings(position, lookAt, pixelsWide, pixelsHigh, fov, fovAxis, rate, detection);
+        return new CameraSettings(position, aim, pixelsWide, pixelsHigh, fov, fovAxis, rate, detection);
     }
 
     /** These settings with another vertical field of view, rad. */
     public CameraSettings withVerticalFov(double angle) {
-        return new CameraSettings(position, lookAt, width, height, angle, FieldOfView.VERTICAL, rate, detection);
+        return new CameraSettings(position, aim, width, height, angle, FieldOfView.VERTICAL, rate, detection);
     }
 
     /** These settings with another horizontal field of view, rad. */
     public CameraSettings withHorizontalFov(double angle) {
-        return new CameraSettings(position, lookAt, width, height, angle, FieldOfView.HORIZONTAL, rate, detection);
+        return new CameraSettings(position, aim, width, height, angle, FieldOfView.HORIZONTAL, rate, detection);
     }
 
     /** These settings with another number of frames a second, Hz. */
     public CameraSettings withRate(double framesPerSecond) {
-        return new CameraSettings(position, lookAt, width, height, fov, fovAxis, framesPerSecond, detection);
+        return new CameraSettings(position, aim, width, height, fov, fovAxis, framesPerSecond, detection);
     }
 
     /** These settings with another way to decide. */
     public CameraSettings withDetection(DetectionFunction function) {
-        return new CameraSettings(position, lookAt, width, height, fov, fovAxis, rate, function);
+        return new CameraSettings(position, aim, width, height, fov, fovAxis, rate, function);
     }
 
     /** Focal length in pixels, the same for both axes: {@code (h/2) / tan(fovy/2)}. */

@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.camera;
 
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
@@ -9,13 +9,13 @@ import org.dronewatch.setting.Quantity;
  *
  * @param pixels how many, above 0
  */
-public record PixelThreshold(@In(Quantity.PIXELS) double pixels) implements DetectionFunction {
+public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0) double pixels) implements DetectionFunction {
     /** Calibrated in the thesis that this project began with: 12 pixels. */
     public static final PixelThreshold DEFAULT = new PixelThreshold(12.0);
 
     /** Checks the limit. */
     public PixelThreshold {
-        Check.positive("pixels", pixels, Quantity.PIXELS);
+        Limits.check(PixelThreshold.class, pixels);
     }
 
     @Override

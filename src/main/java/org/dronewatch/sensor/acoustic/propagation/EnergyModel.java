@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
@@ -19,11 +19,11 @@ import org.dronewatch.setting.Quantity;
  * @param criterion what is compared with the background
  */
 public record EnergyModel(
-        @In(Quantity.NUMBER) int rays,
-        @In(Quantity.LEVEL) double accuracy,
-        @In(Quantity.NUMBER) double roulette,
-        @In(Quantity.NUMBER) int maxOrder,
-        @In(Quantity.NUMBER) int mirrorOrder,
+        @In(value = Quantity.NUMBER, from = 1, to = 10_000_000) int rays,
+        @In(value = Quantity.LEVEL, from = 0, to = 10) double accuracy,
+        @In(value = Quantity.NUMBER, above = 0, below = 1) double roulette,
+        @In(value = Quantity.NUMBER, from = 0, to = 10_000) int maxOrder,
+        @In(value = Quantity.NUMBER, from = 1, to = 4) int mirrorOrder,
         Diffraction diffraction,
         Criterion criterion)
         implements Propagation {
@@ -50,13 +50,7 @@ public record EnergyModel(
      * @throws IllegalArgumentException when one does not hold
      */
     public EnergyModel {
-        Check.between("rays", rays, 1, 10_000_000, Quantity.NUMBER);
-        Check.between("accuracy", accuracy, 0.0, 10.0, Quantity.LEVEL);
-        Check.inside("roulette", roulette, 0.0, 1.0, Quantity.NUMBER);
-        Check.between("maxOrder", maxOrder, 0, 10_000, Quantity.NUMBER);
-        Check.between("mirrorOrder", mirrorOrder, 1, 4, Quantity.NUMBER);
-        Check.present("diffraction", diffraction);
-        Check.present("criterion", criterion);
+        Limits.check(EnergyModel.class, rays, accuracy, roulette, maxOrder, mirrorOrder, diffraction, criterion);
     }
 
     /** This model with another number of rays. */

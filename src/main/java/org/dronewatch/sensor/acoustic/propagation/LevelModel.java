@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
@@ -15,11 +15,11 @@ import org.dronewatch.setting.Quantity;
  * @param rayBudget how many straight pieces of rays one look may trace, 1 to 50,000,000
  */
 public record LevelModel(
-        @In(Quantity.NUMBER) int initialRays,
-        @In(Quantity.NUMBER) int reflectionsPerHit,
-        @In(Quantity.ATTENUATION) double attenuation,
-        @In(Quantity.NUMBER) int maxOrder,
-        @In(Quantity.NUMBER) int rayBudget)
+        @In(value = Quantity.NUMBER, from = 1, to = 100_000) int initialRays,
+        @In(value = Quantity.NUMBER, from = 1, to = 10_000) int reflectionsPerHit,
+        @In(value = Quantity.ATTENUATION, from = 0) double attenuation,
+        @In(value = Quantity.NUMBER, from = 0, to = 100) int maxOrder,
+        @In(value = Quantity.NUMBER, from = 1, to = 50_000_000) int rayBudget)
         implements Propagation {
 
     /** 10 initial rays, 10 reflections a hit, 0.05 dB/m, three orders, 200,000 pieces. */
@@ -31,11 +31,7 @@ public record LevelModel(
      * @throws IllegalArgumentException when one does not hold
      */
     public LevelModel {
-        Check.between("initialRays", initialRays, 1, 100_000, Quantity.NUMBER);
-        Check.between("reflectionsPerHit", reflectionsPerHit, 1, 10_000, Quantity.NUMBER);
-        Check.notNegative("attenuation", attenuation, Quantity.ATTENUATION);
-        Check.between("maxOrder", maxOrder, 0, 100, Quantity.NUMBER);
-        Check.between("rayBudget", rayBudget, 1, 50_000_000, Quantity.NUMBER);
+        Limits.check(LevelModel.class, initialRays, reflectionsPerHit, attenuation, maxOrder, rayBudget);
     }
 
     /** This model with so many rays from the drone and from each surface. */

@@ -1,0 +1,63 @@
+package org.dronewatch.sensor;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/** Where a sensor points: at a place, or in a direction. */
+public sealed interface Aim {
+
+    /**
+     * The way from a sensor to where it points, of any length but 0.
+     *
+     * @param sensor where the sensor is, m
+     * @throws IllegalArgumentException when it would have to point at its own place
+     */
+    Position from(Position sensor);
+
+    /**
+     * Points at a place, wherever the sensor stands.
+     *
+     * @param lookAt the place, m
+     */
+    record Target(Position lookAt) implements Aim {
+        /** Checks that there is one. */
+        public Target {
+            Limits.check(Target.class, lookAt);
+        }
+
+        @Override
+        public Position from(Position sensor) {
+            Position way = lookAt.minus(sensor);
+            Check.positive("distance from 'position' to 'lookAt'", way.length(), Quantity.LENGTH);
+            return way;
+        }
+    }
+
+    /**
+     * Points in a direction.
+     *
+     * @param azimuth clockwise from north as on a compass, rad
+     * @param elevation above the horizon, -pi/2 to pi/2, rad
+     */
+    record Direction(
+            @In(Quantity.ANGLE) double azimuth,
+            @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double elevation)
+            implements Aim {
+        /** Level to the north. */
+        public static final Direction DEFAULT = new Direction(0.0, 0.0);
+
+        /** Checks the limits. */
+        public Direction {
+            Limits.check(Direction.class, azimuth, elevation);
+        }
+
+        @Override
+        public Position from(Position sensor) {
+            double level = Math.cos(elevation);
+            return new Position(level * Math.sin(azimuth), level * Math.cos(azimuth), Math.sin(elevation));
+        }
+    }
+}

@@ -1,0 +1,102 @@
+package org.dronewatch.setting;
+
+import java.lang.reflect.RecordComponent;
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a settings record demands of its components: that each is there, and that each number is finite and within the
+ * limits that its {@link In} gives. A record's constructor calls {@link #check}.
+ */
+public final class Limits {
+    private static final ClassValue<List<Component>> COMPONENTS = new ClassValue<>() {
+        @Override
+        protected List<Component> computeValue(Class<?> type) {
+            List<Component> found = new ArrayList<>();
+            for (RecordComponent component : type.getRecordComponents()) {
+                found.add(new Component(component.getName(), component.getAnnotation(In.class)));
+            }
+            return List.copyOf(found);
+        }
+    };
+
+    private Limits() {}
+
+    /**
+     * Checks what a record is to be made of.
+     *
+     * @param record its class
+     * @param values one for each component, in their order
+     * @throws IllegalArgumentException when one is missing or out of its limits; the message names it, its value and the
+     *     limit
+     */
+    public static void check(Class<? extends Record> record, Object... values) {
+        List<Component> components = COMPONENTS.get(record);
+        if (components.size() != values.length) {
+            throw new IllegalStateException(
+                    record.getName() + " checks " + values.length + " of its " + components.size() + " components");
+        }
+        for (int i = 0; i < values.length; i++) {
+            components.get(i).check(values[i]);
+        }
+    }
+
+    /** The limits of a number in words, as in {@code above 0 and at most 100}; empty when it must only be finite. */
+    public static String inWords(In limits) {
+        boolean closedBelow = limits.from() > limits.above();
+        boolean closedAbove = limits.to() < limits.below();
+        double low = closedBelow ? limits.from() : limits.above();
+        double high = closedAbove ? limits.to() : limits.below();
+        if (closedBelow && closedAbove) {
+            return number(low) + " to " + number(high);
+        }
+        List<String> words = new ArrayList<>();
+        if (Double.isFinite(low)) {
+            words.add(closedBelow ? number(low) + " or more" : "above " + number(low));
+        }
+        if (Double.isFinite(high)) {
+            words.add((closedAbove ? "at most " : "below ") + number(high));
+        }
+        return String.join(" and ", words);
+    }
+
+    /** A number as a person writes it: {@code 0.5}, {@code 10000}. */
+    static String number(double value) {
+        if (!Double.isFinite(value)) {
+            return Double.toString(value);
+        }
+        String plain = BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
+        return plain.length() <= LONGEST_PLAIN ? plain : Double.toString(value);
+    }
+
+    private static final int LONGEST_PLAIN = 12;
+
+    private record Component(String name, In limits) {
+        void check(Object value) {
+            if (value == null) {
+                throw new IllegalArgumentException(name + " is missing");
+            }
+            if (limits != null && value instanceof Number written) {
+                check(written.doubleValue());
+            }
+        }
+
+        private void check(double value) {
+            if (!Double.isFinite(value)) {
+                throw fails(value, "finite");
+            }
+            boolean fits =
+                    value >= limits.from() && value > limits.above() && value <= limits.to() && value < limits.below();
+            if (!fits) {
+                throw fails(value, inWords(limits));
+            }
+        }
+
+        private IllegalArgumentException fails(double value, String limit) {
+            String unit = limits.value().unit();
+            return new IllegalArgumentException(
+                    name + " " + number(value) + (unit.isEmpty() ? "" : " " + unit) + " must be " + limit);
+        }
+    }
+}

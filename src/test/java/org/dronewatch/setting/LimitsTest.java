@@ -1,0 +1,63 @@
+package org.dronewatch.setting;
+
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The limits that components of records name are kept, and told in words. */
+class LimitsTest {
+    private record Sample(
+            @In(value = Quantity.LENGTH, above = 0, to = 100) double open,
+            @In(value = Quantity.NUMBER, from = 1, to = 20_000) int count,
+            @In(Quantity.ANGLE) double any,
+            @In(value = Quantity.LEVEL, from = -20) double least,
+            @In(value = Quantity.RATIO, below = 0.5) double half,
+            String text) {}
+
+    private static void check(double open, int count, double any, double least, double half, String text) {
+        Limits.check(Sample.class, open, count, any, least, half, text);
+    }
+
+    @Test
+    void whatLiesOnAnIncludedLimitFits() {
+        assertThatCode(() -> check(100, 1, -7, -20, 0.49, "")).doesNotThrowAnyException();
+        assertThatCode(() -> check(1e-300, 20_000, 1e30, 1e9, -1e9, "")).doesNotThrowAnyException();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "0     | 1     | 0        | 0     | 0        | open 0 m must be above 0 and at most 100",
+                "100.5 | 1     | 0        | 0     | 0        | open 100.5 m must be above 0 and at most 100",
+                "1     | 0     | 0        | 0     | 0        | count 0 must be 1 to 20000",
+                "1     | 20001 | 0        | 0     | 0        | count 20001 must be 1 to 20000",
+                "1     | 1     | Infinity | 0     | 0        | any Infinity rad must be finite",
+                "NaN   | 1     | 0        | 0     | 0        | open NaN m must be finite",
+                "1     | 1     | 0        | -20.1 | 0        | least -20.1 dB must be -20 or more",
+                "1     | 1     | 0        | 0     | 0.5      | half 0.5 must be below 0.5",
+                "1e-20 | 1     | 0        | 0     | 1e30     | half 1.0E30 must be below 0.5",
+            })
+    void whatDoesNotFitIsNamedWithValueAndLimit(
+            double open, int count, double any, double least, double half, String message) {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> check(open, count, any, least, half, ""))
+                .withMessage(message);
+    }
+
+    @Test
+    void nothingMayBeMissing() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> check(1, 1, 0, 0, 0, null))
+                .withMessage("text is missing");
+    }
+
+    @Test
+    void everyComponentMustBeGiven() {
+        assertThatIllegalStateException().isThrownBy(() -> Limits.check(Sample.class, 1.0, 2));
+    }
+}
