@@ -58,19 +58,23 @@ public final class Main implements Runnable {
         commands.setErr(err);
         commands.setCaseInsensitiveEnumValuesAllowed(true);
         commands.setParameterExceptionHandler((problem, given) -> {
-            err.println(oneLine(problem) + " (see '"
+            err.println(told(problem) + " (see '"
                     + problem.getCommandLine().getCommandSpec().qualifiedName() + " --help')");
             return BAD_INPUT;
         });
         commands.setExecutionExceptionHandler((problem, command, given) -> {
-            err.println(oneLine(problem));
+            err.println(told(problem));
             return problem instanceof InputException ? BAD_INPUT : FAILED;
         });
         return commands.execute(arguments);
     }
 
-    private static String oneLine(Exception problem) {
-        if (problem instanceof InputException || problem instanceof ParameterException) {
+    /** One line, but for input with several mistakes: a line for each. */
+    private static String told(Exception problem) {
+        if (problem instanceof InputException) {
+            return problem.getMessage();
+        }
+        if (problem instanceof ParameterException) {
             return problem.getMessage().replaceAll("\\p{Cntrl}+", " ");
         }
         StackTraceElement[] trace = problem.getStackTrace();

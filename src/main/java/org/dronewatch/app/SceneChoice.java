@@ -2,10 +2,13 @@ package org.dronewatch.app;
 
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Modifier;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.setting.InputException;
@@ -17,7 +20,7 @@ final class SceneChoice {
     @Parameters(
             index = "0",
             paramLabel = "SCENE",
-            description = "Name of a packaged scene (see 'list'), or class name of a Scene on the class path.")
+            description = "A packaged scene (see 'list'), a scene file in YAML, or a class that extends Scene.")
     private String name;
 
     @Option(
@@ -28,12 +31,26 @@ final class SceneChoice {
 
     /** A new scene. */
     Scene create() {
+        if (SceneFile.isFileName(name)) {
+            return new SceneFile(file());
+        }
         return PackagedScene.find(name).map(scene -> scene.factory().get()).orElseGet(this::fromClass);
+    }
+
+    private Path file() {
+        try {
+            return Path.of(name);
+        } catch (InvalidPathException e) {
+            throw new InputException("scene file '" + name + "' is no path: " + e.getReason(), e);
+        }
     }
 
     /** A runner of a scene with the overrides. */
     SceneRunner runner(Scene scene) {
         SceneRunner runner = new SceneRunner(scene);
+        if (scene instanceof SceneFile fromFile) {
+            runner.directory(fromFile.directory());
+        }
         for (String override : overrides) {
             int equals = override.indexOf('=');
             if (equals < 1) {
@@ -70,6 +87,8 @@ final class SceneChoice {
     private InputException unknown(Throwable cause) {
         String known = PackagedScene.all().stream().map(PackagedScene::name).collect(Collectors.joining(", "));
         return new InputException(
-                "unknown scene '" + name + "': neither packaged (" + known + ") nor a class on the class path", cause);
+                "unknown scene '" + name + "': neither packaged (" + known
+                        + "), nor a .yaml file, nor a class on the class path",
+                cause);
     }
 }

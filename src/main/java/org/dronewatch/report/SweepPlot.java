@@ -10,9 +10,9 @@ import java.util.TreeMap;
 import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneResult;
-import org.dronewatch.scene.SettingsPath;
 import org.dronewatch.scene.SweepAxis;
 import org.dronewatch.scene.SweepPoint;
+import org.dronewatch.setting.SettingsPath;
 import org.knowm.xchart.XYChart;
 
 /** First-detection range over the value of a sweep, with the law that the scene expects. */

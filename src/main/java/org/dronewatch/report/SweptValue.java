@@ -2,7 +2,7 @@ package org.dronewatch.report;
 
 import java.util.Locale;
 import org.dronewatch.scene.SceneSettings;
-import org.dronewatch.scene.SettingsPath;
+import org.dronewatch.setting.SettingsPath;
 
 /** The value that a swept setting has in one run, as people read it. */
 public final class SweptValue {

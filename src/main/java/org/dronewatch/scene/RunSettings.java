@@ -1,5 +1,6 @@
 package org.dronewatch.scene;
 
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -12,6 +13,7 @@ import org.dronewatch.setting.Quantity;
  */
 public record RunSettings(@In(value = Quantity.DURATION, above = 0, to = 1e6) double duration, long seed) {
     /** One minute with seed 1. */
+    @Defaults
     public static final RunSettings DEFAULT = new RunSettings(60.0, 1L);
 
     /** Checks the limits. */

@@ -149,6 +149,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().setSweep(new SweepSettings(parameter, texts));
     }
 
+    /** Takes settings that are complete already. */
+    final void set(SceneSettings settings) {
+        building().setAll(settings);
+    }
+
     private SceneBuilder building() {
         if (builder == null) {
             throw new IllegalStateException("a scene is described in its build() method only");

@@ -13,6 +13,7 @@ import org.dronewatch.world.WorldSettings;
 
 /** Collects what a scene's {@code build()} says. */
 final class SceneBuilder {
+    private SceneSettings whole;
     private WorldSettings world;
     private BackgroundNoise backgroundNoise = BackgroundNoise.of(WorldSettings.QUIET);
     private SurfaceSettings surfaces = SurfaceSettings.DEFAULT;
@@ -21,6 +22,10 @@ final class SceneBuilder {
     private final Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
     private RunSettings run = RunSettings.DEFAULT;
     private Optional<SweepSettings> sweep = Optional.empty();
+
+    void setAll(SceneSettings settings) {
+        whole = settings;
+    }
 
     void addToWorld(ModelSettings model) {
         world = world == null ? WorldSettings.of(model) : world.withModel(model);
@@ -59,6 +64,9 @@ final class SceneBuilder {
     }
 
     SceneSettings toSettings() {
+        if (whole != null) {
+            return whole;
+        }
         if (world == null) {
             throw new IllegalArgumentException("the scene has no world: its build() must call loadWorld");
         }

@@ -3,6 +3,7 @@ package org.dronewatch.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.dronewatch.setting.SettingsPath;
 
 /**
  * What all runs of a scene gave: keep it in a test, and a site's detection ranges cannot change unnoticed.

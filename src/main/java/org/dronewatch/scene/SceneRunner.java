@@ -10,6 +10,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsPath;
 
 /**
  * Runs a scene on the caller's thread: once, or once for each value of its sweep. The results depend on the scene, its

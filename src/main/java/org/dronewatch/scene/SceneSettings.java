@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.WorldSettings;
 
@@ -42,6 +43,12 @@ public record SceneSettings(
             throw new IllegalArgumentException(
                     "id '" + id + "' must be 1 to 64 letters, digits, '-' or '_': it is part of settings' paths");
         }
+    }
+
+    /** An empty site that runs for a minute. */
+    @Defaults("world")
+    public static SceneSettings of(WorldSettings world) {
+        return new SceneSettings(world, Map.of(), Map.of(), RunSettings.DEFAULT, Optional.empty());
     }
 
     /** These settings without a sweep. */

@@ -2,6 +2,7 @@ package org.dronewatch.sensor;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -47,6 +48,7 @@ public sealed interface Aim {
             @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double elevation)
             implements Aim {
         /** Level to the north. */
+        @Defaults
         public static final Direction DEFAULT = new Direction(0.0, 0.0);
 
         /** Checks the limits. */

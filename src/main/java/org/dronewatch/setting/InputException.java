@@ -1,8 +1,11 @@
 package org.dronewatch.setting;
 
+import java.util.List;
+import java.util.stream.Collectors;
+
 /**
- * Something that a person gave to the program is wrong: a file, a field, an option. The message is one line that names
- * the place, the value and the limit, and is shown as it is.
+ * Something that a person gave to the program is wrong: a file, a field, an option. The message is one line for each
+ * mistake, which names the place, the value and the limit, and is shown as it is.
  */
 public final class InputException extends RuntimeException {
     private static final long serialVersionUID = 1L;
@@ -15,6 +18,11 @@ public final class InputException extends RuntimeException {
     /** A problem described in one line, with what caused it. */
     public InputException(String message, Throwable cause) {
         super(oneLine(message), cause);
+    }
+
+    /** Several problems, each described in one line. */
+    public InputException(List<String> problems) {
+        super(problems.stream().map(InputException::oneLine).collect(Collectors.joining("\n")));
     }
 
     private static String oneLine(String message) {

@@ -1,5 +1,6 @@
 package org.dronewatch.sound;
 
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -16,6 +17,7 @@ public record Atmosphere(
         @In(value = Quantity.RATIO, from = 0, to = 1) double humidity,
         @In(value = Quantity.PRESSURE, from = 50_000, to = 120_000) double pressure) {
     /** 20 degrees Celsius, 70 %, one standard atmosphere. */
+    @Defaults
     public static final Atmosphere STANDARD = new Atmosphere(293.15, 0.7, 101_325.0);
 
     private static final double REFERENCE_TEMPERATURE = 293.15;

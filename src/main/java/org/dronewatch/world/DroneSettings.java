@@ -3,6 +3,7 @@ package org.dronewatch.world;
 import java.nio.file.Path;
 import java.util.List;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
@@ -60,6 +61,7 @@ public record DroneSettings(
     }
 
     /** A small quadrotor: 5 m/s, 2.5 m/s2, 0.01 m2, 55 dB in the level model, 85 dB of sound power. */
+    @Defaults({"model", "flight"})
     public static DroneSettings of(ModelSettings model, FlightPathSettings flight) {
         return new DroneSettings(
                 model, flight, 5.0, 2.5, 0.01, 55.0, 85.0, DroneSounds.SMALL_QUADROTOR, Directivity.OMNIDIRECTIONAL);

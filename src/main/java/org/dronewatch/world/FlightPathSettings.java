@@ -3,6 +3,7 @@ package org.dronewatch.world;
 import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -33,6 +34,12 @@ public sealed interface FlightPathSettings {
         /** Checks the limits. */
         public Hover {
             Limits.check(Hover.class, position, heading);
+        }
+
+        /** Hovers with the nose to the north. */
+        @Defaults("position")
+        public static Hover at(Position position) {
+            return new Hover(position, 0.0);
         }
 
         @Override

@@ -1,6 +1,8 @@
 package org.dronewatch.world;
 
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -16,7 +18,7 @@ import org.dronewatch.setting.Quantity;
  * @param heading turn about the vertical, clockwise seen from above as on a compass, rad
  */
 public record ModelSettings(
-        String file,
+        @FileName(unless = ModelSettings.PACKAGED) String file,
         UpAxis upAxis,
         @In(value = Quantity.NUMBER, above = 0) double scale,
         @In(Quantity.LENGTH) Position position,
@@ -37,6 +39,7 @@ public record ModelSettings(
     }
 
     /** A y-up file in metres, at the origin, as most OBJ files are. */
+    @Defaults("file")
     public static ModelSettings of(String file) {
         return new ModelSettings(file, UpAxis.Y, 1.0, new Position(0, 0, 0), 0.0);
     }

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterials;
@@ -18,6 +19,7 @@ import org.dronewatch.sound.SurfaceMaterials;
  */
 public record SurfaceSettings(Map<String, String> materials, String otherwise) {
     /** Nothing is named; what is left over is the ordinary hard surface of the table. */
+    @Defaults
     public static final SurfaceSettings DEFAULT = new SurfaceSettings(Map.of(), SurfaceMaterials.SOLID);
 
     /**

@@ -2,6 +2,7 @@ package org.dronewatch.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -42,8 +43,13 @@ public record WorldSettings(
 
     /** A quiet world of one model. */
     public static WorldSettings of(ModelSettings model) {
-        return new WorldSettings(
-                List.of(model), QUIET, BackgroundNoise.FALLING, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
+        return of(List.of(model));
+    }
+
+    /** A quiet world of some models, merged into one. */
+    @Defaults("models")
+    public static WorldSettings of(List<ModelSettings> models) {
+        return new WorldSettings(models, QUIET, BackgroundNoise.FALLING, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
     }
 
     /** These settings with one more model: a house on the hill. */

@@ -9,6 +9,7 @@ import org.dronewatch.scenes.AcousticRange;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsPath;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.world.FlightPathSettings.Approach;
 import org.junit.jupiter.api.Test;
@@ -86,7 +87,7 @@ class SettingsPathTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> path.write(scene, "energetic"))
                 .withMessageContaining("'energetic'")
-                .withMessageContaining("energy-model, level-model");
+                .withMessageContaining("level-model, energy-model");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "hover"))
                 .withMessageContaining("parts");
@@ -105,8 +106,8 @@ class SettingsPathTest {
                 "sensors.wide.width             | 0       | width 0 px    | 1 to 16384",
                 "sensors.wide.width             | 12.5    | 12.5          | whole number",
                 "sensors.wide.fovAxis           | round   | round         | vertical, horizontal",
-                "sensors.wide.position          | 1, 2    | 1, 2          | east, north, up",
-                "world.noiseShape               | 40, 38  | 40, 38        | 8 levels from 63 Hz",
+                "sensors.wide.position          | 1, 2    | 1, 2          | must have 3: x, y, z",
+                "world.noiseShape               | 40, 38  | 40, 38        | must have 8: hz63",
                 "world.noiseShape.hz125         | loud    | loud          | dB",
                 "sensors.wide                   | 1       | sensors.wide  | parts",
                 "drones.comer.speed             | -5      | speed -5 m/s | above 0",

@@ -5,6 +5,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -38,6 +39,7 @@ public record AcousticSettings(
     }
 
     /** A microphone of 0.5 m radius that listens ten times a second and hears what is 15 dB above the background. */
+    @Defaults("position")
     public static AcousticSettings at(Position position) {
         return new AcousticSettings(position, 0.5, 10.0, 15.0, 0.0, LevelModel.DEFAULT);
     }

@@ -3,6 +3,7 @@ package org.dronewatch.sensor.camera;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -40,6 +41,7 @@ public record CameraSettings(
     }
 
     /** A full HD camera, 0.6918 rad (39.6 degrees) vertically, 10 frames a second, detecting from 12 pixels on. */
+    @Defaults("position")
     public static CameraSettings at(Position position) {
         return new CameraSettings(
                 position,

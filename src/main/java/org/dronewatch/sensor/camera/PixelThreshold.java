@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.camera;
 
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -11,6 +12,7 @@ import org.dronewatch.setting.Quantity;
  */
 public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0) double pixels) implements DetectionFunction {
     /** Calibrated in the thesis that this project began with: 12 pixels. */
+    @Defaults
     public static final PixelThreshold DEFAULT = new PixelThreshold(12.0);
 
     /** Checks the limit. */

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -33,6 +34,7 @@ public record EnergyModel(
      * of tracing. In the open 0.2 dB is reached by fewer. Late chance is cheap for levels; for reverberation times a
      * thousandth is better.
      */
+    @Defaults
     public static final EnergyModel DEFAULT =
             new EnergyModel(8_000, 0.2, 0.5, 1000, 3, Diffraction.MAEKAWA, Criterion.A_WEIGHTED);
 

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -23,6 +24,7 @@ public record LevelModel(
         implements Propagation {
 
     /** 10 initial rays, 10 reflections a hit, 0.05 dB/m, three orders, 200,000 pieces. */
+    @Defaults
     public static final LevelModel DEFAULT = new LevelModel(10, 10, 0.05, 3, 200_000);
 
     /**

@@ -1,7 +1,6 @@
-package org.dronewatch.scene;
+package org.dronewatch.setting;
 
-import java.lang.reflect.Constructor;
-import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -9,9 +8,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.setting.In;
-import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.Quantity;
 
 /**
  * The way to one setting through a tree of records, such as {@code sensors.camera.fov} or {@code world.models.0.scale}:
@@ -59,10 +55,9 @@ public final class SettingsPath {
         for (int depth = 0; depth < names.size() - 1; depth++) {
             here = child(here, depth);
         }
-        In annotation = here instanceof Record settings
-                ? component(settings, names.size() - 1).getAnnotation(In.class)
-                : null;
-        return annotation == null ? Quantity.NUMBER : annotation.value();
+        return here instanceof Record settings
+                ? SettingText.quantity(component(settings, names.size() - 1))
+                : Quantity.NUMBER;
     }
 
     private Object replaced(Object here, int depth, String text) {
@@ -87,38 +82,36 @@ public final class SettingsPath {
     }
 
     private Record replacedInRecord(Record settings, int depth, String text) {
-        RecordComponent[] components = settings.getClass().getRecordComponents();
-        String target = component(settings, depth).getName();
-        Object[] values = new Object[components.length];
-        for (int i = 0; i < components.length; i++) {
-            values[i] = valueOf(settings, components[i]);
-            if (components[i].getName().equals(target)) {
-                values[i] =
-                        depth == names.size() - 1 ? parsed(components[i], text) : replaced(values[i], depth + 1, text);
-            }
+        RecordComponent part = component(settings, depth);
+        Object value;
+        if (depth == names.size() - 1) {
+            value = parsed(part, text);
+        } else if (depth == names.size() - 2 && isTexts(part)) {
+            Map<Object, Object> texts = new LinkedHashMap<>((Map<?, ?>) SettingsForm.get(settings, part));
+            texts.put(names.get(depth + 1), text);
+            value = texts;
+        } else {
+            value = replaced(SettingsForm.get(settings, part), depth + 1, text);
         }
-        return construct(settings.getClass(), components, values, text);
-    }
-
-    private Object parsed(RecordComponent target, String text) {
         try {
-            return SettingValue.parse(target, text);
+            return SettingsForm.of(settings.getClass()).with(settings, Map.of(part.getName(), value));
         } catch (IllegalArgumentException e) {
             throw new InputException(path + "=" + text + ": " + e.getMessage(), e);
         }
     }
 
-    private Record construct(Class<?> type, RecordComponent[] components, Object[] values, String text) {
-        Class<?>[] types =
-                Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new);
+    /** Whether a part holds texts by names that anyone may add to. */
+    private static boolean isTexts(RecordComponent part) {
+        return part.getGenericType() instanceof ParameterizedType type
+                && type.getRawType() == Map.class
+                && type.getActualTypeArguments()[1] == String.class;
+    }
+
+    private Object parsed(RecordComponent target, String text) {
         try {
-            Constructor<?> constructor = type.getDeclaredConstructor(types);
-            constructor.setAccessible(true);
-            return (Record) constructor.newInstance(values);
-        } catch (InvocationTargetException e) {
-            throw new InputException(path + "=" + text + ": " + e.getCause().getMessage(), e.getCause());
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException("settings record " + type.getName() + " cannot be made anew", e);
+            return SettingText.parse(target, text);
+        } catch (IllegalArgumentException e) {
+            throw new InputException(path + "=" + text + ": " + e.getMessage(), e);
         }
     }
 
@@ -126,7 +119,7 @@ public final class SettingsPath {
         String name = names.get(depth);
         Object unwrapped = here instanceof Optional<?> optional ? optional.orElse(null) : here;
         if (unwrapped instanceof Record settings) {
-            return valueOf(settings, component(settings, depth));
+            return SettingsForm.get(settings, component(settings, depth));
         }
         if (unwrapped instanceof Map<?, ?> map) {
             if (!map.containsKey(name)) {
@@ -151,32 +144,13 @@ public final class SettingsPath {
     }
 
     private RecordComponent component(Record settings, int depth) {
-        RecordComponent[] components = settings.getClass().getRecordComponents();
-        return Arrays.stream(components)
-                .filter(component -> component.getName().equals(names.get(depth)))
-                .findFirst()
-                .orElseThrow(() -> unknown(
-                        depth,
-                        "has: "
-                                + String.join(
-                                        ", ",
-                                        Arrays.stream(components)
-                                                .map(RecordComponent::getName)
-                                                .toList())));
+        SettingsForm form = SettingsForm.of(settings.getClass());
+        return form.part(names.get(depth)).orElseThrow(() -> unknown(depth, "has: " + String.join(", ", form.names())));
     }
 
     private InputException unknown(int depth, String what) {
         String parent = depth == 0 ? "the scene" : "'" + String.join(".", names.subList(0, depth)) + "'";
         return new InputException("setting '" + path + "': no '" + names.get(depth) + "': " + parent + " " + what);
-    }
-
-    private static Object valueOf(Record settings, RecordComponent component) {
-        try {
-            component.getAccessor().setAccessible(true);
-            return component.getAccessor().invoke(settings);
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException("settings component " + component + " cannot be read", e);
-        }
     }
 
     @Override

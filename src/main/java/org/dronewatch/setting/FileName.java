@@ -1,0 +1,19 @@
+package org.dronewatch.setting;
+
+import java.lang.annotation.Documented;
+import java.lang.annotation.ElementType;
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+import java.lang.annotation.Target;
+
+/**
+ * Says that a text in a settings record names a file. In a settings file it is taken from that file's directory, and may not
+ * lead out of it.
+ */
+@Documented
+@Retention(RetentionPolicy.RUNTIME)
+@Target(ElementType.RECORD_COMPONENT)
+public @interface FileName {
+    /** How names begin that are no files on disk. */
+    String unless();
+}

@@ -1,0 +1,170 @@
+package org.dronewatch.setting;
+
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/** Reads the value of a setting from the text of one line, with its unit or without. */
+public final class SettingText {
+    private SettingText() {}
+
+    /**
+     * The value for a part of a settings record.
+     *
+     * @throws IllegalArgumentException when the text is no value of the part's type
+     */
+    public static Object parse(RecordComponent part, String text) {
+        return parse(part.getGenericType(), quantity(part), text);
+    }
+
+    /** What a part is measured in; a plain number if nothing is said. */
+    public static Quantity quantity(RecordComponent part) {
+        In limits = part.getAnnotation(In.class);
+        return limits == null ? Quantity.NUMBER : limits.value();
+    }
+
+    /**
+     * The value of a type.
+     *
+     * @param type of a settings component
+     * @param quantity what a number is measured in
+     * @throws IllegalArgumentException when the text is no value of the type
+     */
+    public static Object parse(Type type, Quantity quantity, String text) {
+        if (type instanceof ParameterizedType of) {
+            return ofSeveral(of, quantity, text);
+        }
+        Class<?> plain = (Class<?>) type;
+        if (plain == double.class || plain == Double.class) {
+            return quantity.parse(text);
+        }
+        if (plain == int.class) {
+            return wholeNumber(quantity, text);
+        }
+        if (plain == long.class) {
+            return longNumber(text);
+        }
+        if (plain == boolean.class) {
+            return yesOrNo(text);
+        }
+        if (plain == String.class) {
+            return text;
+        }
+        if (plain.isEnum()) {
+            return constant(plain, text);
+        }
+        if (plain.isRecord()) {
+            return record(SettingsForm.of(plain), text);
+        }
+        if (plain.isSealed()) {
+            return choice(plain, text);
+        }
+        throw several();
+    }
+
+    private static IllegalArgumentException several() {
+        return new IllegalArgumentException("is not a single value: name one of its parts");
+    }
+
+    private static Object ofSeveral(ParameterizedType type, Quantity quantity, String text) {
+        Type inner = type.getActualTypeArguments()[0];
+        if (type.getRawType() == Optional.class) {
+            return Optional.of(parse(inner, quantity, text));
+        }
+        if (type.getRawType() == List.class && inner == String.class) {
+            return Arrays.stream(text.split(",")).map(String::strip).toList();
+        }
+        throw several();
+    }
+
+    private static int wholeNumber(Quantity quantity, String text) {
+        double value = quantity.parse(text);
+        if (value != Math.rint(value) || Math.abs(value) > Integer.MAX_VALUE) {
+            throw new IllegalArgumentException("'" + text + "' is not a whole number");
+        }
+        return (int) value;
+    }
+
+    private static long longNumber(String text) {
+        try {
+            return Long.parseLong(text.strip());
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException("'" + text + "' is not a whole number of at most 18 digits", e);
+        }
+    }
+
+    private static boolean yesOrNo(String text) {
+        return switch (text.strip().toLowerCase(Locale.ROOT)) {
+            case "true", "yes" -> true;
+            case "false", "no" -> false;
+            default -> throw new IllegalArgumentException("'" + text + "' is neither true nor false");
+        };
+    }
+
+    private static Object constant(Class<?> type, String text) {
+        Map<String, Object> constants = new LinkedHashMap<>();
+        for (Object constant : type.getEnumConstants()) {
+            constants.put(Choices.name(((Enum<?>) constant).name()), constant);
+        }
+        Object found = constants.get(Choices.name(text.strip().toUpperCase(Locale.ROOT)));
+        if (found == null) {
+            throw new IllegalArgumentException("'" + text + "' is none of " + constants.keySet());
+        }
+        return found;
+    }
+
+    /** One of several kinds of settings by its name, with the values that it has by default. */
+    private static Object choice(Class<?> type, String text) {
+        Map<String, Class<?>> kinds = new LinkedHashMap<>(Choices.of(type));
+        kinds.values().removeIf(kind -> !SettingsForm.of(kind).isCompleteByDefault());
+        if (kinds.isEmpty()) {
+            throw several();
+        }
+        Class<?> chosen = kinds.get(text.strip().toLowerCase(Locale.ROOT));
+        if (chosen == null) {
+            throw new IllegalArgumentException("'" + text + "' is none of " + kinds.keySet());
+        }
+        return SettingsForm.of(chosen).create(Map.of());
+    }
+
+    /** A record of numbers as a list of them, one of which a single part must be known as that part. */
+    private static Object record(SettingsForm form, String text) {
+        if (form.isNumbers()) {
+            return numbers(
+                    form, Arrays.stream(text.split(",", -1)).map(String::strip).toList());
+        }
+        if (form.required().size() == 1) {
+            RecordComponent part = form.part(form.required().get(0)).orElseThrow();
+            return form.create(Map.of(part.getName(), parse(part, text)));
+        }
+        throw several();
+    }
+
+    /**
+     * A record of numbers only.
+     *
+     * @param texts one for each part
+     * @throws IllegalArgumentException when there are more or fewer, or one is no number
+     */
+    public static Record numbers(SettingsForm form, List<String> texts) {
+        if (texts.size() != form.parts().size()) {
+            throw new IllegalArgumentException("'" + String.join(", ", texts) + "' has " + texts.size()
+                    + (texts.size() == 1 ? " number" : " numbers") + ", must have "
+                    + form.parts().size() + ": "
+                    + String.join(", ", form.names()));
+        }
+        Map<String, Object> values = new LinkedHashMap<>();
+        List<RecordComponent> parts = new ArrayList<>(form.parts());
+        for (int i = 0; i < parts.size(); i++) {
+            values.put(parts.get(i).getName(), parse(parts.get(i), texts.get(i)));
+        }
+        return form.create(values);
+    }
+}

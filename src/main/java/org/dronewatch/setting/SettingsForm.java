@@ -1,0 +1,183 @@
+package org.dronewatch.setting;
+
+import java.lang.reflect.AccessibleObject;
+import java.lang.reflect.Constructor;
+import java.lang.reflect.Field;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Member;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.lang.reflect.RecordComponent;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The form of a settings record: its parts, which of them must be filled in, and what the others are by default (see
+ * {@link Defaults}). It makes records, always by their own constructor, so that all limits hold.
+ */
+public final class SettingsForm {
+    private static final ClassValue<SettingsForm> FORMS = new ClassValue<>() {
+        @Override
+        protected SettingsForm computeValue(Class<?> type) {
+            return new SettingsForm(type);
+        }
+    };
+
+    private final Class<?> type;
+    private final List<RecordComponent> parts;
+    private final Constructor<?> constructor;
+    private final Field constant;
+    private final Method factory;
+    private final List<String> required;
+
+    private SettingsForm(Class<?> type) {
+        this.type = type;
+        this.parts = List.of(type.getRecordComponents());
+        Class<?>[] types = parts.stream().map(RecordComponent::getType).toArray(Class<?>[]::new);
+        try {
+            this.constructor = opened(type.getDeclaredConstructor(types));
+        } catch (NoSuchMethodException e) {
+            throw new IllegalStateException("record " + type.getName() + " has no canonical constructor", e);
+        }
+        this.constant = marked(List.of(type.getDeclaredFields()));
+        this.factory = marked(List.of(type.getDeclaredMethods()));
+        if (constant != null) {
+            this.required = List.of();
+        } else if (factory != null) {
+            this.required = List.of(factory.getAnnotation(Defaults.class).value());
+        } else {
+            this.required = parts.stream().map(RecordComponent::getName).toList();
+        }
+    }
+
+    /** The static member that is marked as giving defaults, or null. */
+    private static <M extends AccessibleObject & Member> M marked(List<M> members) {
+        return members.stream()
+                .filter(member ->
+                        member.isAnnotationPresent(Defaults.class) && Modifier.isStatic(member.getModifiers()))
+                .findFirst()
+                .map(SettingsForm::opened)
+                .orElse(null);
+    }
+
+    /** Settings records of users may be private. */
+    private static <M extends AccessibleObject> M opened(M member) {
+        member.setAccessible(true);
+        return member;
+    }
+
+    /**
+     * The form of a record class.
+     *
+     * @throws IllegalArgumentException when the class is no record
+     */
+    public static SettingsForm of(Class<?> record) {
+        if (!record.isRecord()) {
+            throw new IllegalArgumentException(record.getName() + " is no record");
+        }
+        return FORMS.get(record);
+    }
+
+    /** The record class. */
+    public Class<?> type() {
+        return type;
+    }
+
+    /** All parts, in their order. */
+    public List<RecordComponent> parts() {
+        return parts;
+    }
+
+    /** The part of a name. */
+    public Optional<RecordComponent> part(String name) {
+        return parts.stream().filter(part -> part.getName().equals(name)).findFirst();
+    }
+
+    /** The names of all parts, in their order. */
+    public List<String> names() {
+        return parts.stream().map(RecordComponent::getName).toList();
+    }
+
+    /** The names of those parts that have no default. */
+    public List<String> required() {
+        return required;
+    }
+
+    /** Whether the record is nothing but numbers, so that it may be written as a list of them. */
+    public boolean isNumbers() {
+        return parts.stream().allMatch(part -> part.getType() == double.class);
+    }
+
+    /** Whether there is a record without anything filled in. */
+    public boolean isCompleteByDefault() {
+        return required.isEmpty();
+    }
+
+    /** The value of a part. */
+    public static Object get(Record settings, RecordComponent part) {
+        try {
+            return opened(part.getAccessor()).invoke(settings);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException("settings component " + part + " cannot be read", e);
+        }
+    }
+
+    /**
+     * A new record.
+     *
+     * @param values by name of the part; all that are required, and any others
+     * @throws IllegalArgumentException when a limit does not hold
+     */
+    public Record create(Map<String, Object> values) {
+        if (constant == null && factory == null) {
+            return construct(
+                    parts.stream().map(part -> values.get(part.getName())).toArray());
+        }
+        return with(byDefault(values), values);
+    }
+
+    /** The record with everything by default but what is required. */
+    private Record byDefault(Map<String, Object> values) {
+        try {
+            if (constant != null) {
+                return (Record) constant.get(null);
+            }
+            return (Record)
+                    factory.invoke(null, required.stream().map(values::get).toArray());
+        } catch (InvocationTargetException e) {
+            throw limit(e);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException("defaults of settings " + type.getName() + " cannot be made", e);
+        }
+    }
+
+    /**
+     * A record with some parts changed.
+     *
+     * @param values by name of the part
+     * @throws IllegalArgumentException when a limit does not hold
+     */
+    public Record with(Record settings, Map<String, Object> values) {
+        return construct(parts.stream()
+                .map(part -> values.containsKey(part.getName()) ? values.get(part.getName()) : get(settings, part))
+                .toArray());
+    }
+
+    private Record construct(Object... values) {
+        try {
+            return (Record) constructor.newInstance(values);
+        } catch (InvocationTargetException e) {
+            throw limit(e);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException("settings record " + type.getName() + " cannot be made", e);
+        }
+    }
+
+    private static IllegalArgumentException limit(InvocationTargetException e) {
+        if (e.getCause() instanceof Error error) {
+            throw error;
+        }
+        return new IllegalArgumentException(e.getCause().getMessage(), e.getCause());
+    }
+}

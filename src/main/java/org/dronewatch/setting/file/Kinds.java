@@ -1,0 +1,59 @@
+package org.dronewatch.setting.file;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronewatch.setting.Choices;
+
+/** Among which kinds of settings a file chooses where a program knows an interface only. Immutable. */
+public final class Kinds {
+    /** The kinds of sealed interfaces, which need no registration. */
+    public static final Kinds SEALED = new Kinds(Map.of(), Map.of());
+
+    private final Map<Class<?>, Map<String, Class<?>>> registered;
+    private final Map<Class<?>, NamedSettings> named;
+
+    private Kinds(Map<Class<?>, Map<String, Class<?>>> registered, Map<Class<?>, NamedSettings> named) {
+        this.registered = Map.copyOf(registered);
+        this.named = Map.copyOf(named);
+    }
+
+    /** Ready settings that a file may take by name and change in part. */
+    public interface NamedSettings {
+        /** The settings of a name, as if they stood in the file. */
+        Optional<Node.Mapping> find(String name);
+
+        /** All names. */
+        Set<String> names();
+    }
+
+    /** These and the kinds of one more interface, by the names that people write. */
+    public Kinds with(Class<?> type, Map<String, Class<? extends Record>> kinds) {
+        Map<Class<?>, Map<String, Class<?>>> more = new LinkedHashMap<>(registered);
+        more.put(type, new LinkedHashMap<>(kinds));
+        return new Kinds(more, named);
+    }
+
+    /** These, with ready settings for an interface. */
+    public Kinds with(Class<?> type, NamedSettings settings) {
+        Map<Class<?>, NamedSettings> more = new LinkedHashMap<>(named);
+        more.put(type, settings);
+        return new Kinds(registered, more);
+    }
+
+    /** Whether kinds are known of a type. */
+    public boolean isChoice(Class<?> type) {
+        return type.isSealed() || registered.containsKey(type);
+    }
+
+    /** The kinds of a type by name. */
+    public Map<String, Class<?>> of(Class<?> type) {
+        return registered.containsKey(type) ? registered.get(type) : Choices.of(type);
+    }
+
+    /** Ready settings for a type. */
+    public Optional<NamedSettings> named(Class<?> type) {
+        return Optional.ofNullable(named.get(type));
+    }
+}

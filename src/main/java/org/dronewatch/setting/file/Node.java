@@ -1,0 +1,85 @@
+package org.dronewatch.setting.file;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** A part of a document that people write, and where it stands. Immutable; an alias makes one node stand in two places. */
+public sealed interface Node {
+    /** Where it stands. */
+    Mark mark();
+
+    /** How many nodes it is made of, itself included; what stands twice counts twice. At most {@link Long#MAX_VALUE}. */
+    long size();
+
+    /**
+     * A single value.
+     *
+     * @param text the value as written, empty for none
+     */
+    record Scalar(String text, Mark mark) implements Node {
+        @Override
+        public long size() {
+            return 1;
+        }
+    }
+
+    /**
+     * A list.
+     *
+     * @param size how many nodes it is made of
+     */
+    record Sequence(List<Node> items, Mark mark, long size) implements Node {
+        static Sequence of(List<Node> items, Mark mark) {
+            return new Sequence(List.copyOf(items), mark, sizeOf(items));
+        }
+    }
+
+    /**
+     * Values by name, in their order.
+     *
+     * @param keys where each name stands
+     * @param size how many nodes it is made of
+     */
+    record Mapping(Map<String, Node> values, Map<String, Mark> keys, Mark mark, long size) implements Node {
+        static Mapping of(Map<String, Node> values, Map<String, Mark> keys, Mark mark) {
+            return new Mapping(
+                    Collections.unmodifiableMap(new LinkedHashMap<>(values)),
+                    Map.copyOf(keys),
+                    mark,
+                    sizeOf(values.values()));
+        }
+
+        /** This with another one's values over its own: mappings that both have are joined, everything else is replaced. */
+        Mapping overlaidWith(Mapping over) {
+            Map<String, Node> all = new LinkedHashMap<>(values);
+            Map<String, Mark> places = new LinkedHashMap<>(keys);
+            over.values.forEach((name, value) -> {
+                all.merge(
+                        name,
+                        value,
+                        (mine, theirs) -> mine instanceof Mapping below && theirs instanceof Mapping above
+                                ? below.overlaidWith(above)
+                                : theirs);
+                places.put(name, over.keys.get(name));
+            });
+            return of(all, places, over.mark);
+        }
+
+        /** This without some of its values. */
+        Mapping without(List<String> names) {
+            Map<String, Node> rest = new LinkedHashMap<>(values);
+            names.forEach(rest::remove);
+            return of(rest, keys, mark);
+        }
+    }
+
+    private static long sizeOf(Iterable<Node> parts) {
+        long sum = 1;
+        for (Node part : parts) {
+            sum = part.size() > Long.MAX_VALUE - sum ? Long.MAX_VALUE : sum + part.size();
+        }
+        return sum;
+    }
+}

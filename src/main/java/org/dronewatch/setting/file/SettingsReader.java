@@ -1,0 +1,274 @@
+package org.dronewatch.setting.file;
+
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronewatch.setting.FileName;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingText;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * Makes settings records of nodes. What is wrong is collected, and reading goes on, so that everything else is checked, too.
+ */
+final class SettingsReader {
+    /** Stands for a value that could not be read; a problem says why. */
+    private static final Object FAILED = new Object();
+
+    private static final String KIND = "kind";
+    private static final String USE = "use";
+
+    private final Kinds kinds;
+    private final Path directory;
+    private final Problems problems;
+
+    SettingsReader(Kinds kinds, Path directory, Problems problems) {
+        this.kinds = kinds;
+        this.directory = directory;
+        this.problems = problems;
+    }
+
+    /** Settings of a document; null when there are problems. */
+    Object read(Class<?> type, Node.Mapping document) {
+        Object settings = read(type, Quantity.NUMBER, document, "");
+        return settings == FAILED ? null : settings;
+    }
+
+    private Object read(Type type, Quantity quantity, Node node, String path) {
+        if (node instanceof Node.Scalar scalar && scalar.text().isEmpty()) {
+            return failed(node, path, "is empty");
+        }
+        if (type instanceof ParameterizedType parameterized) {
+            return several(parameterized, quantity, node, path);
+        }
+        Class<?> plain = (Class<?>) type;
+        if (node instanceof Node.Scalar scalar) {
+            return single(plain, quantity, scalar, path);
+        }
+        if (node instanceof Node.Sequence sequence) {
+            return numbers(plain, sequence, path);
+        }
+        Node.Mapping mapping = (Node.Mapping) node;
+        if (kinds.isChoice(plain)) {
+            return choice(plain, mapping, path);
+        }
+        if (plain.isRecord()) {
+            return record(SettingsForm.of(plain), mapping, path);
+        }
+        return failed(node, path, "must be a single value");
+    }
+
+    private Object failed(Node node, String path, String message) {
+        problems.add(node.mark(), path, message);
+        return FAILED;
+    }
+
+    private Object single(Class<?> type, Quantity quantity, Node.Scalar node, String path) {
+        Optional<Kinds.NamedSettings> named = kinds.named(type);
+        if (named.isPresent()) {
+            return failed(
+                    node,
+                    path,
+                    "must be settings by name, as in '" + USE + ": "
+                            + named.get().names().stream().findFirst().orElse("NAME") + "'");
+        }
+        try {
+            return SettingText.parse(type, quantity, node.text());
+        } catch (IllegalArgumentException e) {
+            return failed(node, path, e.getMessage());
+        }
+    }
+
+    private Object numbers(Class<?> type, Node.Sequence sequence, String path) {
+        if (!type.isRecord() || !SettingsForm.of(type).isNumbers()) {
+            return failed(sequence, path, "must not be a list");
+        }
+        List<String> texts = new ArrayList<>();
+        for (Node item : sequence.items()) {
+            if (!(item instanceof Node.Scalar scalar)) {
+                return failed(item, path, "must be a number");
+            }
+            texts.add(scalar.text());
+        }
+        try {
+            return SettingText.numbers(SettingsForm.of(type), texts);
+        } catch (IllegalArgumentException e) {
+            return failed(sequence, path, e.getMessage());
+        }
+    }
+
+    private Object several(ParameterizedType type, Quantity quantity, Node node, String path) {
+        Type[] inner = type.getActualTypeArguments();
+        if (type.getRawType() == Optional.class) {
+            Object value = read(inner[0], quantity, node, path);
+            return value == FAILED ? FAILED : Optional.of(value);
+        }
+        if (type.getRawType() == List.class) {
+            return node instanceof Node.Sequence sequence
+                    ? list(inner[0], quantity, sequence, path)
+                    : failed(node, path, "must be a list, as in [a, b], or lines that begin with '-'");
+        }
+        if (type.getRawType() == Map.class) {
+            return node instanceof Node.Mapping mapping
+                    ? map(inner[1], quantity, mapping, path)
+                    : failed(node, path, "must be values by name, one in a line, as in 'name: value'");
+        }
+        // A class with a parameter of its own, such as the settings of a sensor of whatever kind.
+        return read(type.getRawType(), quantity, node, path);
+    }
+
+    private Object list(Type type, Quantity quantity, Node.Sequence sequence, String path) {
+        List<Object> values = new ArrayList<>();
+        for (Node item : sequence.items()) {
+            values.add(read(type, quantity, item, path + "." + values.size()));
+        }
+        return values.contains(FAILED) ? FAILED : values;
+    }
+
+    private Object map(Type type, Quantity quantity, Node.Mapping mapping, String path) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        mapping.values().forEach((name, node) -> values.put(name, read(type, quantity, node, path + "." + name)));
+        return values.containsValue(FAILED) ? FAILED : values;
+    }
+
+    private Object choice(Class<?> type, Node.Mapping written, String path) {
+        Node.Mapping mapping = written;
+        if (kinds.named(type).isPresent() && written.values().get(USE) instanceof Node.Scalar name) {
+            Kinds.NamedSettings named = kinds.named(type).get();
+            Optional<Node.Mapping> found = named.find(name.text());
+            if (found.isEmpty()) {
+                problems.unknown(name.mark(), path + "." + USE, "name", name.text(), named.names());
+                return FAILED;
+            }
+            mapping = found.get().overlaidWith(written.without(List.of(USE)));
+        }
+        Map<String, Class<?>> choices = kinds.of(type);
+        Node given = mapping.values().get(KIND);
+        if (given == null) {
+            Optional<Class<?>> meant = meant(choices, mapping.values().keySet());
+            return meant.isPresent()
+                    ? record(SettingsForm.of(meant.get()), mapping, path)
+                    : failed(mapping, path, "needs a '" + KIND + "': one of " + String.join(", ", choices.keySet()));
+        }
+        String kind = given instanceof Node.Scalar scalar ? scalar.text() : "";
+        if (!choices.containsKey(kind)) {
+            problems.unknown(given.mark(), path + "." + KIND, KIND, kind, choices.keySet());
+            return FAILED;
+        }
+        return record(SettingsForm.of(choices.get(kind)), mapping.without(List.of(KIND)), path);
+    }
+
+    /** The only kind that has all these parts and needs no others. */
+    private static Optional<Class<?>> meant(Map<String, Class<?>> choices, Set<String> names) {
+        List<Class<?>> fitting = new ArrayList<>();
+        for (Class<?> choice : choices.values()) {
+            SettingsForm form = SettingsForm.of(choice);
+            if (form.names().containsAll(names) && names.containsAll(form.required())) {
+                fitting.add(choice);
+            }
+        }
+        return fitting.size() == 1 ? Optional.of(fitting.get(0)) : Optional.empty();
+    }
+
+    private Object record(SettingsForm form, Node.Mapping mapping, String path) {
+        int before = problems.count();
+        Map<String, Object> values = new LinkedHashMap<>();
+        mapping.values().forEach((name, node) -> {
+            String field = path.isEmpty() ? name : path + "." + name;
+            Optional<RecordComponent> part = form.part(name);
+            if (part.isEmpty()) {
+                problems.unknown(mapping.keys().get(name), path, "setting", name, form.names());
+                return;
+            }
+            Object value = read(part.get().getGenericType(), SettingText.quantity(part.get()), node, field);
+            if (value != FAILED && isFileFound(part.get(), node, value, field)) {
+                values.put(name, value);
+            }
+        });
+        for (String name : form.required()) {
+            if (!mapping.values().containsKey(name)) {
+                problems.add(mapping.mark(), path, "needs '" + name + "'");
+            }
+        }
+        if (!values.keySet().containsAll(form.required())) {
+            return FAILED;
+        }
+        if (problems.count() > before) {
+            tellLimits(form, mapping, values, path);
+            return FAILED;
+        }
+        try {
+            return form.create(values);
+        } catch (IllegalArgumentException e) {
+            if (!tellLimits(form, mapping, values, path)) {
+                problems.add(mapping.mark(), path, e.getMessage());
+            }
+            return FAILED;
+        }
+    }
+
+    /** Tells of every part that does not fit by itself, so that not only the first is known; gives whether there is any. */
+    private boolean tellLimits(SettingsForm form, Node.Mapping mapping, Map<String, Object> values, String path) {
+        Map<String, Object> needed = new LinkedHashMap<>(values);
+        needed.keySet().retainAll(form.required());
+        try {
+            form.create(needed);
+        } catch (IllegalArgumentException e) {
+            // The message begins with the name of the part.
+            String name = e.getMessage().split(" ", 2)[0];
+            Node at = mapping.values().getOrDefault(name, mapping);
+            String field = at == mapping ? path : path.isEmpty() ? name : path + "." + name;
+            problems.add(at.mark(), field, e.getMessage());
+            return true;
+        }
+        int before = problems.count();
+        values.forEach((name, value) -> {
+            Map<String, Object> one = new LinkedHashMap<>(needed);
+            one.put(name, value);
+            try {
+                form.create(one);
+            } catch (IllegalArgumentException e) {
+                Node node = mapping.values().get(name);
+                problems.add(node.mark(), path.isEmpty() ? name : path + "." + name, e.getMessage());
+            }
+        });
+        return problems.count() > before;
+    }
+
+    private boolean isFileFound(RecordComponent part, Node node, Object value, String field) {
+        FileName rule = part.getAnnotation(FileName.class);
+        if (rule == null || value.toString().startsWith(rule.unless())) {
+            return true;
+        }
+        String wrong = wrongWith(value.toString());
+        if (wrong.isEmpty()) {
+            return true;
+        }
+        problems.add(node.mark(), field, "file '" + value + "' " + wrong);
+        return false;
+    }
+
+    /** What is wrong with a file's name; empty for nothing. */
+    private String wrongWith(String name) {
+        Path file;
+        try {
+            file = directory.resolve(name).normalize();
+        } catch (InvalidPathException e) {
+            return "is no path: " + e.getReason();
+        }
+        if (Path.of(name).isAbsolute() || !file.startsWith(directory.normalize())) {
+            return "leads out of the directory of this file, " + directory.normalize()
+                    + ": keep models beside or below it";
+        }
+        return Files.isRegularFile(file) ? "" : "does not exist in " + file.getParent();
+    }
+}

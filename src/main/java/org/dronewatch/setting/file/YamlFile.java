@@ -1,0 +1,215 @@
+package org.dronewatch.setting.file;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.setting.InputException;
+import org.snakeyaml.engine.v2.api.LoadSettings;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+import tools.jackson.core.StreamReadConstraints;
+import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.dataformat.yaml.YAMLFactory;
+import tools.jackson.dataformat.yaml.YAMLParser;
+
+/**
+ * Reads one YAML document into nodes. Nothing in it names a class of this program; size, depth and what aliases may blow up
+ * are bounded.
+ */
+final class YamlFile {
+    /** Largest file, bytes. */
+    static final int MAX_BYTES = 1 << 20;
+
+    /** Most nodes, aliases written out. */
+    static final int MAX_NODES = 100_000;
+
+    private static final int MAX_DEPTH = 32;
+    private static final YAMLFactory YAML = YAMLFactory.builder()
+            .loadSettings(LoadSettings.builder()
+                    .setCodePointLimit(MAX_BYTES)
+                    .setParseComments(false)
+                    .build())
+            .streamReadConstraints(
+                    StreamReadConstraints.builder().maxNestingDepth(MAX_DEPTH).build())
+            .build();
+
+    private final String name;
+    private final Problems problems;
+    private final YAMLParser parser;
+    private final Map<String, Node> anchors = new HashMap<>();
+
+    private YamlFile(String name, String text, Problems problems) {
+        this.name = name;
+        this.problems = problems;
+        this.parser = (YAMLParser) YAML.createParser(ObjectReadContext.empty(), text);
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @throws InputException when there is no such file, or it is too large, or no text
+     */
+    static String text(Path file) {
+        try (InputStream in = Files.newInputStream(file)) {
+            return text(file.toString(), in);
+        } catch (IOException e) {
+            throw new InputException(
+                    file + ": cannot be read"
+                            + (Files.exists(file)
+                                    ? Files.isDirectory(file) ? ": is a directory" : ""
+                                    : ": no such file"),
+                    e);
+        }
+    }
+
+    /** Reads all that a stream has, as UTF-8. */
+    static String text(String name, InputStream in) throws IOException {
+        byte[] bytes = in.readNBytes(MAX_BYTES + 1);
+        if (bytes.length > MAX_BYTES) {
+            throw new InputException(name + ": larger than " + MAX_BYTES + " bytes, the most for such a file");
+        }
+        try {
+            String text = StandardCharsets.UTF_8
+                    .newDecoder()
+                    .decode(ByteBuffer.wrap(bytes))
+                    .toString();
+            return text.startsWith("\uFEFF") ? text.substring(1) : text;
+        } catch (CharacterCodingException e) {
+            throw new InputException(name + ":" + lineOfFirstMistake(bytes) + ": is not text in UTF-8", e);
+        }
+    }
+
+    private static int lineOfFirstMistake(byte[] bytes) {
+        String lenient = new String(bytes, StandardCharsets.UTF_8);
+        int at = lenient.indexOf('\uFFFD');
+        return 1
+                + (int) lenient.substring(0, Math.max(at, 0))
+                        .chars()
+                        .filter(c -> c == '\n')
+                        .count();
+    }
+
+    /**
+     * The one mapping that a document consists of.
+     *
+     * @param name what messages call the file
+     * @param problems is told of names that stand twice
+     * @throws InputException when the text is no YAML or breaks a bound
+     */
+    static Node.Mapping read(String name, String text, Problems problems) {
+        YamlFile file = new YamlFile(name, text, problems);
+        try (file.parser) {
+            return file.document();
+        } catch (JacksonException e) {
+            throw file.broken(e);
+        } catch (StackOverflowError e) {
+            throw new InputException(name + ": nested too deeply", e);
+        }
+    }
+
+    private Node.Mapping document() {
+        JsonToken first = parser.nextToken();
+        if (first == null) {
+            throw new InputException(name + ":1:1: is empty");
+        }
+        Node root = node(first);
+        if (parser.nextToken() != null) {
+            throw new InputException(mark() + ": a second document begins; there may be only one");
+        }
+        if (root instanceof Node.Mapping mapping) {
+            return mapping;
+        }
+        throw new InputException(root.mark() + ": must be settings by name, as in 'world:'");
+    }
+
+    private Node node(JsonToken token) {
+        Mark mark = mark();
+        if (parser.isCurrentAlias()) {
+            return alias(mark);
+        }
+        String type = parser.getTypeId() == null ? "" : parser.getTypeId().toString();
+        if (!type.isEmpty()) {
+            throw new InputException(mark + ": tag '" + type + "' is not allowed: values have no types here");
+        }
+        String anchor =
+                parser.getObjectId() == null ? null : parser.getObjectId().toString();
+        Node node =
+                switch (token) {
+                    case START_OBJECT -> mapping(mark);
+                    case START_ARRAY -> sequence(mark);
+                    case VALUE_NULL -> new Node.Scalar("", mark);
+                    default -> new Node.Scalar(parser.getString(), mark);
+                };
+        if (node.size() > MAX_NODES) {
+            throw new InputException(mark + ": more than " + MAX_NODES + " values, aliases written out");
+        }
+        if (anchor != null) {
+            anchors.put(anchor, node);
+        }
+        return node;
+    }
+
+    private Node alias(Mark mark) {
+        String anchor = parser.getString();
+        Node meant = anchors.get(anchor);
+        if (meant == null) {
+            throw new InputException(mark + ": alias '*" + anchor + "' stands for nothing that is complete before it");
+        }
+        return meant;
+    }
+
+    private Node mapping(Mark mark) {
+        Map<String, Node> values = new LinkedHashMap<>();
+        Map<String, Mark> keys = new HashMap<>();
+        while (parser.nextToken() != JsonToken.END_OBJECT) {
+            String key = parser.currentName();
+            Mark place = mark();
+            Node value = node(parser.nextToken());
+            if (values.putIfAbsent(key, value) == null) {
+                keys.put(key, place);
+            } else {
+                problems.add(
+                        place,
+                        "",
+                        "'" + key + "' stands here a second time; the first is in line "
+                                + keys.get(key).line());
+            }
+        }
+        return Node.Mapping.of(values, keys, mark);
+    }
+
+    private Node sequence(Mark mark) {
+        List<Node> items = new ArrayList<>();
+        for (JsonToken token = parser.nextToken(); token != JsonToken.END_ARRAY; token = parser.nextToken()) {
+            items.add(node(token));
+        }
+        return Node.Sequence.of(items, mark);
+    }
+
+    private Mark mark() {
+        TokenStreamLocation at = parser.currentTokenLocation();
+        return new Mark(name, Math.max(1, at.getLineNr()), Math.max(1, at.getColumnNr()));
+    }
+
+    /** The first line of what the library says, after the place. */
+    private InputException broken(JacksonException e) {
+        TokenStreamLocation at = e.getLocation();
+        String place = at == null || at.getLineNr() < 1 ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr();
+        String message = String.valueOf(e.getOriginalMessage())
+                .strip()
+                .lines()
+                .findFirst()
+                .orElse("");
+        return new InputException(name + place + ": is no YAML: " + message, e);
+    }
+}
