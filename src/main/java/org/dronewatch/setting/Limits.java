@@ -42,6 +42,15 @@ public final class Limits {
         }
     }
 
+    /**
+     * Checks what one part of a record is to be.
+     *
+     * @throws IllegalArgumentException when it is missing or out of its limits
+     */
+    public static void check(RecordComponent part, Object value) {
+        new Component(part.getName(), part.getAnnotation(In.class)).check(value);
+    }
+
     /** The limits of a number in words, as in {@code above 0 and at most 100}; empty when it must only be finite. */
     public static String inWords(In limits) {
         boolean closedBelow = limits.from() > limits.above();

@@ -1,5 +1,7 @@
 package org.dronewatch.setting.file;
 
+import java.util.Comparator;
+
 /**
  * A place in a file.
  *
@@ -7,7 +9,15 @@ package org.dronewatch.setting.file;
  * @param line from 1
  * @param column from 1
  */
-record Mark(String file, int line, int column) {
+record Mark(String file, int line, int column) implements Comparable<Mark> {
+    private static final Comparator<Mark> ORDER =
+            Comparator.comparing(Mark::file).thenComparing(Mark::line).thenComparing(Mark::column);
+
+    @Override
+    public int compareTo(Mark other) {
+        return ORDER.compare(this, other);
+    }
+
     @Override
     public String toString() {
         return file + ":" + line + ":" + column;

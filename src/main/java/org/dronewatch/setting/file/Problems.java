@@ -2,6 +2,7 @@ package org.dronewatch.setting.file;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Spelling;
@@ -11,7 +12,9 @@ final class Problems {
     private static final int SHOWN = 50;
     private static final int LONGEST = 400;
 
-    private final List<String> found = new ArrayList<>();
+    private final List<Problem> found = new ArrayList<>();
+
+    private record Problem(Mark mark, String text) {}
 
     /**
      * Adds one.
@@ -21,7 +24,7 @@ final class Problems {
      */
     void add(Mark mark, String field, String message) {
         String line = mark + ": " + (field.isEmpty() ? "" : field + ": ") + message;
-        found.add(line.length() <= LONGEST ? line : line.substring(0, LONGEST) + "...");
+        found.add(new Problem(mark, line.length() <= LONGEST ? line : line.substring(0, LONGEST) + "..."));
     }
 
     /** Adds that a name is not one of those that may stand there. */
@@ -31,10 +34,6 @@ final class Problems {
         add(mark, field, "unknown " + what + " '" + name + "'" + meant + " (" + String.join(", ", known) + ")");
     }
 
-    boolean isEmpty() {
-        return found.isEmpty();
-    }
-
     int count() {
         return found.size();
     }
@@ -42,11 +41,15 @@ final class Problems {
     /**
      * Ends it if there are any.
      *
-     * @throws InputException with a line for each
+     * @throws InputException with a line for each, in the order of the file
      */
     void throwIfAny() {
         if (!found.isEmpty()) {
-            List<String> shown = new ArrayList<>(found.subList(0, Math.min(SHOWN, found.size())));
+            List<String> shown = new ArrayList<>();
+            found.stream()
+                    .sorted(Comparator.comparing(Problem::mark))
+                    .limit(SHOWN)
+                    .forEach(problem -> shown.add(problem.text()));
             if (found.size() > SHOWN) {
                 shown.add("... and " + (found.size() - SHOWN) + " more");
             }

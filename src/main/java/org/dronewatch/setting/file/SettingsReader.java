@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.setting.FileName;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
@@ -52,7 +53,9 @@ final class SettingsReader {
         }
         Class<?> plain = (Class<?>) type;
         if (node instanceof Node.Scalar scalar) {
-            return single(plain, quantity, scalar, path);
+            return isKnownByOnePart(plain)
+                    ? record(SettingsForm.of(plain), onePart(SettingsForm.of(plain), scalar), path)
+                    : single(plain, quantity, scalar, path);
         }
         if (node instanceof Node.Sequence sequence) {
             return numbers(plain, sequence, path);
@@ -65,6 +68,18 @@ final class SettingsReader {
             return record(SettingsForm.of(plain), mapping, path);
         }
         return failed(node, path, "must be a single value");
+    }
+
+    /** Whether a single value may stand for a record, because all others of its parts have defaults. */
+    private static boolean isKnownByOnePart(Class<?> type) {
+        return type.isRecord()
+                && !SettingsForm.of(type).isNumbers()
+                && SettingsForm.of(type).required().size() == 1;
+    }
+
+    private static Node.Mapping onePart(SettingsForm form, Node.Scalar scalar) {
+        String name = form.required().get(0);
+        return Node.Mapping.of(Map.of(name, scalar), Map.of(name, scalar.mark()), scalar.mark());
     }
 
     private Object failed(Node node, String path, String message) {
@@ -190,7 +205,7 @@ final class SettingsReader {
                 return;
             }
             Object value = read(part.get().getGenericType(), SettingText.quantity(part.get()), node, field);
-            if (value != FAILED && isFileFound(part.get(), node, value, field)) {
+            if (value != FAILED && fits(part.get(), node, value, field)) {
                 values.put(name, value);
             }
         });
@@ -216,7 +231,10 @@ final class SettingsReader {
         }
     }
 
-    /** Tells of every part that does not fit by itself, so that not only the first is known; gives whether there is any. */
+    /**
+     * Tells of every part that the record does not take, though it is within its limits, so that not only the first is
+     * known; gives whether there is any.
+     */
     private boolean tellLimits(SettingsForm form, Node.Mapping mapping, Map<String, Object> values, String path) {
         Map<String, Object> needed = new LinkedHashMap<>(values);
         needed.keySet().retainAll(form.required());
@@ -244,7 +262,13 @@ final class SettingsReader {
         return problems.count() > before;
     }
 
-    private boolean isFileFound(RecordComponent part, Node node, Object value, String field) {
+    private boolean fits(RecordComponent part, Node node, Object value, String field) {
+        try {
+            Limits.check(part, value);
+        } catch (IllegalArgumentException e) {
+            problems.add(node.mark(), field, e.getMessage());
+            return false;
+        }
         FileName rule = part.getAnnotation(FileName.class);
         if (rule == null || value.toString().startsWith(rule.unless())) {
             return true;

@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.dronewatch.setting.InputException;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import tools.jackson.core.JacksonException;
@@ -19,6 +20,7 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 import tools.jackson.core.StreamReadConstraints;
 import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.core.exc.StreamConstraintsException;
 import tools.jackson.dataformat.yaml.YAMLFactory;
 import tools.jackson.dataformat.yaml.YAMLParser;
 
@@ -34,10 +36,11 @@ final class YamlFile {
     static final int MAX_NODES = 100_000;
 
     private static final int MAX_DEPTH = 32;
+    private static final int LONGEST = 200;
     private static final YAMLFactory YAML = YAMLFactory.builder()
             .loadSettings(LoadSettings.builder()
                     .setCodePointLimit(MAX_BYTES)
-                    .setParseComments(false)
+                    .setAllowDuplicateKeys(true)
                     .build())
             .streamReadConstraints(
                     StreamReadConstraints.builder().maxNestingDepth(MAX_DEPTH).build())
@@ -201,15 +204,19 @@ final class YamlFile {
         return new Mark(name, Math.max(1, at.getLineNr()), Math.max(1, at.getColumnNr()));
     }
 
-    /** The first line of what the library says, after the place. */
+    /** What the library says, without the excerpts that it draws under it. */
     private InputException broken(JacksonException e) {
         TokenStreamLocation at = e.getLocation();
         String place = at == null || at.getLineNr() < 1 ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr();
+        if (e instanceof StreamConstraintsException) {
+            return new InputException(
+                    name + place + ": lists and mappings are nested more than " + MAX_DEPTH + " deep", e);
+        }
         String message = String.valueOf(e.getOriginalMessage())
-                .strip()
                 .lines()
-                .findFirst()
-                .orElse("");
-        return new InputException(name + place + ": is no YAML: " + message, e);
+                .filter(line -> !line.isBlank() && !line.startsWith(" "))
+                .collect(Collectors.joining(", "));
+        String shown = message.length() <= LONGEST ? message : message.substring(0, LONGEST) + "...";
+        return new InputException(name + place + ": is no YAML: " + shown, e);
     }
 }
