@@ -146,7 +146,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
      */
     protected final void sweep(String parameter, double... values) {
         List<String> texts = Arrays.stream(values).mapToObj(Double::toString).toList();
-        building().setSweep(new SweepSettings(parameter, texts));
+        building().setSweep(new SweepSettings.Values(parameter, texts));
     }
 
     /** Takes settings that are complete already. */

@@ -136,9 +136,13 @@ public final class SceneRunner {
             return List.of(settings);
         }
         SettingsPath path = new SettingsPath(sweep.get().parameter());
-        return sweep.get().values().stream()
-                .map(value -> path.write(settings, value))
-                .toList();
+        try {
+            return sweep.get().values(path.quantity(settings)).stream()
+                    .map(value -> path.write(settings, value))
+                    .toList();
+        } catch (IllegalArgumentException e) {
+            throw new InputException("sweep of " + path + ": " + e.getMessage(), e);
+        }
     }
 
     /**
