@@ -35,6 +35,8 @@ class HouseRulesTest {
             .definedBy("org.dronewatch.sensor.camera..")
             .layer("acoustic")
             .definedBy("org.dronewatch.sensor.acoustic..")
+            .layer("radar")
+            .definedBy("org.dronewatch.sensor.radar..")
             .layer("sensor")
             .definedBy("org.dronewatch.sensor")
             .layer("world")
@@ -65,17 +67,30 @@ class HouseRulesTest {
             .mayOnlyBeAccessedByLayers("app", "scenes", "catalog")
             .whereLayer("acoustic")
             .mayOnlyBeAccessedByLayers("app", "scenes", "catalog")
+            .whereLayer("radar")
+            .mayOnlyBeAccessedByLayers("app", "scenes", "catalog")
             .whereLayer("sensor")
-            .mayOnlyBeAccessedByLayers("app", "report", "scenes", "scene", "catalog", "camera", "acoustic")
+            .mayOnlyBeAccessedByLayers("app", "report", "scenes", "scene", "catalog", "camera", "acoustic", "radar")
             .whereLayer("world")
-            .mayOnlyBeAccessedByLayers("app", "bench", "report", "scenes", "scene", "camera", "acoustic", "sensor")
+            .mayOnlyBeAccessedByLayers(
+                    "app", "bench", "report", "scenes", "scene", "camera", "acoustic", "radar", "sensor")
             .whereLayer("sound")
             .mayOnlyBeAccessedByLayers("scenes", "scene", "acoustic", "sensor", "world")
             .whereLayer("kdtree")
-            .mayOnlyBeAccessedByLayers("app", "bench", "scene", "camera", "acoustic", "world")
+            .mayOnlyBeAccessedByLayers("app", "bench", "scene", "camera", "acoustic", "radar", "world")
             .whereLayer("geometry")
             .mayOnlyBeAccessedByLayers(
-                    "app", "bench", "report", "scenes", "scene", "camera", "acoustic", "sensor", "world", "kdtree");
+                    "app",
+                    "bench",
+                    "report",
+                    "scenes",
+                    "scene",
+                    "camera",
+                    "acoustic",
+                    "radar",
+                    "sensor",
+                    "world",
+                    "kdtree");
 
     @ArchTest
     static final ArchRule NO_CIRCLES =

@@ -8,6 +8,7 @@ import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.camera.DetectionFunction;
 import org.dronewatch.sensor.camera.PixelThreshold;
+import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.setting.file.Kinds;
 
 /** The kinds of sensors that files may name. A new kind is one more line here. */
@@ -17,6 +18,7 @@ public final class SensorKinds {
     static {
         SENSORS.put("camera", CameraSettings.class);
         SENSORS.put("acoustic", AcousticSettings.class);
+        SENSORS.put("radar", RadarSettings.class);
     }
 
     private SensorKinds() {}

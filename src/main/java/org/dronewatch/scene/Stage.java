@@ -30,7 +30,8 @@ public final class Stage {
 
     Stage(SceneSettings settings, ModelCache models, long runSeed) {
         WorldSettings site = settings.world();
-        this.world = new World(models.tree(site.models()), site.noise(), site.surfaces(), site.atmosphere());
+        this.world = new World(models.tree(site.models()), site.noise(), site.surfaces(), site.atmosphere())
+                .withRain(site.rain());
         warn(settings, models);
         this.runSeed = runSeed;
         settings.drones().forEach((id, drone) -> {

@@ -11,6 +11,7 @@ import org.djunits.value.vdouble.scalar.Area;
 import org.djunits.value.vdouble.scalar.Duration;
 import org.djunits.value.vdouble.scalar.Frequency;
 import org.djunits.value.vdouble.scalar.Length;
+import org.djunits.value.vdouble.scalar.Power;
 import org.djunits.value.vdouble.scalar.Pressure;
 import org.djunits.value.vdouble.scalar.Speed;
 
@@ -34,12 +35,16 @@ public enum Quantity {
     TEMPERATURE("K", unit -> AbsoluteTemperature.valueOf(unit).si),
     /** Pascal. */
     PRESSURE("Pa", unit -> Pressure.valueOf(unit).si),
+    /** Watts. */
+    POWER("W", unit -> Power.valueOf(unit).si),
     /** A share of a whole, 0 to 1 as a rule; per cent may be written. */
     RATIO("", Quantity::share),
     /** A level in dB; the setting says relative to what. */
     LEVEL("dB", Quantity::unitOfItself),
     /** Decibels per metre. */
     ATTENUATION("dB/m", Quantity::unitOfItself),
+    /** Rain, millimetres per hour. */
+    PRECIPITATION("mm/h", Quantity::unitOfItself),
     /** Picture elements. */
     PIXELS("px", Quantity::unitOfItself),
     /** A plain number. */

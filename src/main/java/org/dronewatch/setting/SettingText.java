@@ -78,8 +78,10 @@ public final class SettingText {
         if (type.getRawType() == Optional.class) {
             return Optional.of(parse(inner, quantity, text));
         }
-        if (type.getRawType() == List.class && inner == String.class) {
-            return Arrays.stream(text.split(",")).map(String::strip).toList();
+        if (type.getRawType() == List.class && (inner == String.class || inner == Double.class)) {
+            return Arrays.stream(text.split(","))
+                    .map(part -> parse(inner, quantity, part.strip()))
+                    .toList();
         }
         throw several();
     }

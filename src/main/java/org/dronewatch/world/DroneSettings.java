@@ -19,7 +19,7 @@ import org.dronewatch.sound.DroneSounds;
  * @param flight the way it flies
  * @param speed cruise speed, above 0 and at most 400 m/s
  * @param acceleration largest acceleration along the path, above 0, m/s2
- * @param radarCrossSection m2, above 0
+ * @param radar what a radar sees of it
  * @param soundLevel level of the thesis's level model, which falls by the air's attenuation only, dB; 50 to 55 there
  * @param soundPowerLevel A-weighted sound power level for physical propagation, dB re 1e-12 W; near 85 for a real
  *     quadrotor
@@ -31,7 +31,7 @@ public record DroneSettings(
         FlightPathSettings flight,
         @In(value = Quantity.SPEED, above = 0, to = 400) double speed,
         @In(value = Quantity.ACCELERATION, above = 0) double acceleration,
-        @In(value = Quantity.AREA, above = 0) double radarCrossSection,
+        RadarSignature radar,
         @In(value = Quantity.LEVEL, from = 0, to = 200) double soundLevel,
         @In(value = Quantity.LEVEL, from = 0, to = 200) double soundPowerLevel,
         String sound,
@@ -48,7 +48,7 @@ public record DroneSettings(
                 flight,
                 speed,
                 acceleration,
-                radarCrossSection,
+                radar,
                 soundLevel,
                 soundPowerLevel,
                 sound,
@@ -64,65 +64,60 @@ public record DroneSettings(
     @Defaults({"model", "flight"})
     public static DroneSettings of(ModelSettings model, FlightPathSettings flight) {
         return new DroneSettings(
-                model, flight, 5.0, 2.5, 0.01, 55.0, 85.0, DroneSounds.SMALL_QUADROTOR, Directivity.OMNIDIRECTIONAL);
+                model,
+                flight,
+                5.0,
+                2.5,
+                RadarSignature.DEFAULT,
+                55.0,
+                85.0,
+                DroneSounds.SMALL_QUADROTOR,
+                Directivity.OMNIDIRECTIONAL);
     }
 
     /** These settings with another mesh. */
     public DroneSettings withModel(ModelSettings other) {
         return new DroneSettings(
-                other, flight, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound, directivity);
+                other, flight, speed, acceleration, radar, soundLevel, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with another way to fly. */
     public DroneSettings withFlight(FlightPathSettings other) {
         return new DroneSettings(
-                model, other, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound, directivity);
+                model, other, speed, acceleration, radar, soundLevel, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with another cruise speed, m/s. */
     public DroneSettings withSpeed(double metresPerSecond) {
         return new DroneSettings(
-                model,
-                flight,
-                metresPerSecond,
-                acceleration,
-                radarCrossSection,
-                soundLevel,
-                soundPowerLevel,
-                sound,
-                directivity);
+                model, flight, metresPerSecond, acceleration, radar, soundLevel, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with another radar cross-section, m2. */
     public DroneSettings withRadarCrossSection(double area) {
+        return withRadar(radar.withCrossSection(area));
+    }
+
+    /** These settings with something else for a radar to see. */
+    public DroneSettings withRadar(RadarSignature other) {
         return new DroneSettings(
-                model, flight, speed, acceleration, area, soundLevel, soundPowerLevel, sound, directivity);
+                model, flight, speed, acceleration, other, soundLevel, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with another level for the level model, dB. */
     public DroneSettings withSoundLevel(double level) {
-        return new DroneSettings(
-                model, flight, speed, acceleration, radarCrossSection, level, soundPowerLevel, sound, directivity);
+        return new DroneSettings(model, flight, speed, acceleration, radar, level, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with the sound of another kind of drone, spectrum and loudness. */
     public DroneSettings withSound(DroneSound other) {
         return new DroneSettings(
-                model,
-                flight,
-                speed,
-                acceleration,
-                radarCrossSection,
-                soundLevel,
-                other.level(),
-                other.name(),
-                directivity);
+                model, flight, speed, acceleration, radar, soundLevel, other.level(), other.name(), directivity);
     }
 
     /** These settings with sound that leaves in other directions. */
     public DroneSettings withDirectivity(Directivity other) {
-        return new DroneSettings(
-                model, flight, speed, acceleration, radarCrossSection, soundLevel, soundPowerLevel, sound, other);
+        return new DroneSettings(model, flight, speed, acceleration, radar, soundLevel, soundPowerLevel, sound, other);
     }
 
     /** Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's own loudness. */

@@ -11,6 +11,8 @@ import org.dronewatch.geometry.Ray;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.SurfaceMaterial;
@@ -22,13 +24,14 @@ import org.jogamp.vecmath.Vector3d;
  * east, y north, z up. Immutable, shared by all threads.
  */
 public final class World {
-    /** How near to an end of a way a surface counts as the end's own: far above rounding, a micrometre in a kilometre. */
-    private static final double SURFACE = 1e-9;
+    /** How near to an end of a way, as a share of it, a surface counts as the end's own: far above rounding. */
+    public static final double SURFACE = 1e-9;
 
     private final KDTree tree;
     private final BackgroundNoise backgroundNoise;
     private final List<SurfaceMaterial> surfaces;
     private final Atmosphere atmosphere;
+    private final double rain;
 
     /**
      * A world around a finished tree.
@@ -65,6 +68,20 @@ public final class World {
         this.backgroundNoise = backgroundNoise;
         this.surfaces = List.copyOf(surfaces);
         this.atmosphere = atmosphere;
+        this.rain = 0.0;
+    }
+
+    private World(World dry, double rain) {
+        this.tree = dry.tree;
+        this.backgroundNoise = dry.backgroundNoise;
+        this.surfaces = dry.surfaces;
+        this.atmosphere = dry.atmosphere;
+        this.rain = rain;
+    }
+
+    /** This world in rain, mm/h, 0 or more. */
+    public World withRain(double millimetresPerHour) {
+        return new World(this, Check.notNegative("rain", millimetresPerHour, Quantity.PRECIPITATION));
     }
 
     /** A world of a mesh without noise worth the name (0 dB). */
@@ -182,5 +199,10 @@ public final class World {
     /** The air. */
     public Atmosphere atmosphere() {
         return atmosphere;
+    }
+
+    /** Rain, mm/h. */
+    public double rain() {
+        return rain;
     }
 }

@@ -18,13 +18,15 @@ import org.dronewatch.sound.BandLevels;
  * @param noiseShape how the background falls on the octave bands: their levels relative to one another, dB
  * @param surfaces what the models' materials are to sound
  * @param atmosphere the air
+ * @param rain rain, 0 to 500 mm/h; radars suffer from it, sound does not
  */
 public record WorldSettings(
         List<ModelSettings> models,
         @In(value = Quantity.LEVEL, from = -20, to = 140) double backgroundNoise,
         BandLevels noiseShape,
         SurfaceSettings surfaces,
-        Atmosphere atmosphere) {
+        Atmosphere atmosphere,
+        @In(value = Quantity.PRECIPITATION, from = 0, to = 500) double rain) {
     /** Background of a quiet rural place, dB re 20 uPa. */
     public static final double QUIET = 30.0;
 
@@ -34,7 +36,7 @@ public record WorldSettings(
      * @throws IllegalArgumentException when one does not hold
      */
     public WorldSettings {
-        Limits.check(WorldSettings.class, models, backgroundNoise, noiseShape, surfaces, atmosphere);
+        Limits.check(WorldSettings.class, models, backgroundNoise, noiseShape, surfaces, atmosphere, rain);
         models = List.copyOf(models);
         if (models.isEmpty()) {
             throw new IllegalArgumentException("models is empty: a world needs at least one");
@@ -49,24 +51,25 @@ public record WorldSettings(
     /** A quiet world of some models, merged into one. */
     @Defaults("models")
     public static WorldSettings of(List<ModelSettings> models) {
-        return new WorldSettings(models, QUIET, BackgroundNoise.FALLING, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
+        return new WorldSettings(
+                models, QUIET, BackgroundNoise.FALLING, SurfaceSettings.DEFAULT, Atmosphere.STANDARD, 0.0);
     }
 
     /** These settings with one more model: a house on the hill. */
     public WorldSettings withModel(ModelSettings model) {
         List<ModelSettings> more = new ArrayList<>(models);
         more.add(model);
-        return new WorldSettings(more, backgroundNoise, noiseShape, surfaces, atmosphere);
+        return new WorldSettings(more, backgroundNoise, noiseShape, surfaces, atmosphere, rain);
     }
 
     /** These settings with another level of the background, A-weighted, dB re 20 uPa. */
     public WorldSettings withBackgroundNoise(double level) {
-        return new WorldSettings(models, level, noiseShape, surfaces, atmosphere);
+        return new WorldSettings(models, level, noiseShape, surfaces, atmosphere, rain);
     }
 
     /** These settings with another background. */
     public WorldSettings withBackgroundNoise(BackgroundNoise noise) {
-        return new WorldSettings(models, noise.level(), noise.shape(), surfaces, atmosphere);
+        return new WorldSettings(models, noise.level(), noise.shape(), surfaces, atmosphere, rain);
     }
 
     /** The background. */
@@ -76,11 +79,16 @@ public record WorldSettings(
 
     /** These settings with other surfaces. */
     public WorldSettings withSurfaces(SurfaceSettings other) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, other, atmosphere);
+        return new WorldSettings(models, backgroundNoise, noiseShape, other, atmosphere, rain);
     }
 
     /** These settings with other air. */
     public WorldSettings withAtmosphere(Atmosphere air) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, air);
+        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, air, rain);
+    }
+
+    /** These settings with rain, mm/h. */
+    public WorldSettings withRain(double millimetresPerHour) {
+        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, atmosphere, millimetresPerHour);
     }
 }

@@ -1,0 +1,128 @@
+package org.dronewatch.sensor.radar;
+
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.RadarSignature.Fluctuation;
+
+/** How strong an echo is over the noise: from what the radar is built of, or from what its maker promises. */
+public sealed interface LinkBudget {
+    /** Speed of light, m/s. */
+    double LIGHT = 299_792_458.0;
+
+    /**
+     * Signal-to-noise ratio of an echo after coherent processing, dB, in clear air.
+     *
+     * @param frequency carrier, Hz
+     * @param crossSection radar cross-section, m2
+     * @param range m, above 0
+     */
+    double signalToNoise(double frequency, double crossSection, double range);
+
+    /** The radial speed above which an echo leaves its range cell while it is summed up, m/s; infinity if unknown. */
+    default double migrationSpeed() {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * The radar equation: {@code SNR = P G^2 lambda^2 sigma / ((4 pi)^3 r^4 k T0 B F L)} with T0 = 290 K (Skolnik, Radar
+     * Handbook). B is the noise bandwidth after coherent processing, one over the integration time, not that of the
+     * sweep. A radar with a known system temperature T instead of a noise figure has the figure 10 lg(T / 290 K).
+     *
+     * @param power transmitted power, above 0, W
+     * @param gain of the antenna for both ways, -20 to 80 dBi
+     * @param integrationTime how long an echo is summed up coherently, above 0 and at most 10 s
+     * @param sweepBandwidth of the transmitted signal, above 0, Hz
+     * @param noiseFigure of the receiver, -20 to 60 dB
+     * @param losses all losses of the system together, 0 to 60 dB
+     */
+    record Hardware(
+            @In(value = Quantity.POWER, above = 0) double power,
+            @In(value = Quantity.LEVEL, from = -20, to = 80) double gain,
+            @In(value = Quantity.DURATION, above = 0, to = 10) double integrationTime,
+            @In(value = Quantity.FREQUENCY, above = 0) double sweepBandwidth,
+            @In(value = Quantity.LEVEL, from = -20, to = 60) double noiseFigure,
+            @In(value = Quantity.LEVEL, from = 0, to = 60) double losses)
+            implements LinkBudget {
+        private static final double BOLTZMANN = 1.380649e-23;
+        private static final double ROOM_TEMPERATURE = 290.0;
+
+        /** Checks the limits. */
+        public Hardware {
+            Limits.check(Hardware.class, power, gain, integrationTime, sweepBandwidth, noiseFigure, losses);
+        }
+
+        /** Hardware without noise of its own or losses, and a sweep of 10 MHz. */
+        @Defaults({"power", "gain", "integrationTime"})
+        public static Hardware of(double power, double gain, double integrationTime) {
+            return new Hardware(power, gain, integrationTime, 10e6, 0.0, 0.0);
+        }
+
+        @Override
+        public double signalToNoise(double frequency, double crossSection, double range) {
+            double wavelength = LIGHT / frequency;
+            double received = power
+                    * wavelength
+                    * wavelength
+                    * crossSection
+                    / (Math.pow(4.0 * Math.PI, 3) * range * range * range * range);
+            double noise = BOLTZMANN * ROOM_TEMPERATURE / integrationTime;
+            return 10.0 * Math.log10(received / noise) + 2.0 * gain - noiseFigure - losses;
+        }
+
+        @Override
+        public double migrationSpeed() {
+            return LIGHT / (2.0 * sweepBandwidth * integrationTime);
+        }
+    }
+
+    /**
+     * What a data sheet says: at which range which target is detected how surely. It gives the gain of the whole loop; the
+     * echo then falls with the fourth power of the range.
+     *
+     * @param range at which the target is detected, above 0, m
+     * @param crossSection of that target, above 0, m2
+     * @param probability of its detection, 0.1 to 0.99
+     * @param falseAlarm probability that noise is taken for a target, 1e-12 to 0.01
+     * @param fluctuation of that target
+     */
+    record DataSheet(
+            @In(value = Quantity.LENGTH, above = 0) double range,
+            @In(value = Quantity.AREA, above = 0) double crossSection,
+            @In(value = Quantity.RATIO, from = 0.1, to = 0.99) double probability,
+            @In(value = Quantity.NUMBER, from = 1e-12, to = 0.01) double falseAlarm,
+            Fluctuation fluctuation)
+            implements LinkBudget {
+        /** Checks the limits. */
+        public DataSheet {
+            Limits.check(DataSheet.class, range, crossSection, probability, falseAlarm, fluctuation);
+        }
+
+        /** A promise of 90 % for a steady target, with one false alarm in a million. */
+        @Defaults({"range", "crossSection"})
+        public static DataSheet of(double range, double crossSection) {
+            return new DataSheet(range, crossSection, 0.9, 1e-6, Fluctuation.STEADY);
+        }
+
+        @Override
+        public double signalToNoise(double frequency, double area, double distance) {
+            double promised = Detectability.required(probability, falseAlarm, fluctuation);
+            return promised + 10.0 * Math.log10(area / crossSection) - 40.0 * Math.log10(distance / range);
+        }
+    }
+
+    /**
+     * The range at which an echo has a signal-to-noise ratio, in clear air, m.
+     *
+     * @param frequency carrier, Hz
+     * @param crossSection m2
+     * @param signalToNoise dB
+     */
+    default double range(double frequency, double crossSection, double signalToNoise) {
+        Check.positive("crossSection", crossSection, Quantity.AREA);
+        double atOneMetre = signalToNoise(frequency, crossSection, 1.0);
+        return Math.pow(10.0, (atOneMetre - signalToNoise) / 40.0);
+    }
+}

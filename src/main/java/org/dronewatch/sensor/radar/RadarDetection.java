@@ -1,0 +1,73 @@
+package org.dronewatch.sensor.radar;
+
+import java.util.random.RandomGenerator;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.RadarSignature.Fluctuation;
+
+/** From which signal-to-noise ratio on an echo counts. */
+public sealed interface RadarDetection {
+    /**
+     * What an echo must reach in one look, dB.
+     *
+     * @param fluctuation of the target
+     * @param random the look's random numbers
+     */
+    double threshold(Fluctuation fluctuation, RandomGenerator random);
+
+    /**
+     * Always the same, as in the thesis that this project began with.
+     *
+     * @param signalToNoise -50 to 100 dB
+     */
+    record FixedThreshold(@In(value = Quantity.LEVEL, from = -50, to = 100) double signalToNoise)
+            implements RadarDetection {
+        /** 15 dB. */
+        @Defaults
+        public static final FixedThreshold DEFAULT = new FixedThreshold(15.0);
+
+        /** Checks the limit. */
+        public FixedThreshold {
+            Limits.check(FixedThreshold.class, signalToNoise);
+        }
+
+        @Override
+        public double threshold(Fluctuation fluctuation, RandomGenerator random) {
+            return signalToNoise;
+        }
+    }
+
+    /**
+     * By chance: noise and the target's fluctuation make some looks succeed and others fail. A number between 0 and 1 is
+     * drawn, and the ratio for which the probability of detection is that number is what this look's echo must reach.
+     *
+     * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01
+     * @param pulses how many pulses of a look are summed without their phases, 1 to 1000; the signal-to-noise ratio is that
+     *     of one of them
+     */
+    record Chance(
+            @In(value = Quantity.NUMBER, from = 1e-12, to = 0.01) double falseAlarm,
+            @In(value = Quantity.NUMBER, from = 1, to = 1000) int pulses)
+            implements RadarDetection {
+        /** Noise alone may pass for a target, but not for a drone of which nothing comes back, dB. */
+        private static final double FAINTEST = -100.0;
+
+        /** One false alarm in a million, one pulse. */
+        @Defaults
+        public static final Chance DEFAULT = new Chance(1e-6, 1);
+
+        /** Checks the limits. */
+        public Chance {
+            Limits.check(Chance.class, falseAlarm, pulses);
+        }
+
+        @Override
+        public double threshold(Fluctuation fluctuation, RandomGenerator random) {
+            // 1 - u is above 0, so that the ratio is finite at that end, too; below 1 by as much as u can be small.
+            double probability = Math.min(1.0 - 1e-9, 1.0 - random.nextDouble());
+            return Math.max(FAINTEST, Detectability.required(probability, falseAlarm, fluctuation, pulses));
+        }
+    }
+}

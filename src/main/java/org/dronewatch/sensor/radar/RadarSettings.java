@@ -1,0 +1,221 @@
+package org.dronewatch.sensor.radar;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A radar that stands still and looks with the same gain everywhere in its field of view, as one with an electronically
+ * steered beam does.
+ *
+ * @param position where its antenna is, m
+ * @param aim the middle of its field of view; the elevation is its tilt
+ * @param azimuthWidth how wide its field of view is, above 0 and at most 2 pi, rad
+ * @param elevationWidth how high its field of view is, above 0 and at most pi, rad
+ * @param minRange nearer drones are lost in its own pulse, 0 or more, m
+ * @param maxRange farther drones are not looked for, above 0, m
+ * @param minSpeed slower drones are taken for ground: least radial speed, 0 or more, m/s
+ * @param maxSpeed faster drones are not looked for: largest radial speed, above 0, m/s
+ * @param rate scans a second, above 0, Hz
+ * @param frequency carrier, 1 to 1000 GHz, Hz
+ * @param polarisation of the wave; matters in rain only
+ * @param budget how strong an echo is over the noise
+ * @param detection from which signal-to-noise ratio on an echo counts
+ */
+public record RadarSettings(
+        Position position,
+        Aim aim,
+        @In(value = Quantity.ANGLE, above = 0, to = 2 * Math.PI) double azimuthWidth,
+        @In(value = Quantity.ANGLE, above = 0, to = Math.PI) double elevationWidth,
+        @In(value = Quantity.LENGTH, from = 0) double minRange,
+        @In(value = Quantity.LENGTH, above = 0) double maxRange,
+        @In(value = Quantity.SPEED, from = 0) double minSpeed,
+        @In(value = Quantity.SPEED, above = 0) double maxSpeed,
+        @In(value = Quantity.FREQUENCY, above = 0, to = 1000) double rate,
+        @In(value = Quantity.FREQUENCY, from = 1e9, to = 1e12) double frequency,
+        Rain.Polarisation polarisation,
+        LinkBudget budget,
+        RadarDetection detection)
+        implements SensorSettings<RadarSensor> {
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public RadarSettings {
+        Limits.check(
+                RadarSettings.class,
+                position,
+                aim,
+                azimuthWidth,
+                elevationWidth,
+                minRange,
+                maxRange,
+                minSpeed,
+                maxSpeed,
+                rate,
+                frequency,
+                polarisation,
+                budget,
+                detection);
+        aim.from(position);
+        if (minRange >= maxRange) {
+            throw new IllegalArgumentException("minRange " + minRange + " m must be below maxRange " + maxRange + " m");
+        }
+        if (minSpeed >= maxSpeed) {
+            throw new IllegalArgumentException(
+                    "minSpeed " + minSpeed + " m/s must be below maxSpeed " + maxSpeed + " m/s");
+        }
+    }
+
+    /**
+     * A radar that looks all round, 20 degrees high, level, once a second, at 10 GHz with horizontal polarisation, from 20 m
+     * to 10 km, for radial speeds from 1 to 200 m/s, and detects from 15 dB on.
+     */
+    @Defaults({"position", "budget"})
+    public static RadarSettings at(Position position, LinkBudget budget) {
+        return new RadarSettings(
+                position,
+                Aim.Direction.DEFAULT,
+                2.0 * Math.PI,
+                Math.toRadians(20.0),
+                20.0,
+                10_000.0,
+                1.0,
+                200.0,
+                1.0,
+                10e9,
+                Rain.Polarisation.HORIZONTAL,
+                budget,
+                RadarDetection.FixedThreshold.DEFAULT);
+    }
+
+    /** These settings at another place, m. */
+    public RadarSettings withPosition(Position place) {
+        return copy(place, aim, rate, budget, detection);
+    }
+
+    /** These settings pointing elsewhere. */
+    public RadarSettings withAim(Aim other) {
+        return copy(position, other, rate, budget, detection);
+    }
+
+    /** These settings with another number of scans a second, Hz. */
+    public RadarSettings withRate(double scansPerSecond) {
+        return copy(position, aim, scansPerSecond, budget, detection);
+    }
+
+    /** These settings with another link budget. */
+    public RadarSettings withBudget(LinkBudget other) {
+        return copy(position, aim, rate, other, detection);
+    }
+
+    /** These settings with another way to decide. */
+    public RadarSettings withDetection(RadarDetection other) {
+        return copy(position, aim, rate, budget, other);
+    }
+
+    private RadarSettings copy(Position place, Aim axis, double scans, LinkBudget link, RadarDetection decision) {
+        return new RadarSettings(
+                place,
+                axis,
+                azimuthWidth,
+                elevationWidth,
+                minRange,
+                maxRange,
+                minSpeed,
+                maxSpeed,
+                scans,
+                frequency,
+                polarisation,
+                link,
+                decision);
+    }
+
+    /** These settings with another field of view, rad. */
+    public RadarSettings withFieldOfView(double azimuth, double elevation) {
+        return new RadarSettings(
+                position,
+                aim,
+                azimuth,
+                elevation,
+                minRange,
+                maxRange,
+                minSpeed,
+                maxSpeed,
+                rate,
+                frequency,
+                polarisation,
+                budget,
+                detection);
+    }
+
+    /** These settings with other ranges between which drones are looked for, m. */
+    public RadarSettings withRanges(double least, double most) {
+        return new RadarSettings(
+                position,
+                aim,
+                azimuthWidth,
+                elevationWidth,
+                least,
+                most,
+                minSpeed,
+                maxSpeed,
+                rate,
+                frequency,
+                polarisation,
+                budget,
+                detection);
+    }
+
+    /** These settings with other radial speeds between which drones are looked for, m/s. */
+    public RadarSettings withSpeeds(double least, double most) {
+        return new RadarSettings(
+                position,
+                aim,
+                azimuthWidth,
+                elevationWidth,
+                minRange,
+                maxRange,
+                least,
+                most,
+                rate,
+                frequency,
+                polarisation,
+                budget,
+                detection);
+    }
+
+    /** These settings with another wave: carrier, Hz, and polarisation. */
+    public RadarSettings withWave(double hertz, Rain.Polarisation other) {
+        return new RadarSettings(
+                position,
+                aim,
+                azimuthWidth,
+                elevationWidth,
+                minRange,
+                maxRange,
+                minSpeed,
+                maxSpeed,
+                rate,
+                hertz,
+                other,
+                budget,
+                detection);
+    }
+
+    @Override
+    public String kind() {
+        return "radar";
+    }
+
+    @Override
+    public RadarSensor create() {
+        return new RadarSensor(this);
+    }
+}

@@ -1,0 +1,58 @@
+package org.dronewatch.sensor.radar;
+
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.World;
+import org.jogamp.vecmath.Point3d;
+
+/**
+ * How much of a drone shows from a place: the share of nine points of its box, the middle and half-way to each corner, to
+ * which nothing of the world stands in the way.
+ */
+final class VisibleShare {
+    private static final int POINTS = 9;
+    private static final double HALF_WAY = 0.5;
+
+    private final Position place;
+    private final KDTraversal traversal;
+
+    VisibleShare(World world, Position place) {
+        this.place = place;
+        this.traversal = world.newTraversal();
+    }
+
+    /** The share, 0 to 1. */
+    double of(Drone drone) {
+        AABB box = drone.modelBounds();
+        int visible = 0;
+        for (int i = 0; i < POINTS; i++) {
+            // The last of the points is the middle.
+            double reach = i == POINTS - 1 ? 0.0 : HALF_WAY;
+            Point3d point = new Point3d(
+                    between(box.minX(), box.maxX(), (i & 1) == 0 ? -reach : reach),
+                    between(box.minY(), box.maxY(), (i & 2) == 0 ? -reach : reach),
+                    between(box.minZ(), box.maxZ(), (i & 4) == 0 ? -reach : reach));
+            drone.modelMatrix().transform(point);
+            visible += isVisible(point) ? 1 : 0;
+        }
+        return (double) visible / POINTS;
+    }
+
+    private static double between(double low, double high, double place) {
+        return 0.5 * (low + high) + 0.5 * place * (high - low);
+    }
+
+    private boolean isVisible(Point3d point) {
+        return !traversal.isOccluded(
+                place.x(),
+                place.y(),
+                place.z(),
+                point.x - place.x(),
+                point.y - place.y(),
+                point.z - place.z(),
+                World.SURFACE,
+                1.0 - World.SURFACE);
+    }
+}

@@ -1,0 +1,65 @@
+package org.dronewatch.sensor.radar;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import org.dronewatch.sensor.radar.LinkBudget.DataSheet;
+import org.dronewatch.sensor.radar.LinkBudget.Hardware;
+import org.dronewatch.world.RadarSignature.Fluctuation;
+import org.junit.jupiter.api.Test;
+
+/** The radar equation against values computed independently, and its laws. */
+class LinkBudgetTest {
+    /** 1 kW, 30 dBi, 1 us: a noise bandwidth of 1 MHz; at 10 GHz 0.01 m2 in 3 km give 11.45 dB. */
+    private static final Hardware TEXTBOOK = Hardware.of(1000, 30, 1e-6);
+
+    @Test
+    void theEquationGivesItsValues() {
+        assertThat(TEXTBOOK.signalToNoise(10e9, 0.01, 3000)).isCloseTo(11.45, within(0.005));
+        assertThat(Hardware.of(4, 33, 1e-6).signalToNoise(16.5e9, 0.01, 8000)).isCloseTo(-27.9, within(0.05));
+        assertThat(Hardware.of(4, 33, 0.02).signalToNoise(16.5e9, 0.01, 8000)).isCloseTo(15.1, within(0.05));
+        assertThat(new Hardware(4, 33, 0.02, 10e6, 5, 2.5).signalToNoise(16.5e9, 0.01, 8000))
+                .isCloseTo(Hardware.of(4, 33, 0.02).signalToNoise(16.5e9, 0.01, 8000) - 7.5, within(1e-9));
+    }
+
+    @Test
+    void theEchoFallsWithTheFourthPowerOfTheRange() {
+        double near = TEXTBOOK.signalToNoise(10e9, 0.01, 1000);
+        assertThat(TEXTBOOK.signalToNoise(10e9, 0.01, 2000) - near).isCloseTo(-12.0412, within(1e-4));
+        assertThat(TEXTBOOK.range(10e9, 0.001, 13) / TEXTBOOK.range(10e9, 0.01, 13))
+                .isCloseTo(0.5623, within(5e-5));
+        assertThat(TEXTBOOK.signalToNoise(10e9, 0.01, TEXTBOOK.range(10e9, 0.01, 13)))
+                .isCloseTo(13, within(1e-9));
+    }
+
+    /** {@code c / (2 B t)}: 10 MHz and 20 ms give 749.5 m/s. */
+    @Test
+    void aFastEchoLeavesItsRangeCell() {
+        assertThat(Hardware.of(4, 33, 0.02).migrationSpeed()).isCloseTo(749.5, within(0.05));
+        assertThat(DataSheet.of(1000, 1).migrationSpeed()).isInfinite();
+    }
+
+    /** A walker of 1 m2 at 1050 m: a drone of 0.01 m2 is detected as surely at 332 m. */
+    @Test
+    void aDataSheetGivesTheGainOfTheLoop() {
+        DataSheet sheet = DataSheet.of(1050, 1);
+        assertThat(sheet.signalToNoise(10e9, 1, 1050)).isCloseTo(13.1835, within(1e-4));
+        assertThat(sheet.range(10e9, 0.01, 13.18349)).isCloseTo(332, within(0.1));
+        assertThat(new DataSheet(1050, 1, 0.9, 1e-6, Fluctuation.SWERLING_1).signalToNoise(10e9, 1, 1050))
+                .isCloseTo(21.1436, within(1e-4));
+    }
+
+    @Test
+    void settingsHaveLimits() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> Hardware.of(0, 30, 0.02))
+                .withMessageContaining("power 0 W must be above 0");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> DataSheet.of(1000, -1))
+                .withMessageContaining("crossSection -1 m2");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new DataSheet(1000, 1, 1, 1e-6, Fluctuation.STEADY))
+                .withMessageContaining("probability 1 must be 0.1 to 0.99");
+    }
+}
