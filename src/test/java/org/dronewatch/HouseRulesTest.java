@@ -73,7 +73,7 @@ class HouseRulesTest {
             .mayOnlyBeAccessedByLayers("app", "report", "scenes", "scene", "catalog", "camera", "acoustic", "radar")
             .whereLayer("world")
             .mayOnlyBeAccessedByLayers(
-                    "app", "bench", "report", "scenes", "scene", "camera", "acoustic", "radar", "sensor")
+                    "app", "bench", "report", "scenes", "scene", "catalog", "camera", "acoustic", "radar", "sensor")
             .whereLayer("sound")
             .mayOnlyBeAccessedByLayers("scenes", "scene", "acoustic", "sensor", "world")
             .whereLayer("kdtree")

@@ -28,9 +28,14 @@ public final class SensorKinds {
         return Collections.unmodifiableMap(SENSORS);
     }
 
-    /** What settings files need to know to read sensors. */
-    public static Kinds kinds() {
+    /**
+     * What settings files need to know to read sensors.
+     *
+     * @param catalog where {@code use} finds them by name
+     */
+    public static Kinds kinds(Catalog catalog) {
         return Kinds.SEALED
+                .with(SensorSettings.class, catalog)
                 .with(SensorSettings.class, SENSORS)
                 .with(DetectionFunction.class, Map.of("pixel-threshold", PixelThreshold.class));
     }

@@ -2,6 +2,7 @@ package org.dronewatch.scene;
 
 import java.nio.file.Path;
 import java.util.Locale;
+import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.SettingsFile;
@@ -47,6 +48,6 @@ public final class SceneFile extends Scene {
      */
     @Override
     protected void build() {
-        set(SettingsFile.read(file, SceneSettings.class, SensorKinds.kinds()));
+        set(SettingsFile.read(file, SceneSettings.class, SensorKinds.kinds(Catalog.beside(directory()))));
     }
 }

@@ -21,7 +21,11 @@ public final class Kinds {
 
     /** Ready settings that a file may take by name and change in part. */
     public interface NamedSettings {
-        /** The settings of a name, as if they stood in the file. */
+        /**
+         * The settings of a name, as if they stood in the file.
+         *
+         * @throws org.dronewatch.setting.InputException when they cannot be read
+         */
         Optional<Node.Mapping> find(String name);
 
         /** All names. */

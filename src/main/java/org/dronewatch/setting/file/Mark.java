@@ -9,7 +9,7 @@ import java.util.Comparator;
  * @param line from 1
  * @param column from 1
  */
-record Mark(String file, int line, int column) implements Comparable<Mark> {
+public record Mark(String file, int line, int column) implements Comparable<Mark> {
     private static final Comparator<Mark> ORDER =
             Comparator.comparing(Mark::file).thenComparing(Mark::line).thenComparing(Mark::column);
 

@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** A part of a document that people write, and where it stands. Immutable; an alias makes one node stand in two places. */
 public sealed interface Node {
@@ -19,6 +20,18 @@ public sealed interface Node {
      * @param text the value as written, empty for none
      */
     record Scalar(String text, Mark mark) implements Node {
+        @Override
+        public long size() {
+            return 1;
+        }
+    }
+
+    /**
+     * A value that is there already, put into a document by a program.
+     *
+     * @param value of the type that is wanted in its place
+     */
+    record Ready(Object value, Mark mark) implements Node {
         @Override
         public long size() {
             return 1;
@@ -52,7 +65,7 @@ public sealed interface Node {
         }
 
         /** This with another one's values over its own: mappings that both have are joined, everything else is replaced. */
-        Mapping overlaidWith(Mapping over) {
+        public Mapping overlaidWith(Mapping over) {
             Map<String, Node> all = new LinkedHashMap<>(values);
             Map<String, Mark> places = new LinkedHashMap<>(keys);
             over.values.forEach((name, value) -> {
@@ -67,8 +80,30 @@ public sealed interface Node {
             return of(all, places, over.mark);
         }
 
+        /** Values that a program puts in the place of what would be written. */
+        public static Mapping ofReady(String name, Map<String, ?> values) {
+            Mark mark = new Mark(name, 1, 1);
+            Map<String, Node> nodes = new LinkedHashMap<>();
+            Map<String, Mark> places = new LinkedHashMap<>();
+            values.forEach((part, value) -> {
+                nodes.put(part, new Ready(value, mark));
+                places.put(part, mark);
+            });
+            return of(nodes, places, mark);
+        }
+
+        /** The text of a single value; empty when there is none of that name. */
+        public Optional<String> text(String name) {
+            return values.get(name) instanceof Scalar scalar ? Optional.of(scalar.text()) : Optional.empty();
+        }
+
+        /** The mapping of a name; empty when there is none. */
+        public Optional<Mapping> mapping(String name) {
+            return values.get(name) instanceof Mapping inner ? Optional.of(inner) : Optional.empty();
+        }
+
         /** This without some of its values. */
-        Mapping without(List<String> names) {
+        public Mapping without(List<String> names) {
             Map<String, Node> rest = new LinkedHashMap<>(values);
             names.forEach(rest::remove);
             return of(rest, keys, mark);

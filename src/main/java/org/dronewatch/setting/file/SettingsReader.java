@@ -48,6 +48,9 @@ final class SettingsReader {
         if (node instanceof Node.Scalar scalar && scalar.text().isEmpty()) {
             return failed(node, path, "is empty");
         }
+        if (node instanceof Node.Ready ready) {
+            return ready.value();
+        }
         if (type instanceof ParameterizedType parameterized) {
             return several(parameterized, quantity, node, path);
         }
@@ -61,6 +64,9 @@ final class SettingsReader {
             return numbers(plain, sequence, path);
         }
         Node.Mapping mapping = (Node.Mapping) node;
+        if (plain == Node.Mapping.class) {
+            return mapping;
+        }
         if (kinds.isChoice(plain)) {
             return choice(plain, mapping, path);
         }

@@ -1,0 +1,131 @@
+package org.dronewatch.catalog;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Spelling;
+import org.dronewatch.setting.file.Kinds;
+import org.dronewatch.setting.file.Node;
+import org.dronewatch.setting.file.SettingsFile;
+
+/**
+ * Real sensors by name: those that come with the library, and those of a user, each a file {@code NAME.yaml} beside the
+ * scene file. A user's own goes before one of the library with the same name.
+ */
+public final class Catalog implements Kinds.NamedSettings {
+    private static final String ENDING = ".yaml";
+    private static final String NAME = "[A-Za-z0-9_-]{1,64}";
+    private static final int MOST_FILES = 1000;
+    private static final List<String> PACKAGED = List.of(
+            "blighter-a400",
+            "blighter-a400-m10s",
+            "spotterrf-c550",
+            "droneshield-radarone",
+            "droneshield-v2",
+            "droneshield-widealert",
+            "droneshield-droneopt",
+            "piranha-46-hr",
+            "piranha-46-hr-tele");
+
+    private final Optional<Path> directory;
+
+    private Catalog(Optional<Path> directory) {
+        this.directory = directory;
+    }
+
+    /** The sensors that come with the library. */
+    public static Catalog packaged() {
+        return new Catalog(Optional.empty());
+    }
+
+    /** The library's sensors and those whose files lie in a directory. */
+    public static Catalog beside(Path directory) {
+        return new Catalog(Optional.of(directory));
+    }
+
+    /** The names that come with the library, in the order in which to show them. */
+    public static List<String> packagedNames() {
+        return PACKAGED;
+    }
+
+    @Override
+    public Set<String> names() {
+        Set<String> names = new LinkedHashSet<>(PACKAGED);
+        if (directory.isPresent()) {
+            try (Stream<Path> files = Files.list(directory.get())) {
+                files.map(file -> String.valueOf(file.getFileName()))
+                        .filter(name -> name.endsWith(ENDING))
+                        .limit(MOST_FILES)
+                        .sorted()
+                        .forEach(name -> names.add(name.substring(0, name.length() - ENDING.length())));
+            } catch (IOException e) {
+                // Only what could be suggested is lost.
+                return names;
+            }
+        }
+        return names;
+    }
+
+    @Override
+    public Optional<Node.Mapping> find(String name) {
+        return entry(name).map(CatalogEntry::sensor);
+    }
+
+    /**
+     * What is known of a sensor; empty when there is none of this name.
+     *
+     * @throws InputException when its file is wrong
+     */
+    public Optional<CatalogEntry> entry(String name) {
+        return document(name)
+                .map(document ->
+                        SettingsFile.read(document, CatalogEntry.class, Kinds.SEALED, directory.orElse(Path.of(""))));
+    }
+
+    /**
+     * The settings of a sensor.
+     *
+     * @param name in this catalogue
+     * @param parts what the entry leaves open or what is to be otherwise, by name of the setting: its position at least
+     * @throws InputException when there is no such sensor, or the settings do not fit
+     */
+    public SensorSettings<?> settings(String name, Map<String, ?> parts) {
+        Node.Mapping known = find(name)
+                .orElseThrow(() -> new InputException("no sensor '" + name + "' in the catalogue; nearest are "
+                        + String.join(", ", Spelling.nearest(name, names(), 3))));
+        Node.Mapping all = known.overlaidWith(Node.Mapping.ofReady(name, parts));
+        return SettingsFile.read(all, SensorSettings.class, SensorKinds.kinds(this), directory.orElse(Path.of("")));
+    }
+
+    private Optional<Node.Mapping> document(String name) {
+        if (!name.matches(NAME)) {
+            return Optional.empty();
+        }
+        Optional<Path> own =
+                directory.map(folder -> folder.resolve(name + ENDING)).filter(Files::isRegularFile);
+        if (own.isPresent()) {
+            return own.map(SettingsFile::document);
+        }
+        return PACKAGED.contains(name) ? Optional.of(resource(name + ENDING)) : Optional.empty();
+    }
+
+    private static Node.Mapping resource(String file) {
+        try (InputStream in = Catalog.class.getResourceAsStream(file)) {
+            if (in == null) {
+                throw new IllegalStateException("resource " + file + " is missing");
+            }
+            return SettingsFile.document(file, in);
+        } catch (IOException e) {
+            throw new IllegalStateException("resource " + file + " cannot be read", e);
+        }
+    }
+}

@@ -1,0 +1,123 @@
+package org.dronewatch.catalog;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.file.Kinds;
+import org.dronewatch.setting.file.Node;
+import org.dronewatch.setting.file.SettingsFile;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.FlightPathSettings;
+import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.WorldSettings;
+
+/**
+ * What is known of a real sensor.
+ *
+ * @param title what its maker calls it
+ * @param source where the figures are published
+ * @param basis how far the settings rest on them
+ * @param note what is assumed, and how the settings were calibrated
+ * @param coverage where it looks, in words
+ * @param price in words, with currency and year
+ * @param ranges what its maker promises; none when nothing is published
+ * @param sensor its settings as a scene file would have them, without a position
+ */
+public record CatalogEntry(
+        String title,
+        String source,
+        Basis basis,
+        String note,
+        String coverage,
+        Optional<String> price,
+        List<PublishedRange> ranges,
+        Node.Mapping sensor) {
+
+    /** How far settings rest on published figures. */
+    public enum Basis {
+        /** Every figure that matters is published. */
+        PUBLISHED,
+        /** What is not published was chosen so that the published range comes out. */
+        CALIBRATED,
+        /** No range is published; what is not published is a guess. */
+        ASSUMED
+    }
+
+    /**
+     * A range that a maker promises, with what this library takes it to mean: a straight approach over flat grass, sensor
+     * and drone 10 m above it.
+     *
+     * @param distance m
+     * @param target in words
+     * @param drone settings of the drone for which it holds, over those of the small quadrotor
+     * @param world settings of the world in which it holds, over those of a quiet one
+     */
+    public record PublishedRange(
+            @In(value = Quantity.LENGTH, above = 0) double distance,
+            String target,
+            Optional<Node.Mapping> drone,
+            Optional<Node.Mapping> world) {
+        /** Checks the limits. */
+        public PublishedRange {
+            Limits.check(PublishedRange.class, distance, target, drone, world);
+        }
+
+        /** A range for the small quadrotor in a quiet world. */
+        @Defaults({"distance", "target"})
+        public static PublishedRange of(double distance, String target) {
+            return new PublishedRange(distance, target, Optional.empty(), Optional.empty());
+        }
+
+        /** The drone for which the range holds, on some way. */
+        public DroneSettings droneOn(FlightPathSettings flight) {
+            Map<String, ?> quadrotor = Map.of("model", ModelSettings.packaged("quadrotor.obj"), "flight", flight);
+            return read(quadrotor, drone, DroneSettings.class);
+        }
+
+        /** The world in which the range holds, with some ground. */
+        public WorldSettings worldOf(ModelSettings ground) {
+            return read(Map.of("models", List.of(ground)), world, WorldSettings.class);
+        }
+
+        private static <T> T read(Map<String, ?> base, Optional<Node.Mapping> over, Class<T> type) {
+            Node.Mapping plain = Node.Mapping.ofReady("catalogue", base);
+            return SettingsFile.read(over.map(plain::overlaidWith).orElse(plain), type, Kinds.SEALED, Path.of(""));
+        }
+    }
+
+    /**
+     * Keeps its own list.
+     *
+     * @throws IllegalArgumentException when something is missing, or there are ranges without a basis or the reverse
+     */
+    public CatalogEntry {
+        Limits.check(CatalogEntry.class, title, source, basis, note, coverage, price, ranges, sensor);
+        ranges = List.copyOf(ranges);
+        if (ranges.isEmpty() != (basis == Basis.ASSUMED)) {
+            throw new IllegalArgumentException("basis is " + basis + " with " + ranges.size()
+                    + " ranges: an entry is 'assumed' if and only if no range is published");
+        }
+    }
+
+    /** An entry of which no more is known. */
+    @Defaults({"title", "source", "basis", "coverage", "ranges", "sensor"})
+    public static CatalogEntry of(
+            String title,
+            String source,
+            Basis basis,
+            String coverage,
+            List<PublishedRange> ranges,
+            Node.Mapping sensor) {
+        return new CatalogEntry(title, source, basis, "", coverage, Optional.empty(), ranges, sensor);
+    }
+
+    /** The kind of the sensor as scene files name it; empty when the entry does not say. */
+    public String kind() {
+        return sensor.text("kind").orElse("");
+    }
+}
