@@ -1,22 +1,51 @@
 package org.dronewatch.app;
 
+import java.io.PrintWriter;
+import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.scenes.PackagedScene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
 /** Lists what comes with the program. */
-@Command(name = "list", mixinStandardHelpOptions = true, description = "Lists the packaged scenes, a line each.")
+@Command(
+        name = "list",
+        mixinStandardHelpOptions = true,
+        description = "Lists the packaged scenes and the sensors of the catalogue, a line each.")
 final class ListCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
     @Override
     public Integer call() {
+        PrintWriter out = spec.commandLine().getOut();
         for (PackagedScene scene : PackagedScene.all()) {
-            spec.commandLine().getOut().printf("scene  %-16s %s%n", scene.name(), scene.summary());
+            out.printf("scene     %-22s %s%n", scene.name(), scene.summary());
+        }
+        for (String name : Catalog.packagedNames()) {
+            CatalogEntry entry = Catalog.packaged().entry(name).orElseThrow();
+            out.printf(
+                    "%-9s %-22s %s; range %s; covers %s; %s%s%n",
+                    entry.kind(),
+                    name,
+                    entry.title(),
+                    ranges(entry),
+                    entry.coverage(),
+                    entry.basis().name().toLowerCase(Locale.ROOT),
+                    entry.price().map(price -> "; " + price).orElse(""));
         }
         return 0;
+    }
+
+    private static String ranges(CatalogEntry entry) {
+        return entry.ranges().isEmpty()
+                ? "not published"
+                : entry.ranges().stream()
+                        .map(range -> String.format(Locale.ROOT, "%.0f m (%s)", range.distance(), range.target()))
+                        .collect(Collectors.joining(", "));
     }
 }

@@ -134,7 +134,7 @@ final class RunCommand implements Callable<Integer> {
         for (PairResult pair : result.pairs()) {
             SceneSettings settings = result.runs().get(pair.run()).settings();
             String with = settings.sweep()
-                    .map(sweep -> new SweptValue(settings, sweep.parameter()).text())
+                    .map(sweep -> new SweptValue(settings, sweep).text())
                     .orElse("");
             target.printf(
                     "%-4d %-34s %-16s %-16s %14s %10s%n",

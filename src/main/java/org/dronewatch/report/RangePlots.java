@@ -73,7 +73,7 @@ final class RangePlots {
     private static String name(int run, String drone, SceneResult result) {
         SceneSettings settings = result.runs().get(run).settings();
         return settings.sweep()
-                .map(sweep -> drone + ", " + new SweptValue(settings, sweep.parameter()).shortText())
+                .map(sweep -> drone + ", " + new SweptValue(settings, sweep).shortText())
                 .orElse(drone);
     }
 

@@ -2,6 +2,7 @@ package org.dronewatch.report;
 
 import java.util.Locale;
 import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.SweepSettings;
 import org.dronewatch.setting.SettingsPath;
 
 /** The value that a swept setting has in one run, as people read it. */
@@ -14,12 +15,12 @@ public final class SweptValue {
      * Reads the value.
      *
      * @param settings settings of the run
-     * @param parameter path of the setting
+     * @param sweep what is swept
      */
-    public SweptValue(SceneSettings settings, String parameter) {
-        SettingsPath path = new SettingsPath(parameter);
-        this.parameter = parameter;
-        this.value = path.read(settings);
+    public SweptValue(SceneSettings settings, SweepSettings sweep) {
+        SettingsPath path = new SettingsPath(sweep.parameter());
+        this.parameter = sweep.parameter();
+        this.value = sweep.valueIn(settings);
         this.unit = path.quantity(settings).unit();
     }
 

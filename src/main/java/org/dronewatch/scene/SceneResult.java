@@ -3,7 +3,6 @@ package org.dronewatch.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.dronewatch.setting.SettingsPath;
 
 /**
  * What all runs of a scene gave: keep it in a test, and a site's detection ranges cannot change unnoticed.
@@ -62,7 +61,7 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         List<SweepPoint> points = new ArrayList<>();
         for (RunResult run : runs) {
             run.settings().sweep().ifPresent(sweep -> {
-                Object value = new SettingsPath(sweep.parameter()).read(run.settings());
+                Object value = sweep.valueIn(run.settings());
                 for (String sensor : run.settings().sensors().keySet()) {
                     points.add(new SweepPoint(sweep.parameter(), value, sensor, run.firstDetectionRange(sensor)));
                 }

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import org.dronewatch.catalog.Catalog;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsPath;
@@ -109,11 +110,15 @@ public final class SceneRunner {
             boolean sweptPath = settings.sweep()
                     .map(sweep -> sweep.parameter().equals(override.getKey()))
                     .orElse(false);
-            settings = new SettingsPath(override.getKey()).write(settings, override.getValue());
+            settings = overrides().write(settings, override.getKey(), override.getValue());
             settings = sweptPath ? settings.withoutSweep() : settings;
         }
         settingsOfRuns(settings);
         return settings;
+    }
+
+    private Overrides overrides() {
+        return new Overrides(Catalog.beside(directory));
     }
 
     private SceneSettings described() {
@@ -130,7 +135,7 @@ public final class SceneRunner {
     }
 
     /** The settings of each run; reads every value of the sweep, so that the last cannot fail after the first has run. */
-    private static List<SceneSettings> settingsOfRuns(SceneSettings settings) {
+    private List<SceneSettings> settingsOfRuns(SceneSettings settings) {
         Optional<SweepSettings> sweep = settings.sweep();
         if (sweep.isEmpty()) {
             return List.of(settings);
@@ -138,7 +143,7 @@ public final class SceneRunner {
         SettingsPath path = new SettingsPath(sweep.get().parameter());
         try {
             return sweep.get().values(path.quantity(settings)).stream()
-                    .map(value -> path.write(settings, value))
+                    .map(value -> overrides().write(settings.asRunWith(value), path.toString(), value))
                     .toList();
         } catch (IllegalArgumentException e) {
             throw new InputException("sweep of " + path + ": " + e.getMessage(), e);

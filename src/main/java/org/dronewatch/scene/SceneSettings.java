@@ -2,6 +2,7 @@ package org.dronewatch.scene;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.sensor.SensorSettings;
@@ -49,6 +50,19 @@ public record SceneSettings(
     @Defaults("world")
     public static SceneSettings of(WorldSettings world) {
         return new SceneSettings(world, Map.of(), Map.of(), RunSettings.DEFAULT, Optional.empty());
+    }
+
+    /** These settings with a sensor in the place of the one of this id. */
+    public SceneSettings withSensor(String id, SensorSettings<?> sensor) {
+        Map<String, SensorSettings<?>> others = new LinkedHashMap<>(sensors);
+        others.put(id, sensor);
+        return new SceneSettings(world, drones, others, run, sweep);
+    }
+
+    /** These settings as one run of a sweep: what is swept has this value only. */
+    SceneSettings asRunWith(String value) {
+        Optional<SweepSettings> one = sweep.map(all -> new SweepSettings.Values(all.parameter(), List.of(value)));
+        return new SceneSettings(world, drones, sensors, run, one);
     }
 
     /** These settings without a sweep. */

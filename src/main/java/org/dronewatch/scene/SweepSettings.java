@@ -5,6 +5,7 @@ import java.util.List;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsPath;
 
 /** A setting that takes one value after another, a run for each. */
 public sealed interface SweepSettings {
@@ -21,6 +22,19 @@ public sealed interface SweepSettings {
      * @throws IllegalArgumentException when a value is none of that quantity
      */
     List<String> values(Quantity quantity);
+
+    /**
+     * The value that the swept setting has.
+     *
+     * @param settings those of one run of the sweep
+     * @return a number in the setting's unit, or another single value; what was written for anything else, such as the name
+     *     of a sensor
+     */
+    default Object valueIn(SceneSettings settings) {
+        SettingsPath path = new SettingsPath(parameter());
+        Object value = path.read(settings);
+        return value instanceof Record ? values(path.quantity(settings)).get(0) : value;
+    }
 
     /**
      * One value after another.

@@ -8,6 +8,7 @@ import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.SweepAxis;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.FlightPathSettings.Approach;
@@ -45,7 +46,9 @@ public final class AcousticRange extends Scene {
     /** Where the air has taken what the drone is louder than the level of detection. */
     @Override
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
-        AcousticSettings microphone = (AcousticSettings) settings.sensors().get(sensor);
+        if (!(settings.sensors().get(sensor) instanceof AcousticSettings microphone)) {
+            return OptionalDouble.empty();
+        }
         double margin = settings.drones().get("quadrotor").soundLevel()
                 - microphone.detectionLevel(settings.world().backgroundNoise());
         return microphone.propagation() instanceof LevelModel model
@@ -63,7 +66,8 @@ public final class AcousticRange extends Scene {
     /** What the chosen propagation takes for the drone's level, dB. */
     private static double loudness(SceneSettings settings) {
         DroneSettings drone = settings.drones().get("quadrotor");
-        AcousticSettings microphone = (AcousticSettings) settings.sensors().get("microphone");
-        return microphone.propagation() instanceof LevelModel ? drone.soundLevel() : drone.soundPowerLevel();
+        boolean physical = settings.sensors().get("microphone") instanceof AcousticSettings microphone
+                && microphone.propagation() instanceof EnergyModel;
+        return physical ? drone.soundPowerLevel() : drone.soundLevel();
     }
 }

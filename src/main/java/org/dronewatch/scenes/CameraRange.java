@@ -44,7 +44,9 @@ public final class CameraRange extends Scene {
     /** The mean law: a silhouette of A m2 at d metres covers {@code A (f/d)^2} pixels; solved for the threshold. */
     @Override
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
-        CameraSettings camera = (CameraSettings) settings.sensors().get(sensor);
+        if (!(settings.sensors().get(sensor) instanceof CameraSettings camera)) {
+            return OptionalDouble.empty();
+        }
         double threshold = camera.detection().threshold();
         return OptionalDouble.of(camera.focalLength() * Math.sqrt(FRONTAL_AREA / threshold));
     }
