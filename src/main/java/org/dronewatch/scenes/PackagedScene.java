@@ -25,7 +25,11 @@ public record PackagedScene(String name, String summary, Supplier<Scene> factory
             new PackagedScene(
                     "acoustic-range",
                     "a quadrotor flies towards a microphone on a hill; range of first detection for five background noises",
-                    AcousticRange::new));
+                    AcousticRange::new),
+            new PackagedScene(
+                    "multi-sensor",
+                    "a quadrotor flies towards a house on a hill with twelve cameras and a microphone on its roof",
+                    MultiSensor::new));
 
     /** All of them, in the order in which to show them. */
     public static List<PackagedScene> all() {

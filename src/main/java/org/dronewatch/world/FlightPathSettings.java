@@ -78,6 +78,47 @@ public sealed interface FlightPathSettings {
     }
 
     /**
+     * Comes level and straight towards a place at cruise speed from the first moment on, and stops before it.
+     *
+     * @param target the place, m
+     * @param bearing from where it comes, as seen from the target: clockwise from north, rad
+     * @param height of the flight over the target, below it if negative, m
+     * @param distance level way from the target at time 0, above 0, m
+     * @param nearest level way from the target at which it stops, 0 or more, less than the distance, m
+     */
+    record Inbound(
+            Position target,
+            @In(Quantity.ANGLE) double bearing,
+            @In(Quantity.LENGTH) double height,
+            @In(value = Quantity.LENGTH, above = 0) double distance,
+            @In(value = Quantity.LENGTH, from = 0) double nearest)
+            implements FlightPathSettings {
+        /** Checks the limits. */
+        public Inbound {
+            Limits.check(Inbound.class, target, bearing, height, distance, nearest);
+            if (nearest >= distance) {
+                throw new IllegalArgumentException(
+                        "nearest " + nearest + " m must be less than distance " + distance + " m");
+            }
+        }
+
+        /** Comes from the north over the target. */
+        @Defaults({"target", "distance"})
+        public static Inbound from(Position target, double distance) {
+            return new Inbound(target, 0.0, 0.0, distance, 0.0);
+        }
+
+        private Position at(double way) {
+            return target.plus(new Position(way * Math.sin(bearing), way * Math.cos(bearing), height));
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration) {
+            return new Approach(at(distance), at(nearest)).create(speed, acceleration);
+        }
+    }
+
+    /**
      * Flies from waypoint to waypoint, starting and ending at rest, never faster than the cruise speed, and stopping at
      * each waypoint where the way bends; there it stays at the last one.
      *

@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.dronewatch.catalog.Catalog;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -255,7 +256,8 @@ class CommandLineTest {
     @Test
     void listTellsEachSceneInALine() {
         assertThat(command("list").out().lines().map(line -> line.split("\\s+")[1]))
-                .containsExactly("closed-space", "camera-range", "acoustic-range");
+                .startsWith("closed-space", "camera-range", "acoustic-range", "multi-sensor")
+                .endsWith(Catalog.packagedNames().toArray(String[]::new));
     }
 
     @Test

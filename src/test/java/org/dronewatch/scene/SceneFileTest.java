@@ -51,7 +51,7 @@ class SceneFileTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"closed-space", "camera-range", "acoustic-range"})
+    @ValueSource(strings = {"closed-space", "camera-range", "acoustic-range", "multi-sensor"})
     void thePackagedExperimentsAreTheSameFromFileAndClass(String name) {
         SceneFile fromFile = new SceneFile(Path.of("scenes", name + ".yaml"));
         Scene fromClass = PackagedScene.find(name).orElseThrow().factory().get();
