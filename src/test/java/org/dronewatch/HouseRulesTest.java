@@ -77,7 +77,7 @@ class HouseRulesTest {
             .whereLayer("sound")
             .mayOnlyBeAccessedByLayers("scenes", "scene", "acoustic", "sensor", "world")
             .whereLayer("kdtree")
-            .mayOnlyBeAccessedByLayers("app", "bench", "scene", "camera", "acoustic", "radar", "world")
+            .mayOnlyBeAccessedByLayers("app", "bench", "report", "scene", "camera", "acoustic", "radar", "world")
             .whereLayer("geometry")
             .mayOnlyBeAccessedByLayers(
                     "app",

@@ -20,6 +20,7 @@ import picocli.CommandLine.Spec;
             RunCommand.class,
             CheckCommand.class,
             RenderCommand.class,
+            CoverageCommand.class,
             BenchCommand.class,
             ModelsCommand.class
         },

@@ -1,0 +1,145 @@
+package org.dronewatch.app;
+
+import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicLong;
+import me.tongfei.progressbar.ProgressBar;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.report.CoveragePicture;
+import org.dronewatch.report.WholeFile;
+import org.dronewatch.scene.Coverage;
+import org.dronewatch.scene.CoverageGrid;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Draws a plan of what the sensors reach. */
+@Command(
+        name = "coverage",
+        mixinStandardHelpOptions = true,
+        description = "Draws a plan of where each sensor detects a drone at one height above the ground.",
+        footer = {"", "Example: dronewatch coverage multi-sensor --height '10 m' --side '400 m' --out plan.png"})
+final class CoverageCommand implements Callable<Integer> {
+    @Mixin
+    private SceneChoice choice;
+
+    @Option(names = "--height", defaultValue = "10", paramLabel = "H", description = "Above the ground; 10 m.")
+    private String height;
+
+    @Option(
+            names = "--side",
+            defaultValue = "500",
+            paramLabel = "L",
+            description = "Length of a side of the plan, which lies about the sensors; 500 m unless given.")
+    private String side;
+
+    @Option(
+            names = "--cells",
+            defaultValue = "100",
+            paramLabel = "N",
+            description = "Points to a side, 2 to 2000; 100 unless given.")
+    private int cells;
+
+    @Option(names = "--drone", paramLabel = "ID", description = "Which drone of the scene; the first unless given.")
+    private String drone;
+
+    @Option(names = "--out", required = true, paramLabel = "FILE.png", description = "Picture to write.")
+    private String out;
+
+    @Option(names = "--threads", paramLabel = "N", description = "Threads to use, 1 to 1024; all cores unless given.")
+    private int threads = Runtime.getRuntime().availableProcessors();
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        if (!out.toLowerCase(Locale.ROOT).endsWith(".png")) {
+            throw new InputException("--out " + out + ": must end in .png");
+        }
+        if (threads < 1 || threads > 1024) {
+            throw new InputException("--threads " + threads + ": must be 1 to 1024");
+        }
+        WholeFile target = new WholeFile("--out", out);
+        Scene scene = choice.create();
+        SceneRunner runner = choice.runner(scene);
+        runner.notes(spec.commandLine().getErr()::println);
+        SceneSettings settings = runner.settingsOfRuns().get(0);
+        CoverageGrid grid = grid(settings);
+        String id = drone(settings);
+        Stage stage = runner.stage(settings);
+        Coverage coverage = withProgress(settings, stage, id, grid);
+        String words = "drone '" + id + "'";
+        BufferedImage picture = CoveragePicture.draw(scene.name(), coverage, stage.world(), words);
+        target.write(stream -> CoveragePicture.write(picture, stream));
+        print(coverage);
+        return 0;
+    }
+
+    private Coverage withProgress(SceneSettings settings, Stage stage, String id, CoverageGrid grid) {
+        long all = (long) grid.cells() * grid.cells() * settings.sensors().size();
+        ProgressBar bar = Progress.barOf("coverage", all);
+        AtomicLong done = new AtomicLong();
+        try {
+            return Coverage.of(settings, stage, id, grid, threads, points -> {
+                long now = done.addAndGet(points);
+                if (bar != null) {
+                    bar.stepTo(now);
+                }
+            });
+        } finally {
+            if (bar != null) {
+                bar.close();
+            }
+        }
+    }
+
+    private String drone(SceneSettings settings) {
+        if (settings.drones().isEmpty()) {
+            throw new InputException("the scene has no drone to put at the points");
+        }
+        String id = drone == null ? settings.drones().keySet().iterator().next() : drone;
+        if (!settings.drones().containsKey(id)) {
+            throw new InputException("--drone " + id + ": no such drone; the scene has "
+                    + String.join(", ", settings.drones().keySet()));
+        }
+        return id;
+    }
+
+    /** About the middle of the sensors. */
+    private CoverageGrid grid(SceneSettings settings) {
+        if (settings.sensors().isEmpty()) {
+            throw new InputException("the scene has no sensors");
+        }
+        Position sum = new Position(0, 0, 0);
+        for (var sensor : settings.sensors().values()) {
+            sum = sum.plus(sensor.position());
+        }
+        Position middle = sum.times(1.0 / settings.sensors().size());
+        try {
+            return new CoverageGrid(
+                    middle.x(), middle.y(), Quantity.LENGTH.parse(side), cells, Quantity.LENGTH.parse(height));
+        } catch (IllegalArgumentException e) {
+            throw new InputException(
+                    "--side " + side + " --cells " + cells + " --height " + height + ": " + e.getMessage(), e);
+        }
+    }
+
+    private void print(Coverage coverage) {
+        PrintWriter target = spec.commandLine().getOut();
+        target.printf("%-24s %-10s %12s%n", "sensor", "kind", "area [ha]");
+        coverage.sensors()
+                .forEach((id, sensor) -> target.printf(
+                        Locale.ROOT, "%-24s %-10s %12.2f%n", id, sensor.kind(), 1e-4 * coverage.area(id)));
+    }
+}

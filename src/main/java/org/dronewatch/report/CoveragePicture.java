@@ -1,0 +1,219 @@
+package org.dronewatch.report;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scene.Coverage;
+import org.dronewatch.scene.CoverageGrid;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.World;
+
+/** A plan of a site, north up: shaded ground, what the sensors of each kind reach, the sensors themselves. */
+public final class CoveragePicture {
+    private static final int MAP = 1000;
+    private static final int SIDE = 380;
+    private static final int MARGIN = 24;
+    private static final int LINE = 26;
+    private static final Color[] KINDS = {
+        new Color(0x1f5fbf), new Color(0xff6a00), new Color(0x2a9d5c), new Color(0x9b3fb5), new Color(0xb58900),
+    };
+    private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 19);
+    private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
+
+    private final Coverage coverage;
+    private final CoverageGrid grid;
+    private final Map<String, Color> colours = new LinkedHashMap<>();
+    private final BufferedImage image = new BufferedImage(MAP + SIDE, MAP, BufferedImage.TYPE_INT_RGB);
+
+    private CoveragePicture(Coverage coverage) {
+        this.coverage = coverage;
+        this.grid = coverage.grid();
+        for (SensorSettings<?> sensor : coverage.sensors().values()) {
+            colours.computeIfAbsent(sensor.kind(), kind -> KINDS[colours.size() % KINDS.length]);
+        }
+    }
+
+    /**
+     * Draws a plan.
+     *
+     * @param title what it shows
+     * @param world for the shades of the ground
+     * @param drone in words, for the legend
+     */
+    public static BufferedImage draw(String title, Coverage coverage, World world, String drone) {
+        CoveragePicture picture = new CoveragePicture(coverage);
+        picture.drawMap(world);
+        Graphics2D g = picture.image.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        picture.drawSensors(g);
+        picture.drawScale(g);
+        picture.drawLegend(g, title, drone);
+        g.dispose();
+        return picture.image;
+    }
+
+    /** Writes a picture as PNG. */
+    public static void write(BufferedImage picture, OutputStream target) throws IOException {
+        try (ImageOutputStream stream = new MemoryCacheImageOutputStream(target)) {
+            ImageIO.write(picture, "png", stream);
+        }
+    }
+
+    private void drawMap(World world) {
+        ReliefShade relief = new ReliefShade(world);
+        double pixel = grid.side() / MAP;
+        for (int v = 0; v < MAP; v++) {
+            for (int u = 0; u < MAP; u++) {
+                double x = grid.east() - 0.5 * grid.side() + (u + 0.5) * pixel;
+                double y = grid.north() + 0.5 * grid.side() - (v + 0.5) * pixel;
+                image.setRGB(u, v, covered(relief.shade(x, y), u, v).getRGB());
+            }
+        }
+    }
+
+    /** The ground's colour under that of each kind that reaches the cell, stronger at the edge of what it reaches. */
+    private Color covered(Color ground, int u, int v) {
+        int column = u * grid.cells() / MAP;
+        int row = v * grid.cells() / MAP;
+        Color colour = ground;
+        for (Map.Entry<String, Color> kind : colours.entrySet()) {
+            if (coverage.count(kind.getKey(), column, row) > 0) {
+                colour = mixed(colour, kind.getValue(), isEdge(kind.getKey(), u, v) ? 0.9 : 0.33);
+            }
+        }
+        return colour;
+    }
+
+    private boolean isEdge(String kind, int u, int v) {
+        int[][] neighbours = {{u - 2, v}, {u + 2, v}, {u, v - 2}, {u, v + 2}};
+        for (int[] next : neighbours) {
+            int column = Math.floorDiv(next[0] * grid.cells(), MAP);
+            int row = Math.floorDiv(next[1] * grid.cells(), MAP);
+            boolean inside = column >= 0 && row >= 0 && column < grid.cells() && row < grid.cells();
+            if (inside && coverage.count(kind, column, row) == 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static Color mixed(Color below, Color above, double share) {
+        return new Color(
+                (int) Math.round((1 - share) * below.getRed() + share * above.getRed()),
+                (int) Math.round((1 - share) * below.getGreen() + share * above.getGreen()),
+                (int) Math.round((1 - share) * below.getBlue() + share * above.getBlue()));
+    }
+
+    private void drawSensors(Graphics2D g) {
+        coverage.sensors().forEach((id, sensor) -> {
+            Position at = sensor.position();
+            int u = (int) Math.round((at.x() - grid.east()) / grid.side() * MAP + 0.5 * MAP);
+            int v = (int) Math.round(0.5 * MAP - (at.y() - grid.north()) / grid.side() * MAP);
+            g.setColor(Color.WHITE);
+            g.fillOval(u - 6, v - 6, 12, 12);
+            g.setColor(colours.get(sensor.kind()));
+            g.fillOval(u - 4, v - 4, 8, 8);
+        });
+    }
+
+    /** A bar of 1, 2 or 5 times a power of ten, about a fifth of the map; north is up. */
+    private void drawScale(Graphics2D g) {
+        double wanted = 0.2 * grid.side();
+        double power = Math.pow(10.0, Math.floor(Math.log10(wanted)));
+        double length = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;
+        int pixels = (int) Math.round(length / grid.side() * MAP);
+        int y = MAP - MARGIN;
+        g.setColor(new Color(255, 255, 255, 200));
+        g.fillRect(MARGIN - 12, y - 34, pixels + 24, 46);
+        g.setColor(Color.BLACK);
+        g.setStroke(new BasicStroke(3f));
+        g.drawLine(MARGIN, y, MARGIN + pixels, y);
+        g.setFont(TEXT);
+        g.drawString(String.format(Locale.ROOT, "%.0f m", length), MARGIN, y - 10);
+        g.setColor(new Color(255, 255, 255, 200));
+        g.fillRect(MAP - 58, 12, 44, 66);
+        g.setColor(Color.BLACK);
+        g.fillPolygon(new int[] {MAP - 36, MAP - 46, MAP - 26}, new int[] {18, 46, 46}, 3);
+        g.setFont(TITLE);
+        g.drawString("N", MAP - 43, 70);
+    }
+
+    private void drawLegend(Graphics2D g, String title, String drone) {
+        g.setColor(Color.WHITE);
+        g.fillRect(MAP, 0, SIDE, MAP);
+        int x = MAP + MARGIN;
+        int y = MARGIN + 16;
+        g.setColor(Color.BLACK);
+        g.setFont(TITLE);
+        g.drawString(title, x, y);
+        g.setFont(TEXT);
+        for (String line : List.of(
+                "where a drone is detected, " + plain(grid.height()) + " m above",
+                "the ground, flying towards the sensor;",
+                drone,
+                "one look in each cell of " + plain(grid.step()) + " m")) {
+            y += LINE;
+            g.drawString(line, x, y);
+        }
+        y += LINE;
+        for (Map.Entry<String, Color> kind : colours.entrySet()) {
+            y += LINE;
+            g.setColor(mixed(new Color(0xd8d4cc), kind.getValue(), 0.33));
+            g.fillRect(x, y - 14, 22, 16);
+            g.setColor(kind.getValue());
+            g.setStroke(new BasicStroke(2f));
+            g.drawRect(x, y - 14, 22, 16);
+            g.setColor(Color.BLACK);
+            g.drawString(
+                    String.format(Locale.ROOT, "%s: %s", kind.getKey(), hectares(coverage.areaOfKind(kind.getKey()))),
+                    x + 34,
+                    y);
+        }
+        y += LINE;
+        List<String> ids = new ArrayList<>(coverage.sensors().keySet());
+        int room = (MAP - y - MARGIN) / LINE - 1;
+        for (String id : ids.subList(0, Math.min(room, ids.size()))) {
+            y += LINE;
+            g.setColor(colours.get(coverage.sensors().get(id).kind()));
+            g.fillOval(x + 7, y - 9, 8, 8);
+            g.setColor(Color.BLACK);
+            g.drawString(shortened(id) + ": " + hectares(coverage.area(id)), x + 34, y);
+        }
+        if (ids.size() > room) {
+            g.drawString("and " + (ids.size() - room) + " more", x + 34, y + LINE);
+        }
+    }
+
+    private static String shortened(String id) {
+        return id.length() <= 24 ? id : id.substring(0, 23) + "\u2026";
+    }
+
+    /** Three digits at most, no zeros at the end. */
+    private static String plain(double number) {
+        return new BigDecimal(number)
+                .round(new MathContext(3))
+                .stripTrailingZeros()
+                .toPlainString();
+    }
+
+    private static String hectares(double area) {
+        return String.format(Locale.ROOT, "%.2f ha", 1e-4 * area);
+    }
+}

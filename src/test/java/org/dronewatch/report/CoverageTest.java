@@ -1,0 +1,112 @@
+package org.dronewatch.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.dronewatch.scene.Coverage;
+import org.dronewatch.scene.CoverageGrid;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A plain with one wall: areas known by geometry, and the picture shows them. */
+class CoverageTest {
+    private static final CoverageGrid GRID = new CoverageGrid(0, 0, 400, 100, 2);
+
+    @TempDir
+    private Path directory;
+
+    private SceneSettings settings;
+    private Stage stage;
+
+    /** A radar that sees up to 150 m all round, one that looks 90 degrees wide to the east, a microphone for 60 m. */
+    @BeforeEach
+    void plain() throws IOException {
+        Files.writeString(
+                directory.resolve("plain.obj"),
+                // y is up: the ground, and a wall of 20 m by 30 m height, 50 m to the north.
+                "v -500 0 -500\nv 500 0 -500\nv 500 0 500\nv -500 0 500\nf 1 4 3\nf 1 3 2\n"
+                        + "v -10 0 -50\nv 10 0 -50\nv 10 30 -50\nv -10 30 -50\nf 5 6 7\nf 5 7 8\n");
+        Path file = directory.resolve("site.yaml");
+        Files.writeString(
+                file,
+                """
+                world: {models: [plain.obj], backgroundNoise: 20}
+                drones:
+                  one:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: hover, position: [0, 300, 2]}
+                    soundLevel: 38
+                sensors:
+                  round: {kind: radar, position: [0, 0, 2], minRange: 1, maxRange: 150, elevationWidth: 90 deg, budget: {range: 5000, crossSection: 0.01}}
+                  east: {kind: radar, position: [0, 0, 2], minRange: 1, maxRange: 150, elevationWidth: 90 deg, azimuthWidth: 90 deg, aim: {azimuth: 90 deg}, budget: {range: 5000, crossSection: 0.01}}
+                  ear: {kind: acoustic, position: [0, 0, 2], propagation: {kind: level-model, initialRays: 1, reflectionsPerHit: 1, maxOrder: 0}}
+                """);
+        SceneFile scene = new SceneFile(file);
+        SceneRunner runner = new SceneRunner(scene).directory(scene.directory());
+        settings = runner.settings();
+        stage = runner.stage(settings);
+    }
+
+    private Coverage coverage(int threads) {
+        return Coverage.of(settings, stage, "one", GRID, threads, points -> {});
+    }
+
+    @Test
+    void areasAreThoseOfGeometry() {
+        Coverage coverage = coverage(2);
+        double disc = Math.PI * 150 * 150;
+        // Behind the wall a ring sector of atan(10 / 50) to both sides is dark, from 50 m north on.
+        double half = Math.atan2(10, 50);
+        double shadow = half * 150 * 150 - 10 * 50;
+
+        assertThat(coverage.area("round")).isCloseTo(disc - shadow, within(0.01 * disc));
+        assertThat(coverage.area("east")).isCloseTo(0.25 * disc, within(0.01 * disc));
+        assertThat(coverage.area("ear")).isCloseTo(Math.PI * 60 * 60 - half * 60 * 60 + 500, within(0.02 * disc));
+        assertThat(coverage.areaOfKind("radar")).isEqualTo(coverage.area("round"));
+        assertThat(coverage.isReached("round", 50, 20)).as("behind the wall").isFalse();
+        assertThat(coverage.isReached("round", 50, 80))
+                .as("as far on the other side")
+                .isTrue();
+    }
+
+    @Test
+    void anyNumberOfThreadsGivesTheSame() {
+        Coverage one = coverage(1);
+        Coverage two = coverage(2);
+        for (String sensor : settings.sensors().keySet()) {
+            for (int cell = 0; cell < GRID.cells() * GRID.cells(); cell++) {
+                int column = cell % GRID.cells();
+                int row = cell / GRID.cells();
+                assertThat(two.isReached(sensor, column, row)).isEqualTo(one.isReached(sensor, column, row));
+            }
+        }
+    }
+
+    @Test
+    void thePictureShowsWhatIsReached() {
+        BufferedImage picture = CoveragePicture.draw("plain", coverage(2), stage.world(), "drone 'one'");
+
+        Color far = new Color(picture.getRGB(60, 60));
+        Color radarOnly = new Color(picture.getRGB(500 + 250, 500 + 40));
+        Color shadow = new Color(picture.getRGB(500, 500 - 250));
+        assertThat(far.getBlue() - far.getRed()).as("bare ground is no blue").isLessThan(10);
+        assertThat(radarOnly.getBlue() - radarOnly.getRed())
+                .as("a radar's cell is blue")
+                .isGreaterThan(30);
+        assertThat(shadow).as("behind the wall").isEqualTo(far);
+        assertThat(new Color(picture.getRGB(500, 500 + 100)).getRed())
+                .as("a cell that the microphone reaches, too, is redder")
+                .isGreaterThan(radarOnly.getRed());
+        assertThat(new Color(picture.getRGB(1200, 900))).isEqualTo(Color.WHITE);
+    }
+}
