@@ -113,6 +113,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().setAtmosphere(air);
     }
 
+    /** Lets it rain, mm/h; dry unless set. */
+    protected final void setRain(double millimetresPerHour) {
+        building().setRain(millimetresPerHour);
+    }
+
     /**
      * Names what a material of the models is to sound.
      *

@@ -18,6 +18,7 @@ final class SceneBuilder {
     private BackgroundNoise backgroundNoise = BackgroundNoise.of(WorldSettings.QUIET);
     private SurfaceSettings surfaces = SurfaceSettings.DEFAULT;
     private Atmosphere atmosphere = Atmosphere.STANDARD;
+    private double rain;
     private final Map<String, DroneSettings> drones = new LinkedHashMap<>();
     private final Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
     private RunSettings run = RunSettings.DEFAULT;
@@ -41,6 +42,10 @@ final class SceneBuilder {
 
     void setBackgroundNoise(BackgroundNoise noise) {
         backgroundNoise = noise;
+    }
+
+    void setRain(double millimetresPerHour) {
+        rain = millimetresPerHour;
     }
 
     void addDrone(String id, DroneSettings settings) {
@@ -73,7 +78,8 @@ final class SceneBuilder {
         return new SceneSettings(
                 world.withBackgroundNoise(backgroundNoise)
                         .withSurfaces(surfaces)
-                        .withAtmosphere(atmosphere),
+                        .withAtmosphere(atmosphere)
+                        .withRain(rain),
                 drones,
                 sensors,
                 run,
