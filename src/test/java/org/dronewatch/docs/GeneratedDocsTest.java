@@ -1,0 +1,78 @@
+package org.dronewatch.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.networknt.schema.InputFormat;
+import com.networknt.schema.Schema;
+import com.networknt.schema.SchemaRegistry;
+import com.networknt.schema.SpecificationVersion;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * The schema of scene files and the page of all settings are those of the records. When a record has changed, write both
+ * again: {@code mvn test -Dtest=GeneratedDocsTest -Ddronewatch.docs=write}.
+ */
+class GeneratedDocsTest {
+    private static final Path SCHEMA = Path.of("scenes/scene.schema.json");
+    private static final Path REFERENCE = Path.of("src/site/markdown/settings.md");
+    private static RecordTexts texts;
+
+    @BeforeAll
+    static void readTheSources() throws IOException {
+        texts = RecordTexts.of(Path.of("src/main/java"));
+    }
+
+    private static void assertUpToDate(Path file, String content) throws IOException {
+        if ("write".equals(System.getProperty("dronewatch.docs"))) {
+            Files.createDirectories(file.toAbsolutePath().getParent());
+            Files.writeString(file, content);
+        }
+        assertThat(Files.readString(file))
+                .as("%s; write it again with -Ddronewatch.docs=write", file)
+                .isEqualTo(content);
+    }
+
+    @Test
+    void theSchemaIsThatOfTheRecords() throws IOException {
+        assertUpToDate(SCHEMA, new SceneSchema(texts).write());
+    }
+
+    @Test
+    void thePageOfAllSettingsIsThatOfTheRecords() throws IOException {
+        assertUpToDate(REFERENCE, new SettingsReference(texts).write());
+    }
+
+    private static Schema schema() throws IOException {
+        return SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
+                .getSchema(Files.readString(SCHEMA), InputFormat.JSON);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"closed-space", "camera-range", "acoustic-range", "multi-sensor", "hill-radar"})
+    void itAcceptsTheScenes(String name) throws IOException {
+        String scene = Files.readString(Path.of("scenes", name + ".yaml"));
+        assertThat(schema().validate(scene, InputFormat.YAML)).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "world: {modles: [a.obj]}",
+                "{}",
+                "world: {models: [a.obj], backgroundNoise: 500}",
+                "world: {models: [a.obj]}\nrun: {duration: 0}",
+                "world: {models: [a.obj]}\nsensors: {a: {kind: camera}}",
+                "world: {models: [a.obj]}\nsensors: {a: {kind: camera, position: [1, 2]}}",
+                "world: {models: [a.obj]}\nsensors: {a: {kind: camera, position: [1, 2, 3], width: many, wdith: 1}}",
+                "world: {models: [a.obj]}\ndrones: {a: {model: a.obj, flight: {kind: hoover}}}",
+            })
+    void itRefusesWhatIsWrong(String scene) throws IOException {
+        assertThat(schema().validate(scene, InputFormat.YAML)).isNotEmpty();
+    }
+}

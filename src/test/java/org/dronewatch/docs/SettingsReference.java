@@ -1,0 +1,192 @@
+package org.dronewatch.docs;
+
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.setting.Choices;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.SettingText;
+import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.setting.file.Kinds;
+
+/** Writes the page that lists every setting with unit, range and default, from the settings records. */
+final class SettingsReference {
+    private final Kinds kinds = SensorKinds.kinds(Catalog.packaged());
+    private final Set<Class<?>> waiting = new LinkedHashSet<>();
+    private final Set<Class<?>> written = new LinkedHashSet<>();
+    private final StringBuilder page = new StringBuilder();
+    private final RecordTexts texts;
+
+    SettingsReference(RecordTexts texts) {
+        this.texts = texts;
+    }
+
+    String write() {
+        page.append("# All settings\n\n")
+                .append(
+                        "Every field of a scene file, every path of `--set`, every component of the settings records of the"
+                                + " Java library:\nthey are the same. This page is written from the records; a test keeps it true.\n\n"
+                                + "A number is in the unit of its column or carries one (`18 km/h`, `40 deg`, `70 %`). A setting"
+                                + " without a default must be\ngiven. Where a setting is one of several kinds, `kind` chooses; it may be"
+                                + " left out where the other fields tell.\n");
+        waiting.add(SceneSettings.class);
+        while (!waiting.isEmpty()) {
+            Class<?> next = waiting.iterator().next();
+            waiting.remove(next);
+            if (written.add(next)) {
+                if (next.isRecord()) {
+                    record(next);
+                } else {
+                    choice(next);
+                }
+            }
+        }
+        return page.toString();
+    }
+
+    private void choice(Class<?> type) {
+        heading(type);
+        page.append("One of these kinds:\n\n");
+        for (Map.Entry<String, Class<?>> kind : kinds.of(type).entrySet()) {
+            page.append("- `")
+                    .append(kind.getKey())
+                    .append("`: [")
+                    .append(title(kind.getValue()))
+                    .append("](#")
+                    .append(anchor(kind.getValue()))
+                    .append(")\n");
+            waiting.add(kind.getValue());
+        }
+        if (kinds.named(type).isPresent()) {
+            page.append(
+                    "- or `use: NAME` instead of a kind: a sensor of the catalogue, or of a file beside the scene\n");
+        }
+    }
+
+    private void heading(Class<?> type) {
+        page.append("\n## ").append(title(type)).append("\n\n");
+    }
+
+    private void record(Class<?> type) {
+        heading(type);
+        page.append(texts.summary(type)).append("\n\n");
+        page.append("| setting | unit | range | default | what it is |\n|---|---|---|---|---|\n");
+        SettingsForm form = SettingsForm.of(type);
+        Optional<Record> sample = Samples.of(type);
+        for (RecordComponent part : form.parts()) {
+            In limits = part.getAnnotation(In.class);
+            Optional<Object> standard = form.required().contains(part.getName())
+                    ? Optional.empty()
+                    : sample.map(settings -> SettingsForm.get(settings, part));
+            page.append("| `")
+                    .append(part.getName())
+                    .append("` | ")
+                    .append(limits == null ? "" : SettingText.quantity(part).unit())
+                    .append(" | ")
+                    .append(limits == null ? range(part.getGenericType()) : Limits.inWords(limits))
+                    .append(" | ")
+                    .append(standard.map(this::standard).orElse(""))
+                    .append(" | ")
+                    .append(texts.part(type, part.getName()).replace("|", "\\|"))
+                    .append(" |\n");
+        }
+    }
+
+    /** What may stand there that is no number; what has parts of its own follows later on the page. */
+    private String range(Type type) {
+        if (type instanceof ParameterizedType several) {
+            Type[] inner = several.getActualTypeArguments();
+            Class<?> raw = (Class<?>) several.getRawType();
+            if (raw == List.class) {
+                return "list: " + range(inner[0]);
+            }
+            if (raw == Map.class) {
+                return "by name: " + range(inner[1]);
+            }
+            return raw == Optional.class ? range(inner[0]) : range(raw);
+        }
+        Class<?> plain = (Class<?>) type;
+        if (plain.isEnum()) {
+            return String.join(
+                    ", ",
+                    List.of(plain.getEnumConstants()).stream()
+                            .map(constant -> "`" + Choices.name(((Enum<?>) constant).name()) + "`")
+                            .toList());
+        }
+        if (plain == String.class) {
+            return "text";
+        }
+        if (plain == long.class) {
+            return "whole number";
+        }
+        if (plain.isRecord() || kinds.isChoice(plain)) {
+            waiting.add(plain);
+            return "[" + title(plain) + "](#" + anchor(plain) + ")";
+        }
+        return "";
+    }
+
+    private String standard(Object value) {
+        if (value instanceof Double number) {
+            return String.format(Locale.ROOT, "%.6g", number)
+                    .replaceAll("(\\.\\d*?)0+$", "$1")
+                    .replaceAll("\\.$", "");
+        }
+        if (value instanceof Integer || value instanceof Long) {
+            return value.toString();
+        }
+        if (value instanceof Enum<?> constant) {
+            return "`" + Choices.name(constant.name()) + "`";
+        }
+        if (value instanceof String text) {
+            return "`" + text + "`";
+        }
+        if (value instanceof Record settings) {
+            if (SettingsForm.of(value.getClass()).isNumbers()) {
+                return numbers(settings);
+            }
+            return isOneOfSeveral(settings)
+                    ? "`" + Choices.name(value.getClass().getSimpleName()) + "`"
+                    : "as there";
+        }
+        if (value instanceof Optional<?> optional) {
+            return optional.isEmpty() ? "none" : standard(optional.get());
+        }
+        if (value instanceof Map<?, ?> map && map.isEmpty() || value instanceof List<?> list && list.isEmpty()) {
+            return "none";
+        }
+        return value.toString();
+    }
+
+    private boolean isOneOfSeveral(Record settings) {
+        return List.of(settings.getClass().getInterfaces()).stream().anyMatch(kinds::isChoice);
+    }
+
+    private String numbers(Record settings) {
+        return String.join(
+                ", ",
+                SettingsForm.of(settings.getClass()).parts().stream()
+                        .map(part -> standard(SettingsForm.get(settings, part)))
+                        .toList());
+    }
+
+    /** {@code RadarSettings}: "Radar settings". */
+    private static String title(Class<?> type) {
+        String words = Choices.name(type.getSimpleName()).replace('-', ' ');
+        return words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
+    }
+
+    private static String anchor(Class<?> type) {
+        return Choices.name(type.getSimpleName());
+    }
+}
