@@ -35,6 +35,9 @@ final class YamlFile {
     /** Most nodes, aliases written out. */
     static final int MAX_NODES = 100_000;
 
+    /** Longest line, characters: longer ones cost the library far more memory than they hold. */
+    private static final int MAX_LINE = 20_000;
+
     private static final int MAX_DEPTH = 32;
     private static final int LONGEST = 200;
     private static final YAMLFactory YAML = YAMLFactory.builder()
@@ -86,9 +89,25 @@ final class YamlFile {
                     .newDecoder()
                     .decode(ByteBuffer.wrap(bytes))
                     .toString();
+            checkLines(name, text);
             return text.startsWith("\uFEFF") ? text.substring(1) : text;
         } catch (CharacterCodingException e) {
             throw new InputException(name + ":" + lineOfFirstMistake(bytes) + ": is not text in UTF-8", e);
+        }
+    }
+
+    private static void checkLines(String name, String text) {
+        int number = 0;
+        int start = 0;
+        while (start < text.length()) {
+            number++;
+            int end = text.indexOf('\n', start);
+            end = end < 0 ? text.length() : end;
+            if (end - start > MAX_LINE) {
+                throw new InputException(
+                        name + ":" + number + ": has " + (end - start) + " characters, a line may have " + MAX_LINE);
+            }
+            start = end + 1;
         }
     }
 

@@ -181,6 +181,40 @@ class EnergyModelTest {
         }
     }
 
+    /** At 8 kHz the air takes most of what comes late; the mirror images, each with its own way through the air, are exact. */
+    @Test
+    void lateReflectionsLoseTheirAir() {
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.05, 0));
+        Position sensor = new Position(7, 5, 1.7);
+        int band = OctaveBands.COUNT - 1;
+        EnergyReading reading = read(room, SOURCE, sensor, 0.4, 40_000, band, 7);
+
+        double loss = Atmosphere.STANDARD.attenuation(OctaveBands.midband(band));
+        double sum = 0;
+        int most = 40;
+        for (int i = -most; i <= most; i++) {
+            for (int j = -most; j <= most; j++) {
+                for (int k = -most; k <= most; k++) {
+                    double x = image(i, 10, SOURCE.x()) - sensor.x();
+                    double y = image(j, 8, SOURCE.y()) - sensor.y();
+                    double z = image(k, 4, SOURCE.z()) - sensor.z();
+                    double way = Math.sqrt(x * x + y * y + z * z);
+                    int order = Math.abs(i) + Math.abs(j) + Math.abs(k);
+                    sum += Math.pow(0.95, order) * Levels.toRatio(-loss * way) / (4 * Math.PI * way * way);
+                }
+            }
+        }
+        assertThat(reading.totalLevel())
+                .as("standard error %f dB, seed 7", reading.standardError())
+                .isCloseTo(LW + Levels.ofRatio(sum), within(4 * reading.standardError() + 0.05));
+        assertThat(reading.standardError()).isLessThan(0.1);
+    }
+
+    /** Where the n-th image along an axis stands: every other one is mirrored. */
+    private static double image(int n, double length, double place) {
+        return n * length + (n % 2 == 0 ? place : length - place);
+    }
+
     /**
      * A wide wall between source and sensor lowers the level by its loss, as a sheet and as a solid of two faces alike;
      * without diffraction, nothing is heard through an opaque one.

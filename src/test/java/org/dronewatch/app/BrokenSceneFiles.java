@@ -1,0 +1,396 @@
+package org.dronewatch.app;
+
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+
+/** Scene files with one mistake each, made from a good one. The same seed gives the same files. */
+final class BrokenSceneFiles {
+    /** A scene that is right as it is. */
+    static final String GOOD =
+            """
+            world:
+              models:
+                - {file: site.obj, upAxis: z, scale: 0.5, position: [1 km, 0, 5], heading: 90 deg}
+              backgroundNoise: 41.5 dB
+              noiseShape: [0, -3, -6, -9, -12, -15, -18, -21]
+              atmosphere: {temperature: 15 degC, humidity: 40 %, pressure: 950 hPa}
+              surfaces:
+                materials: {ground: grass_turf}
+                otherwise: solid
+              rain: 4 mm/h
+            drones:
+              one:
+                model: {file: packaged:quadrotor.obj}
+                flight: {kind: inbound, target: [0, 0, 10], bearing: 45 deg, height: 20 m, distance: 300 m, nearest: 5 m}
+                speed: 18 km/h
+                acceleration: 2 m/s2
+                radar: {crossSection: 0.02 m2, fluctuation: swerling-1}
+                soundLevel: 52 dB
+                soundPowerLevel: 85 dB
+                sound: hexacopter
+                directivity: rotor
+            sensors:
+              eye:
+                kind: camera
+                position: [0, 0, 10]
+                aim: {azimuth: 180 deg, elevation: -5 deg}
+                width: 1280
+                height: 720
+                fov: 40 deg
+                fovAxis: horizontal
+                rate: 25 Hz
+                detection: {pixels: 20}
+              ear:
+                kind: acoustic
+                position: [0, 0, 11]
+                radius: 0.4 m
+                threshold: 9 dB
+                arrayGain: 3 dB
+                propagation: {kind: energy-model, rays: 100, accuracy: 0.5 dB, roulette: 0.25, diffraction: iso9613, criterion: best-band}
+              echo:
+                use: blighter-a400
+                position: [0, 0, 12]
+                minRange: 60 m
+                polarisation: vertical
+            run:
+              duration: 1 min
+              seed: 7
+            sweep:
+              parameter: world.backgroundNoise
+              from: 20 dB
+              to: 40 dB
+              count: 3
+            """;
+
+    private static final long SEED = 20_261_121;
+
+    private final Map<String, byte[]> files = new LinkedHashMap<>();
+    private final SplittableRandom random = new SplittableRandom(SEED);
+
+    private BrokenSceneFiles() {}
+
+    /** All files by a name that says what is wrong. */
+    static Map<String, byte[]> all() {
+        BrokenSceneFiles corpus = new BrokenSceneFiles();
+        corpus.typos();
+        corpus.values();
+        corpus.missing();
+        corpus.doubled();
+        corpus.aliases();
+        corpus.structure();
+        corpus.paths();
+        corpus.encodings();
+        corpus.rubbish();
+        return corpus.files;
+    }
+
+    private void add(String what, String text) {
+        add(what, text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private void add(String what, byte[] bytes) {
+        if (files.put(what, bytes) != null) {
+            throw new IllegalStateException("two files for " + what);
+        }
+    }
+
+    /** The good scene with a piece of it replaced. */
+    private void change(String what, String from, String to) {
+        if (!GOOD.contains(from)) {
+            throw new IllegalStateException("no '" + from + "' in the good scene");
+        }
+        add(what + " " + from + " -> " + to, GOOD.replaceFirst(java.util.regex.Pattern.quote(from), to));
+    }
+
+    private void typos() {
+        List<String> fields = List.of(
+                "world",
+                "models",
+                "file",
+                "upAxis",
+                "scale",
+                "heading",
+                "backgroundNoise",
+                "noiseShape",
+                "atmosphere",
+                "temperature",
+                "humidity",
+                "pressure",
+                "surfaces",
+                "otherwise",
+                "rain",
+                "drones",
+                "model",
+                "flight",
+                "target",
+                "bearing",
+                "distance",
+                "nearest",
+                "speed",
+                "acceleration",
+                "radar",
+                "crossSection",
+                "fluctuation",
+                "soundLevel",
+                "soundPowerLevel",
+                "directivity",
+                "sensors",
+                "aim",
+                "azimuth",
+                "elevation",
+                "width",
+                "fovAxis",
+                "rate",
+                "detection",
+                "pixels",
+                "radius",
+                "threshold",
+                "arrayGain",
+                "propagation",
+                "rays",
+                "accuracy",
+                "roulette",
+                "diffraction",
+                "criterion",
+                "minRange",
+                "polarisation",
+                "run",
+                "duration",
+                "seed",
+                "sweep",
+                "parameter",
+                "count");
+        for (String field : fields) {
+            int at = 1 + random.nextInt(field.length() - 1);
+            String wrong = random.nextBoolean()
+                    ? field.substring(0, at) + field.substring(at + 1) + "q"
+                    : field.substring(0, at) + field.charAt(at) + field.substring(at);
+            add("typo " + field + " -> " + wrong, GOOD.replaceFirst("\\b" + field + ":", wrong + ":"));
+        }
+        for (String name : List.of(
+                "inbound",
+                "swerling-1",
+                "hexacopter",
+                "rotor",
+                "camera",
+                "horizontal",
+                "acoustic",
+                "energy-model",
+                "iso9613",
+                "best-band",
+                "blighter-a400",
+                "vertical",
+                "grass_turf",
+                "solid")) {
+            change("typo", ": " + name, ": " + name.substring(0, name.length() - 1) + "x");
+        }
+    }
+
+    private void values() {
+        for (String wrong : List.of(
+                "18 kg",
+                "18 km",
+                "five",
+                "-1",
+                "1e99",
+                "1e999",
+                "NaN",
+                "Infinity",
+                "0x10",
+                "18 km/h/h",
+                "[18]",
+                "{a: 18}",
+                "\"\"",
+                "~",
+                "18 18")) {
+            change("speed", "speed: 18 km/h", "speed: " + wrong);
+        }
+        for (String wrong : List.of("0", "-3", "1.5", "99999999999999999999", "1280 m", "true")) {
+            change("width", "width: 1280", "width: " + wrong);
+        }
+        for (String wrong : List.of("200 deg", "0", "-40 deg", "40 m", "40 degrees of freedom")) {
+            change("fov", "fov: 40 deg", "fov: " + wrong);
+        }
+        for (String wrong : List.of("170 %", "-1 %", "40 %%", "1.01")) {
+            change("humidity", "humidity: 40 %", "humidity: " + wrong);
+        }
+        change("temperature", "temperature: 15 degC", "temperature: 15");
+        change("temperature", "temperature: 15 degC", "temperature: -300 degC");
+        change("pressure", "pressure: 950 hPa", "pressure: 950");
+        change("noise", "backgroundNoise: 41.5 dB", "backgroundNoise: 500 dB");
+        change("noise", "-18, -21]", "-18]");
+        change("noise", "-18, -21]", "-18, -21, -24]");
+        change("rain", "rain: 4 mm/h", "rain: -4");
+        change("rays", "rays: 100", "rays: 0");
+        change("roulette", "roulette: 0.25", "roulette: 1");
+        change("elevation", "elevation: -5 deg", "elevation: -95 deg");
+        change("position", "position: [0, 0, 12]", "position: [0, 0]");
+        change("position", "position: [0, 0, 12]", "position: [0, 0, up]");
+        change("position", "position: [0, 0, 12]", "position: {x: 1, y: 2}");
+        change("range", "minRange: 60 m", "minRange: 60 km");
+        change("nearest", "nearest: 5 m", "nearest: 400 m");
+        change("duration", "duration: 1 min", "duration: 1e9");
+        change("seed", "seed: 7", "seed: 7.5");
+        change("seed", "seed: 7", "seed: 123456789012345678901234567890");
+        change("count", "count: 3", "count: 1");
+        change("count", "count: 3", "count: 1000000");
+        change("sweep", "from: 20 dB", "from: 20 kg");
+        change("sweep", "to: 40 dB", "to: 400 dB");
+        change("sweep", "world.backgroundNoise", "world.nothing");
+        change("id", "  one:", "  o ne:");
+        change("scale", "scale: 0.5", "scale: 0");
+        change("cross-section", "crossSection: 0.02 m2", "crossSection: 0");
+    }
+
+    private void missing() {
+        add("missing kind", GOOD.replaceFirst("(?s)  eye:.*  ear:", "  eye: {position: [0, 0, 1]}\n  ear:"));
+        change("missing", "    position: [0, 0, 10]\n", "");
+        change("missing", "    model: \\{file: packaged:quadrotor.obj}\n".replace("\\", ""), "");
+        change("missing", "file: site.obj, ", "");
+        change("missing", "  parameter: world.backgroundNoise\n", "");
+        change("missing", "distance: 300 m, ", "");
+        change("missing", "target: [0, 0, 10], ", "");
+        change("missing", "    use: blighter-a400\n", "");
+        add("missing world", GOOD.substring(GOOD.indexOf("drones:")));
+        change("empty", "duration: 1 min", "duration:");
+        change("empty", "use: blighter-a400", "use:");
+        change("empty", "kind: acoustic", "kind:");
+    }
+
+    private void doubled() {
+        for (String field : List.of(
+                "speed: 18 km/h",
+                "width: 1280",
+                "fov: 40 deg",
+                "rate: 25 Hz",
+                "radius: 0.4 m",
+                "seed: 7",
+                "count: 3",
+                "rain: 4 mm/h")) {
+            String line = GOOD.lines()
+                    .filter(one -> one.strip().equals(field))
+                    .findFirst()
+                    .orElseThrow();
+            change("doubled", line + "\n", line + "\n" + line + "\n");
+        }
+        add("doubled world", GOOD + "world: {models: [a.obj]}\n");
+        add("doubled run", GOOD + "run: {duration: 5}\n");
+        change("doubled", "  ear:\n", "  eye:\n");
+    }
+
+    private void aliases() {
+        add("cycle", "world: &a\n  models: *a\n");
+        add("cycle of lists", "world: {models: &a [*a]}\n");
+        add("alias of nothing", GOOD.replace("seed: 7", "seed: *seven"));
+        for (int width : new int[] {2, 10, 50}) {
+            StringBuilder laughs = new StringBuilder("a0: &a0 [x]\n");
+            for (int level = 1; level < 40; level++) {
+                laughs.append("a")
+                        .append(level)
+                        .append(": &a")
+                        .append(level)
+                        .append(" [")
+                        .append(("*a" + (level - 1) + ", ").repeat(width))
+                        .append("]\n");
+            }
+            add("laughs " + width, laughs.toString());
+        }
+        add("tag of a class", GOOD.replace("seed: 7", "seed: !!java.lang.Runtime 7"));
+        add("tag of one's own", GOOD.replace("seed: 7", "seed: !mine 7"));
+        add("tag of a script", "!!javax.script.ScriptEngineManager [!!java.net.URLClassLoader [[]]]\n");
+        add("merge key", GOOD.replace("    kind: camera", "    <<: {kind: camera}"));
+    }
+
+    private void structure() {
+        add("nothing", "");
+        add("a comment", "# nothing here\n");
+        add("a word", "world\n");
+        add("a number", "42\n");
+        add("a list", "- world\n- drones\n");
+        add("two documents", GOOD + "---\n" + GOOD);
+        add("open bracket", GOOD.replace("position: [0, 0, 12]", "position: [0, 0, 12"));
+        add("open brace", GOOD.replace("detection: {pixels: 20}", "detection: {pixels: 20"));
+        add("open quote", GOOD.replace("seed: 7", "seed: \"7"));
+        add("tab", GOOD.replace("  duration", "\tduration"));
+        add("crooked", GOOD.replace("    width: 1280", "   width: 1280"));
+        add("deep list", "world: " + "[".repeat(5000) + "]".repeat(5000) + "\n");
+        add("deep mapping", "{a: ".repeat(3000) + "1" + "}".repeat(3000) + "\n");
+        add("key that is a list", "? [a, b]\n: c\n");
+        add("world is text", GOOD.replaceFirst("(?s)world:.*drones:", "world: nice\ndrones:"));
+        add("models are text", "world: {models: hill.obj}\n");
+        add("drones are a list", "world: {models: [site.obj]}\ndrones: [a, b]\n");
+        add("sensors are text", "world: {models: [site.obj]}\nsensors: many\n");
+        add("sensor is text", "world: {models: [site.obj]}\nsensors: {a: blighter-a400}\n");
+        add("many names", "world: {models: [site.obj]}\nsensors:\n" + "  s: {}\n".repeat(5000));
+        add("many lists", "world: {models: [" + "[], ".repeat(60_000) + "]}\n");
+        add("long line", "world: {models: [\"" + "x".repeat(500_000) + "\"]}\n");
+        add("too large", "# " + "x".repeat(1 << 20) + "\n" + GOOD);
+    }
+
+    private void paths() {
+        for (String path : List.of(
+                "../site.obj",
+                "../../etc/passwd",
+                "/etc/passwd",
+                "a/../../site.obj",
+                "nowhere.obj",
+                ".",
+                "..",
+                "packaged:nothing.obj",
+                "packaged:../hill.obj",
+                "packaged:",
+                "http://example.org/a.obj",
+                "site.obj/x",
+                "~/site.obj")) {
+            change("path", "file: site.obj", "file: \"" + path + "\"");
+        }
+        change("path", "use: blighter-a400", "use: ../blighter-a400");
+        change("path", "use: blighter-a400", "use: /etc/passwd");
+        change("path", "use: blighter-a400", "use: site");
+    }
+
+    private void encodings() {
+        for (String name : List.of("UTF-16LE", "UTF-16BE", "UTF-16", "UTF-32", "IBM500")) {
+            add("encoded in " + name, GOOD.getBytes(Charset.forName(name)));
+        }
+        add("Latin 1", GOOD.replace("seed: 7", "seed: 7 # g\u00fcltig").getBytes(StandardCharsets.ISO_8859_1));
+        add("a byte that is none of UTF-8", concat(GOOD.getBytes(StandardCharsets.UTF_8), new byte[] {(byte) 0xC0, 0x20
+        }));
+        add("a zero byte", GOOD.replace("seed: 7", "seed: \0"));
+        add("an escape", GOOD.replace("seed: 7", "seed: \u001b[31m7"));
+    }
+
+    private static byte[] concat(byte[] a, byte[] b) {
+        byte[] both = new byte[a.length + b.length];
+        System.arraycopy(a, 0, both, 0, a.length);
+        System.arraycopy(b, 0, both, a.length, b.length);
+        return both;
+    }
+
+    private void rubbish() {
+        for (int i = 0; i < 12; i++) {
+            byte[] bytes = new byte[1 + random.nextInt(5000)];
+            random.nextBytes(bytes);
+            add("rubbish " + i, bytes);
+        }
+        List<Character> signs = new ArrayList<>();
+        for (char sign : "{}[]:,-?&*!|>'\"%@` \n#ab1".toCharArray()) {
+            signs.add(sign);
+        }
+        for (int i = 0; i < 12; i++) {
+            StringBuilder text = new StringBuilder();
+            for (int k = 0; k < 300; k++) {
+                text.append(signs.get(random.nextInt(signs.size())).charValue());
+            }
+            add("signs " + i, text.toString());
+        }
+        add("a picture", new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', 0, 0, 0, 0x0D});
+        add("an archive", new byte[] {'P', 'K', 3, 4, 0x14, 0, 0, 0, 8, 0});
+        add("a class", new byte[] {(byte) 0xCA, (byte) 0xFE, (byte) 0xBA, (byte) 0xBE, 0, 0, 0, 61});
+    }
+}
