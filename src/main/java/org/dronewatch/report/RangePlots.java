@@ -55,7 +55,9 @@ final class RangePlots {
                 String name = name((int) key.get(0), (String) key.get(1), result);
                 chart.addSeries(name, values.range, values.value).setMarker(SeriesMarkers.NONE);
             });
+            // Where chance decides, each look has a threshold of its own: no line can stand for them.
             series.values().stream()
+                    .filter(values -> !values.thresholdVaries)
                     .mapToDouble(values -> values.threshold)
                     .distinct()
                     .forEach(threshold -> {
@@ -82,6 +84,7 @@ final class RangePlots {
         private final List<Double> value = new ArrayList<>();
         private final double threshold;
         private final String unit;
+        private boolean thresholdVaries;
 
         Series(Observation first) {
             this.threshold = first.threshold();
@@ -89,6 +92,7 @@ final class RangePlots {
         }
 
         void add(Observation observation) {
+            thresholdVaries |= observation.threshold() != threshold;
             range.add(observation.range());
             value.add(Math.min(observation.value(), top()));
         }

@@ -33,6 +33,11 @@ final class Summary {
         root.put("scene", result.scene());
         root.put("seed", result.seed());
         root.put("threads", result.threads());
+        result.runs().get(0).settings().world().origin().ifPresent(origin -> {
+            ObjectNode place = root.putObject("origin");
+            place.put("latitude_deg", Math.toDegrees(origin.latitude()));
+            place.put("longitude_deg", Math.toDegrees(origin.longitude()));
+        });
         root.put("simulated_s", Numbers.rounded(result.simulated()));
         root.put("load_s", Numbers.rounded(result.timing().load()));
         root.put("build_s", Numbers.rounded(result.timing().build()));

@@ -2,6 +2,7 @@ package org.dronewatch.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -19,6 +20,7 @@ import org.dronewatch.sound.BandLevels;
  * @param surfaces what the models' materials are to sound
  * @param atmosphere the air
  * @param rain rain, 0 to 500 mm/h; radars suffer from it, sound does not
+ * @param origin where on earth the origin lies, or empty; it is written into the summary
  */
 public record WorldSettings(
         List<ModelSettings> models,
@@ -26,7 +28,8 @@ public record WorldSettings(
         BandLevels noiseShape,
         SurfaceSettings surfaces,
         Atmosphere atmosphere,
-        @In(value = Quantity.PRECIPITATION, from = 0, to = 500) double rain) {
+        @In(value = Quantity.PRECIPITATION, from = 0, to = 500) double rain,
+        Optional<Origin> origin) {
     /** Background of a quiet rural place, dB re 20 uPa. */
     public static final double QUIET = 30.0;
 
@@ -36,7 +39,7 @@ public record WorldSettings(
      * @throws IllegalArgumentException when one does not hold
      */
     public WorldSettings {
-        Limits.check(WorldSettings.class, models, backgroundNoise, noiseShape, surfaces, atmosphere, rain);
+        Limits.check(WorldSettings.class, models, backgroundNoise, noiseShape, surfaces, atmosphere, rain, origin);
         models = List.copyOf(models);
         if (models.isEmpty()) {
             throw new IllegalArgumentException("models is empty: a world needs at least one");
@@ -52,24 +55,30 @@ public record WorldSettings(
     @Defaults("models")
     public static WorldSettings of(List<ModelSettings> models) {
         return new WorldSettings(
-                models, QUIET, BackgroundNoise.FALLING, SurfaceSettings.DEFAULT, Atmosphere.STANDARD, 0.0);
+                models,
+                QUIET,
+                BackgroundNoise.FALLING,
+                SurfaceSettings.DEFAULT,
+                Atmosphere.STANDARD,
+                0.0,
+                Optional.empty());
     }
 
     /** These settings with one more model: a house on the hill. */
     public WorldSettings withModel(ModelSettings model) {
         List<ModelSettings> more = new ArrayList<>(models);
         more.add(model);
-        return new WorldSettings(more, backgroundNoise, noiseShape, surfaces, atmosphere, rain);
+        return new WorldSettings(more, backgroundNoise, noiseShape, surfaces, atmosphere, rain, origin);
     }
 
     /** These settings with another level of the background, A-weighted, dB re 20 uPa. */
     public WorldSettings withBackgroundNoise(double level) {
-        return new WorldSettings(models, level, noiseShape, surfaces, atmosphere, rain);
+        return new WorldSettings(models, level, noiseShape, surfaces, atmosphere, rain, origin);
     }
 
     /** These settings with another background. */
     public WorldSettings withBackgroundNoise(BackgroundNoise noise) {
-        return new WorldSettings(models, noise.level(), noise.shape(), surfaces, atmosphere, rain);
+        return new WorldSettings(models, noise.level(), noise.shape(), surfaces, atmosphere, rain, origin);
     }
 
     /** The background. */
@@ -79,16 +88,21 @@ public record WorldSettings(
 
     /** These settings with other surfaces. */
     public WorldSettings withSurfaces(SurfaceSettings other) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, other, atmosphere, rain);
+        return new WorldSettings(models, backgroundNoise, noiseShape, other, atmosphere, rain, origin);
     }
 
     /** These settings with other air. */
     public WorldSettings withAtmosphere(Atmosphere air) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, air, rain);
+        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, air, rain, origin);
+    }
+
+    /** These settings somewhere on earth. */
+    public WorldSettings withOrigin(Origin place) {
+        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, atmosphere, rain, Optional.of(place));
     }
 
     /** These settings with rain, mm/h. */
     public WorldSettings withRain(double millimetresPerHour) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, atmosphere, millimetresPerHour);
+        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, atmosphere, millimetresPerHour, origin);
     }
 }

@@ -23,6 +23,7 @@ final class BrokenSceneFiles {
                 materials: {ground: grass_turf}
                 otherwise: solid
               rain: 4 mm/h
+              origin: {latitude: 50.0755 deg, longitude: 14.4378 deg}
             drones:
               one:
                 model: {file: packaged:quadrotor.obj}
@@ -244,6 +245,8 @@ final class BrokenSceneFiles {
         change("sweep", "world.backgroundNoise", "world.nothing");
         change("id", "  one:", "  o ne:");
         change("scale", "scale: 0.5", "scale: 0");
+        change("origin", "latitude: 50.0755 deg", "latitude: 95 deg");
+        change("origin", "longitude: 14.4378 deg", "lon: 14");
         change("cross-section", "crossSection: 0.02 m2", "crossSection: 0");
     }
 

@@ -23,6 +23,7 @@ import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.radar.LinkBudget;
+import org.dronewatch.sensor.radar.RadarDetection;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.world.DroneSettings;
@@ -180,7 +181,7 @@ class CatalogTest {
                 world: {models: [packaged:hill.obj]}
                 sensors:
                   mine: {use: my-radar, position: [1, 2, 3], budget: {range: 800 m}}
-                  theirs: {use: spotterrf-c550, position: [1, 2, 3], rate: 1}
+                  theirs: {use: spotterrf-c550, position: [1, 2, 3], rate: 1, detection: {kind: chance}}
                 """);
         Map<String, SensorSettings<?>> sensors =
                 new SceneFile(directory.resolve("site.yaml")).describe().sensors();
@@ -189,6 +190,7 @@ class CatalogTest {
         assertThat(mine.budget()).isEqualTo(LinkBudget.DataSheet.of(800, 0.1));
         assertThat(((RadarSettings) sensors.get("theirs")).rate()).isEqualTo(1.0);
         assertThat(((RadarSettings) sensors.get("theirs")).maxRange()).isEqualTo(1500.0);
+        assertThat(((RadarSettings) sensors.get("theirs")).detection()).isEqualTo(RadarDetection.Chance.DEFAULT);
     }
 
     @Test

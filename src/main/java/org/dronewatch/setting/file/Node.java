@@ -64,7 +64,15 @@ public sealed interface Node {
                     sizeOf(values.values()));
         }
 
-        /** This with another one's values over its own: mappings that both have are joined, everything else is replaced. */
+        private boolean isOfAnotherKindThan(Mapping other) {
+            Optional<String> kind = text(SettingsReader.KIND);
+            return kind.isPresent() && !kind.equals(other.text(SettingsReader.KIND));
+        }
+
+        /**
+         * This with another one's values over its own: mappings that both have are joined unless the other one names
+         * another kind, everything else is replaced.
+         */
         public Mapping overlaidWith(Mapping over) {
             Map<String, Node> all = new LinkedHashMap<>(values);
             Map<String, Mark> places = new LinkedHashMap<>(keys);
@@ -72,7 +80,9 @@ public sealed interface Node {
                 all.merge(
                         name,
                         value,
-                        (mine, theirs) -> mine instanceof Mapping below && theirs instanceof Mapping above
+                        (mine, theirs) -> mine instanceof Mapping below
+                                        && theirs instanceof Mapping above
+                                        && !above.isOfAnotherKindThan(below)
                                 ? below.overlaidWith(above)
                                 : theirs);
                 places.put(name, over.keys.get(name));

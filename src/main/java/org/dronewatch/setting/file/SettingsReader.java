@@ -25,7 +25,9 @@ final class SettingsReader {
     /** Stands for a value that could not be read; a problem says why. */
     private static final Object FAILED = new Object();
 
-    private static final String KIND = "kind";
+    /** The name under which a choice among several kinds of settings is written. */
+    static final String KIND = "kind";
+
     private static final String USE = "use";
 
     private final Kinds kinds;
