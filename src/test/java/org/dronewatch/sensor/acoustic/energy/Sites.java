@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
@@ -81,6 +82,11 @@ final class Sites {
             power.add(i == band ? LW : Double.NEGATIVE_INFINITY);
         }
         return new SoundSource(place, power, directivity);
+    }
+
+    /** 100 dB of sound power in every band. */
+    static SoundSource broadband(Position place) {
+        return new SoundSource(place, Collections.nCopies(OctaveBands.COUNT, LW), Directivity.OMNIDIRECTIONAL);
     }
 
     static EnergyReading read(EnergyModel model, World world, SoundSource source, Position sensor, long seed) {
