@@ -1,0 +1,79 @@
+package org.dronewatch.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SceneRunner;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What the pages show works as it stands there. */
+class GuideTest {
+    private static final Path PAGES = Path.of("src/site/markdown");
+
+    @TempDir
+    private Path directory;
+
+    /** The first block of YAML in a page. */
+    private static String firstExample(Path page) throws IOException {
+        Matcher block = Pattern.compile("```yaml\n(.*?)```", Pattern.DOTALL).matcher(Files.readString(page));
+        assertThat(block.find()).isTrue();
+        return block.group(1);
+    }
+
+    @Test
+    void theFirstSceneRuns() throws IOException {
+        Path file = directory.resolve("gate.yaml");
+        Files.writeString(file, firstExample(PAGES.resolve("guide.md")));
+        SceneResult result = new SceneRunner(new SceneFile(file)).run();
+
+        assertThat(result.firstDetectionRange(0, "roof", "visitor")).isPresent();
+    }
+
+    @Test
+    void anEntryOfOnesOwnIsRead() throws IOException {
+        Files.writeString(directory.resolve("mine.yaml"), firstExample(PAGES.resolve("catalogue.md")));
+        assertThat(Catalog.beside(directory).entry("mine").orElseThrow().kind()).isEqualTo("radar");
+    }
+
+    @Test
+    void theSceneInTheReadmeIsTheFile() throws IOException {
+        String file = Files.readString(Path.of("scenes/hill-radar.yaml"));
+        Matcher block =
+                Pattern.compile("```yaml\n(.*?)```", Pattern.DOTALL).matcher(Files.readString(Path.of("README.md")));
+        assertThat(block.find()).isTrue();
+        assertThat(file).endsWith(block.group(1));
+    }
+
+    @Test
+    void linksLeadSomewhere() throws IOException {
+        try (Stream<Path> pages = Stream.concat(Files.list(PAGES), Stream.of(Path.of("README.md")))) {
+            for (Path page : pages.toList()) {
+                Matcher link = Pattern.compile("]\\(([^)#:]+)(#[^)]*)?\\)").matcher(Files.readString(page));
+                while (link.find()) {
+                    Path target = page.resolveSibling(link.group(1));
+                    assertThat(target).as("link in %s", page).exists();
+                }
+            }
+        }
+    }
+
+    @Test
+    void thePageOfTheCatalogueNamesEveryEntry() throws IOException {
+        String page = Files.readString(PAGES.resolve("catalogue.md"));
+        List<String> missing = Catalog.packagedNames().stream()
+                .filter(name -> !page.contains("`" + name + "`"))
+                .collect(Collectors.toList());
+        assertThat(missing).isEmpty();
+    }
+}
