@@ -48,9 +48,6 @@ final class SceneChoice {
     /** A runner of a scene with the overrides. */
     SceneRunner runner(Scene scene) {
         SceneRunner runner = new SceneRunner(scene);
-        if (scene instanceof SceneFile fromFile) {
-            runner.directory(fromFile.directory());
-        }
         for (String override : overrides) {
             int equals = override.indexOf('=');
             if (equals < 1) {

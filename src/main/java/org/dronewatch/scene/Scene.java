@@ -67,6 +67,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
                 .toLowerCase(Locale.ROOT);
     }
 
+    /** Where relative names of files start: the working directory unless the scene itself is a file. */
+    public Path directory() {
+        return Path.of("");
+    }
+
     /**
      * The range at which a simple law expects a sensor to detect first, m: drawn beside the results of a sweep. None
      * unless a scene knows one.
@@ -192,7 +197,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     public final void constructModel() {
         if (plan == null) {
             if (ownModels == null) {
-                ownModels = new ModelCache(Path.of(""), note -> {});
+                ownModels = new ModelCache(directory(), note -> {});
             }
             RunInfo info = new RunInfo(0, 1, describe().withoutSweep());
             plan = new RunPlan(info, ownModels, new ObservationPool(1), f -> {}, Pace.AS_FAST_AS_POSSIBLE, () -> false);

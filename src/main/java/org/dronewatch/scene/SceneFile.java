@@ -35,7 +35,8 @@ public final class SceneFile extends Scene {
         return name == null ? "scene" : name.toString().replaceFirst("\\.[A-Za-z]+$", "");
     }
 
-    /** Where the names of files start. */
+    /** That of the file. */
+    @Override
     public Path directory() {
         Path parent = file.toAbsolutePath().normalize().getParent();
         return parent == null ? Path.of("") : parent;

@@ -24,7 +24,7 @@ public final class SceneRunner {
     private final Map<String, String> overrides = new LinkedHashMap<>();
     private final List<SceneListener> listeners = new ArrayList<>();
     private int threads = Runtime.getRuntime().availableProcessors();
-    private Path directory = Path.of("");
+    private Path directory;
     private Pace pace = Pace.AS_FAST_AS_POSSIBLE;
     private BooleanSupplier cancelled = () -> false;
     private Consumer<String> notes = note -> {};
@@ -33,6 +33,7 @@ public final class SceneRunner {
     /** A runner of a scene that has a simulator of its own. */
     public SceneRunner(Scene scene) {
         this.scene = scene;
+        this.directory = scene.directory();
     }
 
     /** Overrides a setting; setting what the scene sweeps ends the sweep. */
@@ -59,7 +60,7 @@ public final class SceneRunner {
         return this;
     }
 
-    /** Sets where relative model paths start; the working directory unless set. */
+    /** Sets where relative model paths start, and the user's own sensors lie; the scene's directory unless set. */
     public SceneRunner directory(Path path) {
         this.directory = path;
         return this;

@@ -51,8 +51,7 @@ class CoverageTest {
                   east: {kind: radar, position: [0, 0, 2], minRange: 1, maxRange: 150, elevationWidth: 90 deg, azimuthWidth: 90 deg, aim: {azimuth: 90 deg}, budget: {range: 5000, crossSection: 0.01}}
                   ear: {kind: acoustic, position: [0, 0, 2], propagation: {kind: level-model, initialRays: 1, reflectionsPerHit: 1, maxOrder: 0}}
                 """);
-        SceneFile scene = new SceneFile(file);
-        SceneRunner runner = new SceneRunner(scene).directory(scene.directory());
+        SceneRunner runner = new SceneRunner(new SceneFile(file));
         settings = runner.settings();
         stage = runner.stage(settings);
     }

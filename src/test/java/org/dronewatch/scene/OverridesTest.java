@@ -17,8 +17,7 @@ class OverridesTest {
     private static final String RADAR = "sensors.radar";
 
     private static SceneRunner runner() {
-        SceneFile scene = new SceneFile(Path.of("scenes/hill-radar.yaml"));
-        return new SceneRunner(scene).directory(scene.directory());
+        return new SceneRunner(new SceneFile(Path.of("scenes/hill-radar.yaml")));
     }
 
     private static SensorSettings<?> radarOf(SceneSettings settings) {
