@@ -4,11 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.within;
 
+import java.lang.reflect.RecordComponent;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenes.AcousticRange;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.SettingsPath;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.world.FlightPathSettings.Approach;
@@ -126,5 +134,48 @@ class SettingsPathTest {
                 .withMessageContaining(path)
                 .withMessageContaining(what)
                 .withMessageContaining(limit);
+    }
+
+    /** Every single value of a whole site may be written where it stands, and then reads as before. */
+    @Test
+    void everyFieldIsReached() {
+        for (Path file : List.of(Path.of("scenes/multi-sensor.yaml"), Path.of("scenes/hill-radar.yaml"))) {
+            SceneSettings scene = new SceneFile(file).describe();
+            List<String> paths = new ArrayList<>();
+            collect(scene, "", paths);
+            assertThat(paths).hasSizeGreaterThan(50);
+            for (String path : paths) {
+                SettingsPath setting = new SettingsPath(path);
+                Object value = setting.read(scene);
+                SceneSettings again = setting.write(scene, textOf(value));
+                assertThat(setting.read(again)).as(path).isEqualTo(value);
+                assertThat(again).as(path).isEqualTo(scene);
+            }
+        }
+    }
+
+    private static String textOf(Object value) {
+        return value instanceof List<?> list
+                ? list.stream().map(Object::toString).collect(Collectors.joining(", "))
+                : value.toString();
+    }
+
+    private static void collect(Object value, String path, List<String> paths) {
+        if (value instanceof Optional<?> optional) {
+            optional.ifPresent(inner -> collect(inner, path, paths));
+        } else if (value instanceof Record settings) {
+            String before = path.isEmpty() ? "" : path + ".";
+            for (RecordComponent part : settings.getClass().getRecordComponents()) {
+                collect(SettingsForm.get(settings, part), before + part.getName(), paths);
+            }
+        } else if (value instanceof Map<?, ?> map) {
+            map.forEach((name, inner) -> collect(inner, path + "." + name, paths));
+        } else if (value instanceof List<?> list && !list.isEmpty() && list.get(0) instanceof Record) {
+            for (int i = 0; i < list.size(); i++) {
+                collect(list.get(i), path + "." + i, paths);
+            }
+        } else {
+            paths.add(path);
+        }
     }
 }
