@@ -1,6 +1,5 @@
 package org.dronewatch.app;
 
-import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -80,8 +79,8 @@ final class CoverageCommand implements Callable<Integer> {
         Stage stage = runner.stage(settings);
         Coverage coverage = withProgress(settings, stage, id, grid);
         String words = "drone '" + id + "'";
-        BufferedImage picture = CoveragePicture.draw(scene.name(), coverage, stage.world(), words);
-        target.write(stream -> CoveragePicture.write(picture, stream));
+        CoveragePicture picture = CoveragePicture.of(scene.name(), coverage, stage.world(), words);
+        target.write(picture::writePng);
         print(coverage);
         return 0;
     }

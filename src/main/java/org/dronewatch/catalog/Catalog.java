@@ -2,6 +2,7 @@ package org.dronewatch.catalog;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
@@ -25,6 +26,7 @@ public final class Catalog implements Kinds.NamedSettings {
     private static final String ENDING = ".yaml";
     private static final String NAME = "[A-Za-z0-9_-]{1,64}";
     private static final int MOST_FILES = 1000;
+    private static final int MOST_LINES = 1000;
     private static final List<String> PACKAGED = List.of(
             "blighter-a400",
             "blighter-a400-m10s",
@@ -62,9 +64,10 @@ public final class Catalog implements Kinds.NamedSettings {
         Set<String> names = new LinkedHashSet<>(PACKAGED);
         if (directory.isPresent()) {
             try (Stream<Path> files = Files.list(directory.get())) {
-                files.map(file -> String.valueOf(file.getFileName()))
-                        .filter(name -> name.endsWith(ENDING))
+                files.filter(file -> file.toString().endsWith(ENDING))
                         .limit(MOST_FILES)
+                        .filter(Catalog::looksLikeAnEntry)
+                        .map(file -> String.valueOf(file.getFileName()))
                         .sorted()
                         .forEach(name -> names.add(name.substring(0, name.length() - ENDING.length())));
             } catch (IOException e) {
@@ -73,6 +76,15 @@ public final class Catalog implements Kinds.NamedSettings {
             }
         }
         return names;
+    }
+
+    /** Scene files lie in the same directory; only what might be an entry is worth suggesting. */
+    private static boolean looksLikeAnEntry(Path file) {
+        try (Stream<String> lines = Files.lines(file)) {
+            return lines.limit(MOST_LINES).anyMatch(line -> line.startsWith("sensor:"));
+        } catch (IOException | UncheckedIOException e) {
+            return false;
+        }
     }
 
     @Override

@@ -56,7 +56,7 @@ public final class CoveragePicture {
      * @param world for the shades of the ground
      * @param drone in words, for the legend
      */
-    public static BufferedImage draw(String title, Coverage coverage, World world, String drone) {
+    public static CoveragePicture of(String title, Coverage coverage, World world, String drone) {
         CoveragePicture picture = new CoveragePicture(coverage);
         picture.drawMap(world);
         Graphics2D g = picture.image.createGraphics();
@@ -66,13 +66,18 @@ public final class CoveragePicture {
         picture.drawScale(g);
         picture.drawLegend(g, title, drone);
         g.dispose();
-        return picture.image;
+        return picture;
     }
 
-    /** Writes a picture as PNG. */
-    public static void write(BufferedImage picture, OutputStream target) throws IOException {
+    /** The colour of a pixel, from the top left. */
+    public Color colour(int column, int row) {
+        return new Color(image.getRGB(column, row));
+    }
+
+    /** Writes the picture as PNG. */
+    public void writePng(OutputStream target) throws IOException {
         try (ImageOutputStream stream = new MemoryCacheImageOutputStream(target)) {
-            ImageIO.write(picture, "png", stream);
+            ImageIO.write(image, "png", stream);
         }
     }
 

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -93,19 +92,19 @@ class CoverageTest {
 
     @Test
     void thePictureShowsWhatIsReached() {
-        BufferedImage picture = CoveragePicture.draw("plain", coverage(2), stage.world(), "drone 'one'");
+        CoveragePicture picture = CoveragePicture.of("plain", coverage(2), stage.world(), "drone 'one'");
 
-        Color far = new Color(picture.getRGB(60, 60));
-        Color radarOnly = new Color(picture.getRGB(500 + 250, 500 + 40));
-        Color shadow = new Color(picture.getRGB(500, 500 - 250));
+        Color far = picture.colour(60, 60);
+        Color radarOnly = picture.colour(500 + 250, 500 + 40);
+        Color shadow = picture.colour(500, 500 - 250);
         assertThat(far.getBlue() - far.getRed()).as("bare ground is no blue").isLessThan(10);
         assertThat(radarOnly.getBlue() - radarOnly.getRed())
                 .as("a radar's cell is blue")
                 .isGreaterThan(30);
         assertThat(shadow).as("behind the wall").isEqualTo(far);
-        assertThat(new Color(picture.getRGB(500, 500 + 100)).getRed())
+        assertThat(picture.colour(500, 500 + 100).getRed())
                 .as("a cell that the microphone reaches, too, is redder")
                 .isGreaterThan(radarOnly.getRed());
-        assertThat(new Color(picture.getRGB(1200, 900))).isEqualTo(Color.WHITE);
+        assertThat(picture.colour(1200, 900)).isEqualTo(Color.WHITE);
     }
 }

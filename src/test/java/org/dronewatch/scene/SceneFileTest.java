@@ -153,6 +153,8 @@ class SceneFileTest {
                 "drones: {a: {model: packaged:hill.obj, flight: {}}}             | needs a 'kind': one of hover, approach",
                 "sensors: {a: {kind: camera}}                   | 2:14: sensors.a: needs 'position'",
                 "sensors: {a: {position: [1, 2, 3]}}            | 2:14: sensors.a: needs a 'kind'",
+                "sensors: {a: {kind: camera, use: blighter-a400}} | sensors.a.kind: is 'camera', but 'blighter-a400' is of kind",
+                "sensors: {a: {kind: radar, position: [1, 2, 3], budget: {power: 4 W}}} | sensors.a.budget: needs 'gain'",
                 "sensors: {a b: {kind: camera, position: [1, 2, 3]}} | id 'a b' must be 1 to 64 letters",
                 "sensors: {a: {kind: camera, position: [1, 2]}} | 2:39: sensors.a.position: '1, 2' has 2 numbers",
                 "sensors: {a: {kind: camera, position: [1, [2], 3]}} | 2:43: sensors.a.position: must be a number",

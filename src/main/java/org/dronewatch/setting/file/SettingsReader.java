@@ -172,6 +172,14 @@ final class SettingsReader {
                 problems.unknown(name.mark(), path + "." + USE, "name", name.text(), named.names());
                 return FAILED;
             }
+            Optional<String> kind = written.text(KIND);
+            if (kind.isPresent() && !kind.equals(found.get().text(KIND))) {
+                return failed(
+                        written.values().get(KIND),
+                        path + "." + KIND,
+                        "is '" + kind.get() + "', but '" + name.text() + "' is of kind '"
+                                + found.get().text(KIND).orElse("") + "'");
+            }
             mapping = found.get().overlaidWith(written.without(List.of(USE)));
         }
         Map<String, Class<?>> choices = kinds.of(type);
@@ -190,14 +198,13 @@ final class SettingsReader {
         return record(SettingsForm.of(choices.get(kind)), mapping.without(List.of(KIND)), path);
     }
 
-    /** The only kind that has all these parts and needs no others. */
+    /** The only kind that has all these parts, or else the only one of those that needs no others. */
     private static Optional<Class<?>> meant(Map<String, Class<?>> choices, Set<String> names) {
-        List<Class<?>> fitting = new ArrayList<>();
-        for (Class<?> choice : choices.values()) {
-            SettingsForm form = SettingsForm.of(choice);
-            if (form.names().containsAll(names) && names.containsAll(form.required())) {
-                fitting.add(choice);
-            }
+        List<Class<?>> fitting = new ArrayList<>(choices.values());
+        fitting.removeIf(choice -> !SettingsForm.of(choice).names().containsAll(names));
+        if (fitting.size() > 1) {
+            fitting.removeIf(
+                    choice -> !names.containsAll(SettingsForm.of(choice).required()));
         }
         return fitting.size() == 1 ? Optional.of(fitting.get(0)) : Optional.empty();
     }
