@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.radar;
 
+import java.util.Map;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.SensorSettings;
@@ -7,6 +8,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * A radar that stands still and looks with the same gain everywhere in its field of view, as one with an electronically
@@ -97,116 +99,51 @@ public record RadarSettings(
 
     /** These settings at another place, m. */
     public RadarSettings withPosition(Position place) {
-        return copy(place, aim, rate, budget, detection);
+        return with(Map.of("position", place));
     }
 
     /** These settings pointing elsewhere. */
     public RadarSettings withAim(Aim other) {
-        return copy(position, other, rate, budget, detection);
-    }
-
-    /** These settings with another number of scans a second, Hz. */
-    public RadarSettings withRate(double scansPerSecond) {
-        return copy(position, aim, scansPerSecond, budget, detection);
-    }
-
-    /** These settings with another link budget. */
-    public RadarSettings withBudget(LinkBudget other) {
-        return copy(position, aim, rate, other, detection);
-    }
-
-    /** These settings with another way to decide. */
-    public RadarSettings withDetection(RadarDetection other) {
-        return copy(position, aim, rate, budget, other);
-    }
-
-    private RadarSettings copy(Position place, Aim axis, double scans, LinkBudget link, RadarDetection decision) {
-        return new RadarSettings(
-                place,
-                axis,
-                azimuthWidth,
-                elevationWidth,
-                minRange,
-                maxRange,
-                minSpeed,
-                maxSpeed,
-                scans,
-                frequency,
-                polarisation,
-                link,
-                decision);
+        return with(Map.of("aim", other));
     }
 
     /** These settings with another field of view, rad. */
     public RadarSettings withFieldOfView(double azimuth, double elevation) {
-        return new RadarSettings(
-                position,
-                aim,
-                azimuth,
-                elevation,
-                minRange,
-                maxRange,
-                minSpeed,
-                maxSpeed,
-                rate,
-                frequency,
-                polarisation,
-                budget,
-                detection);
+        return with(Map.of("azimuthWidth", azimuth, "elevationWidth", elevation));
     }
 
     /** These settings with other ranges between which drones are looked for, m. */
     public RadarSettings withRanges(double least, double most) {
-        return new RadarSettings(
-                position,
-                aim,
-                azimuthWidth,
-                elevationWidth,
-                least,
-                most,
-                minSpeed,
-                maxSpeed,
-                rate,
-                frequency,
-                polarisation,
-                budget,
-                detection);
+        return with(Map.of("minRange", least, "maxRange", most));
     }
 
     /** These settings with other radial speeds between which drones are looked for, m/s. */
     public RadarSettings withSpeeds(double least, double most) {
-        return new RadarSettings(
-                position,
-                aim,
-                azimuthWidth,
-                elevationWidth,
-                minRange,
-                maxRange,
-                least,
-                most,
-                rate,
-                frequency,
-                polarisation,
-                budget,
-                detection);
+        return with(Map.of("minSpeed", least, "maxSpeed", most));
+    }
+
+    /** These settings with another number of scans a second, Hz. */
+    public RadarSettings withRate(double scansPerSecond) {
+        return with(Map.of("rate", scansPerSecond));
     }
 
     /** These settings with another wave: carrier, Hz, and polarisation. */
     public RadarSettings withWave(double hertz, Rain.Polarisation other) {
-        return new RadarSettings(
-                position,
-                aim,
-                azimuthWidth,
-                elevationWidth,
-                minRange,
-                maxRange,
-                minSpeed,
-                maxSpeed,
-                rate,
-                hertz,
-                other,
-                budget,
-                detection);
+        return with(Map.of("frequency", hertz, "polarisation", other));
+    }
+
+    /** These settings with another link budget. */
+    public RadarSettings withBudget(LinkBudget other) {
+        return with(Map.of("budget", other));
+    }
+
+    /** These settings with another way to decide. */
+    public RadarSettings withDetection(RadarDetection other) {
+        return with(Map.of("detection", other));
+    }
+
+    private RadarSettings with(Map<String, Object> parts) {
+        return (RadarSettings) SettingsForm.of(RadarSettings.class).with(this, parts);
     }
 
     @Override

@@ -65,8 +65,8 @@ public sealed interface Node {
         }
 
         private boolean isOfAnotherKindThan(Mapping other) {
-            Optional<String> kind = text(SettingsReader.KIND);
-            return kind.isPresent() && !kind.equals(other.text(SettingsReader.KIND));
+            Optional<String> kind = text(KindChooser.KIND);
+            return kind.isPresent() && !kind.equals(other.text(KindChooser.KIND));
         }
 
         /**

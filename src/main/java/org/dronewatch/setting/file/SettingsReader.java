@@ -3,15 +3,12 @@ package org.dronewatch.setting.file;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -25,18 +22,15 @@ final class SettingsReader {
     /** Stands for a value that could not be read; a problem says why. */
     private static final Object FAILED = new Object();
 
-    /** The name under which a choice among several kinds of settings is written. */
-    static final String KIND = "kind";
-
-    private static final String USE = "use";
-
     private final Kinds kinds;
-    private final Path directory;
+    private final FileNames files;
+    private final KindChooser chooser;
     private final Problems problems;
 
     SettingsReader(Kinds kinds, Path directory, Problems problems) {
         this.kinds = kinds;
-        this.directory = directory;
+        this.files = new FileNames(directory);
+        this.chooser = new KindChooser(kinds, problems);
         this.problems = problems;
     }
 
@@ -101,7 +95,7 @@ final class SettingsReader {
             return failed(
                     node,
                     path,
-                    "must be settings by name, as in '" + USE + ": "
+                    "must be settings by name, as in '" + KindChooser.USE + ": "
                             + named.get().names().stream().findFirst().orElse("NAME") + "'");
         }
         try {
@@ -164,49 +158,9 @@ final class SettingsReader {
     }
 
     private Object choice(Class<?> type, Node.Mapping written, String path) {
-        Node.Mapping mapping = written;
-        if (kinds.named(type).isPresent() && written.values().get(USE) instanceof Node.Scalar name) {
-            Kinds.NamedSettings named = kinds.named(type).get();
-            Optional<Node.Mapping> found = named.find(name.text());
-            if (found.isEmpty()) {
-                problems.unknown(name.mark(), path + "." + USE, "name", name.text(), named.names());
-                return FAILED;
-            }
-            Optional<String> kind = written.text(KIND);
-            if (kind.isPresent() && !kind.equals(found.get().text(KIND))) {
-                return failed(
-                        written.values().get(KIND),
-                        path + "." + KIND,
-                        "is '" + kind.get() + "', but '" + name.text() + "' is of kind '"
-                                + found.get().text(KIND).orElse("") + "'");
-            }
-            mapping = found.get().overlaidWith(written.without(List.of(USE)));
-        }
-        Map<String, Class<?>> choices = kinds.of(type);
-        Node given = mapping.values().get(KIND);
-        if (given == null) {
-            Optional<Class<?>> meant = meant(choices, mapping.values().keySet());
-            return meant.isPresent()
-                    ? record(SettingsForm.of(meant.get()), mapping, path)
-                    : failed(mapping, path, "needs a '" + KIND + "': one of " + String.join(", ", choices.keySet()));
-        }
-        String kind = given instanceof Node.Scalar scalar ? scalar.text() : "";
-        if (!choices.containsKey(kind)) {
-            problems.unknown(given.mark(), path + "." + KIND, KIND, kind, choices.keySet());
-            return FAILED;
-        }
-        return record(SettingsForm.of(choices.get(kind)), mapping.without(List.of(KIND)), path);
-    }
-
-    /** The only kind that has all these parts, or else the only one of those that needs no others. */
-    private static Optional<Class<?>> meant(Map<String, Class<?>> choices, Set<String> names) {
-        List<Class<?>> fitting = new ArrayList<>(choices.values());
-        fitting.removeIf(choice -> !SettingsForm.of(choice).names().containsAll(names));
-        if (fitting.size() > 1) {
-            fitting.removeIf(
-                    choice -> !names.containsAll(SettingsForm.of(choice).required()));
-        }
-        return fitting.size() == 1 ? Optional.of(fitting.get(0)) : Optional.empty();
+        return chooser.choose(type, written, path)
+                .map(chosen -> record(chosen.form(), chosen.parts(), path))
+                .orElse(FAILED);
     }
 
     private Object record(SettingsForm form, Node.Mapping mapping, String path) {
@@ -288,26 +242,11 @@ final class SettingsReader {
         if (rule == null || value.toString().startsWith(rule.unless())) {
             return true;
         }
-        String wrong = wrongWith(value.toString());
+        String wrong = files.wrongWith(value.toString());
         if (wrong.isEmpty()) {
             return true;
         }
         problems.add(node.mark(), field, "file '" + value + "' " + wrong);
         return false;
-    }
-
-    /** What is wrong with a file's name; empty for nothing. */
-    private String wrongWith(String name) {
-        Path file;
-        try {
-            file = directory.resolve(name).normalize();
-        } catch (InvalidPathException e) {
-            return "is no path: " + e.getReason();
-        }
-        if (Path.of(name).isAbsolute() || !file.startsWith(directory.normalize())) {
-            return "leads out of the directory of this file, " + directory.normalize()
-                    + ": keep models beside or below it";
-        }
-        return Files.isRegularFile(file) ? "" : "does not exist in " + file.getParent();
     }
 }

@@ -1,0 +1,28 @@
+package org.dronewatch.setting.file;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+
+/** Names of files that stand in a settings file: they start from its directory and may not lead out of it. */
+final class FileNames {
+    private final Path directory;
+
+    FileNames(Path directory) {
+        this.directory = directory.normalize();
+    }
+
+    /** What is wrong with a name; empty for nothing. */
+    String wrongWith(String name) {
+        Path file;
+        try {
+            file = directory.resolve(name).normalize();
+        } catch (InvalidPathException e) {
+            return "is no path: " + e.getReason();
+        }
+        if (Path.of(name).isAbsolute() || !file.startsWith(directory)) {
+            return "leads out of the directory of this file, " + directory + ": keep models beside or below it";
+        }
+        return Files.isRegularFile(file) ? "" : "does not exist in " + file.getParent();
+    }
+}

@@ -1,0 +1,97 @@
+package org.dronewatch.setting.file;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronewatch.setting.SettingsForm;
+
+/** Finds which of several kinds of settings a mapping means: by its kind, by ready settings that it takes, by its parts. */
+final class KindChooser {
+    /** The name under which a kind is written. */
+    static final String KIND = "kind";
+
+    /** The name under which ready settings are taken. */
+    static final String USE = "use";
+
+    private final Kinds kinds;
+    private final Problems problems;
+
+    KindChooser(Kinds kinds, Problems problems) {
+        this.kinds = kinds;
+        this.problems = problems;
+    }
+
+    /**
+     * What was chosen.
+     *
+     * @param form of the kind
+     * @param parts what is written of it, with what was taken from ready settings
+     */
+    record Chosen(SettingsForm form, Node.Mapping parts) {}
+
+    /** The kind that a mapping means; empty when none can be told, and a problem says why. */
+    Optional<Chosen> choose(Class<?> type, Node.Mapping written, String path) {
+        Optional<Node.Mapping> whole = withReadySettings(type, written, path);
+        if (whole.isEmpty()) {
+            return Optional.empty();
+        }
+        Node.Mapping mapping = whole.get();
+        Map<String, Class<?>> choices = kinds.of(type);
+        Node given = mapping.values().get(KIND);
+        if (given == null) {
+            Optional<Class<?>> meant = meant(choices, mapping.values().keySet());
+            if (meant.isEmpty()) {
+                String all = String.join(", ", choices.keySet());
+                problems.add(mapping.mark(), path, "needs a '" + KIND + "': one of " + all);
+            }
+            return meant.map(kind -> new Chosen(SettingsForm.of(kind), mapping));
+        }
+        String kind = given instanceof Node.Scalar scalar ? scalar.text() : "";
+        if (!choices.containsKey(kind)) {
+            problems.unknown(given.mark(), path + "." + KIND, KIND, kind, choices.keySet());
+            return Optional.empty();
+        }
+        return Optional.of(new Chosen(SettingsForm.of(choices.get(kind)), mapping.without(List.of(KIND))));
+    }
+
+    /** What is written over the ready settings that it takes, if it takes any. */
+    private Optional<Node.Mapping> withReadySettings(Class<?> type, Node.Mapping written, String path) {
+        Optional<Kinds.NamedSettings> named = kinds.named(type);
+        if (named.isEmpty() || !(written.values().get(USE) instanceof Node.Scalar name)) {
+            return Optional.of(written);
+        }
+        Optional<Node.Mapping> found = named.get().find(name.text());
+        if (found.isEmpty()) {
+            problems.unknown(
+                    name.mark(),
+                    path + "." + USE,
+                    "name",
+                    name.text(),
+                    named.get().names());
+            return Optional.empty();
+        }
+        Optional<String> kind = written.text(KIND);
+        Optional<String> its = found.get().text(KIND);
+        if (kind.isPresent() && !kind.equals(its)) {
+            problems.add(
+                    written.values().get(KIND).mark(),
+                    path + "." + KIND,
+                    "is '" + kind.get() + "', but '" + name.text() + "' is of kind '" + its.orElse("") + "'");
+            return Optional.empty();
+        }
+        return Optional.of(found.get().overlaidWith(written.without(List.of(USE))));
+    }
+
+    /** The only kind that has all these parts, or else the only one of those that needs no others. */
+    private static Optional<Class<?>> meant(Map<String, Class<?>> choices, Set<String> names) {
+        List<Class<?>> fitting = new ArrayList<>(choices.values());
+        fitting.removeIf(choice -> !SettingsForm.of(choice).names().containsAll(names));
+        if (fitting.size() > 1) {
+            fitting.removeIf(
+                    choice -> !names.containsAll(SettingsForm.of(choice).required()));
+        }
+        return fitting.size() == 1 ? Optional.of(fitting.get(0)) : Optional.empty();
+    }
+}
