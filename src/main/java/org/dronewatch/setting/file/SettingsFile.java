@@ -3,6 +3,7 @@ package org.dronewatch.setting.file;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.dronewatch.setting.InputException;
 
 /** Reads a settings record from a YAML file that a person wrote. */
@@ -20,10 +21,10 @@ public final class SettingsFile {
     public static <T extends Record> T read(Path file, Class<T> type, Kinds kinds) {
         Problems problems = new Problems();
         Node.Mapping document = YamlFile.read(file.toString(), YamlFile.text(file), problems);
-        Path directory = file.toAbsolutePath().getParent();
-        Object settings = new SettingsReader(kinds, directory, problems).read(type, document);
+        Path directory = file.resolveSibling("").toAbsolutePath();
+        Optional<Object> settings = new SettingsReader(kinds, directory, problems).read(type, document);
         problems.throwIfAny();
-        return type.cast(settings);
+        return type.cast(settings.orElseThrow());
     }
 
     /**
@@ -61,8 +62,8 @@ public final class SettingsFile {
      */
     public static <T> T read(Node.Mapping part, Class<T> type, Kinds kinds, Path directory) {
         Problems problems = new Problems();
-        Object settings = new SettingsReader(kinds, directory, problems).read(type, part);
+        Optional<Object> settings = new SettingsReader(kinds, directory, problems).read(type, part);
         problems.throwIfAny();
-        return type.cast(settings);
+        return type.cast(settings.orElseThrow());
     }
 }

@@ -34,10 +34,10 @@ final class SettingsReader {
         this.problems = problems;
     }
 
-    /** Settings of a document; null when there are problems. */
-    Object read(Class<?> type, Node.Mapping document) {
+    /** Settings of a document; empty when there are problems. */
+    Optional<Object> read(Class<?> type, Node.Mapping document) {
         Object settings = read(type, Quantity.NUMBER, document, "");
-        return settings == FAILED ? null : settings;
+        return settings == FAILED ? Optional.empty() : Optional.of(settings);
     }
 
     private Object read(Type type, Quantity quantity, Node node, String path) {
