@@ -14,7 +14,7 @@ import picocli.CommandLine.Spec;
         name = "dronewatch",
         version = "dronewatch 0.1.0",
         mixinStandardHelpOptions = true,
-        description = "Simulates how a set of sensors sees drones in a site's own 3D model.",
+        description = "Simulates how a set of sensors sees and hears drones in a site's own 3D model.",
         subcommands = {
             ListCommand.class,
             RunCommand.class,
