@@ -39,7 +39,7 @@ public final class DecayCurve {
         return scaled;
     }
 
-    /** Levels of what is still to come at the beginning of each bin, dB re all; minus infinity after the last arrival. */
+    /** Levels of what is still to come at the beginning of each bin, dB re all; minus infinity after the last arrival and for silence. */
     public double[] levels() {
         double[] levels = new double[BINS];
         double toCome = 0.0;
@@ -48,7 +48,7 @@ public final class DecayCurve {
             levels[i] = toCome;
         }
         for (int i = 0; i < BINS; i++) {
-            levels[i] = Levels.ofRatio(levels[i] / toCome);
+            levels[i] = toCome > 0.0 ? Levels.ofRatio(levels[i] / toCome) : Double.NEGATIVE_INFINITY;
         }
         return levels;
     }

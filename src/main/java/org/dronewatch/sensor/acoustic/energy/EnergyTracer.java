@@ -64,15 +64,19 @@ public final class EnergyTracer {
         long traced = 0;
         for (int i = 0; i < model.rays() && !isAccurate(i); i++) {
             traced += journey.follow(source, random, recorder);
-            traced += firstScattering.add(source, sensor, random);
+            // What the source's rays find has met one surface, too.
+            traced += model.maxOrder() > 0 ? firstScattering.add(source, sensor, random) : 0;
             tally.endRay();
         }
         return reading(source, traced);
     }
 
-    /** Looks now and then only: to stop at the first chance prefers low values. */
+    /**
+     * Looks now and then only: to stop at the first chance prefers low values. As long as no ray has brought anything,
+     * nothing is known of what they might bring.
+     */
     private boolean isAccurate(int rays) {
-        return rays >= FEWEST && rays % BATCH == 0 && errorLevel() <= model.accuracy();
+        return rays >= FEWEST && rays % BATCH == 0 && tally.received() > 0.0 && errorLevel() < model.accuracy();
     }
 
     /** Standard error of the level of all that is heard so far, dB; infinity as long as that is nothing. */

@@ -40,9 +40,9 @@ public final class SoundSource {
         return emitted;
     }
 
-    /** Power in a band over that of all bands. */
+    /** Power in a band over that of all bands; 0 in all bands of silence. */
     double share(int band) {
-        return power[band] / emitted;
+        return emitted > 0.0 ? power[band] / emitted : 0.0;
     }
 
     /**

@@ -312,6 +312,43 @@ class EnergyModelTest {
         assertThat(audit.lost()).isPositive();
     }
 
+    /** A plane that only mirrors leaves the rays nothing: that no ray has found anything is no accuracy. */
+    @Test
+    void asLongAsNothingIsFoundTheRaysGoOn() {
+        World plane = Sites.world(Sites.square(5000, 0), SurfaceMaterial.uniform("rigid", 0, 0));
+        EnergyModel model = EnergyModel.DEFAULT.withRays(3000);
+        SoundSource sound = Sites.sound(new Position(100, 0, 50), LOWEST);
+        EnergyReading reading = Sites.read(model, plane, sound, new Position(0, 0, 1.5), 1);
+
+        assertThat(reading.traced()).isGreaterThanOrEqualTo(3000);
+        assertThat(reading.reverberant().get(LOWEST)).isZero();
+    }
+
+    @Test
+    void atOrderZeroNothingIsScattered() {
+        World plane = Sites.world(Sites.square(500, 0), SurfaceMaterial.uniform("rough", 0.1, 1));
+        SoundSource sound = Sites.sound(new Position(20, 0, 5), LOWEST);
+        Position sensor = new Position(0, 0, 1.5);
+        EnergyModel model = EnergyModel.DEFAULT.withRays(3000);
+
+        assertThat(Sites.read(model.withMaxOrder(0), plane, sound, sensor, 1)
+                        .reverberant()
+                        .get(LOWEST))
+                .isZero();
+        assertThat(Sites.read(model.withMaxOrder(1), plane, sound, sensor, 1)
+                        .reverberant()
+                        .get(LOWEST))
+                .isPositive();
+    }
+
+    @Test
+    void silenceIsHeardAsSilence() {
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
+        EnergyReading reading = Sites.read(
+                EnergyModel.DEFAULT.withRays(100), room, Sites.sound(SOURCE, -1), new Position(7, 5, 1.7), 1);
+        assertThat(reading.totalLevel()).isEqualTo(Double.NEGATIVE_INFINITY);
+    }
+
     @Test
     void theSameSeedGivesTheSame() {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
