@@ -47,6 +47,8 @@ class HouseRulesTest {
             .definedBy("org.dronewatch.kdtree..")
             .layer("geometry")
             .definedBy("org.dronewatch.geometry..")
+            .layer("parallel")
+            .definedBy("org.dronewatch.parallel..")
             .layer("setting")
             .definedBy("org.dronewatch.setting..")
             .whereLayer("app")
@@ -90,7 +92,9 @@ class HouseRulesTest {
                     "radar",
                     "sensor",
                     "world",
-                    "kdtree");
+                    "kdtree")
+            .whereLayer("parallel")
+            .mayOnlyBeAccessedByLayers("app", "bench", "report", "scene", "camera", "acoustic", "world", "kdtree");
 
     @ArchTest
     static final ArchRule NO_CIRCLES =

@@ -2,9 +2,10 @@ package org.dronewatch.jmh;
 
 import java.util.concurrent.TimeUnit;
 import org.dronewatch.bench.RaySet;
-import org.dronewatch.bench.TraversalKind;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.SequentialTraversal;
+import org.dronewatch.kdtree.StackTraversal;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -37,8 +38,8 @@ public class ClosestHit {
     public String rays;
 
     /** The way through the tree. */
-    @Param
-    public TraversalKind kind;
+    @Param({"stack", "sequential"})
+    public String kind;
 
     private KDTraversal traversal;
     private RaySet set;
@@ -48,7 +49,7 @@ public class ClosestHit {
     @Setup
     public void load() {
         KDTree tree = KDTree.of(Bench.mesh(model));
-        traversal = kind.create(tree);
+        traversal = kind.equals("stack") ? new StackTraversal(tree) : new SequentialTraversal(tree);
         set = Bench.rays(tree, rays);
     }
 

@@ -11,6 +11,7 @@ import org.dronewatch.bench.RayFile;
 import org.dronewatch.bench.RayGenerator;
 import org.dronewatch.bench.RaySet;
 import org.dronewatch.bench.TraversalKind;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.world.LoadedModel;
@@ -57,9 +58,9 @@ final class BenchCommand implements Callable<Integer> {
 
     @Option(
             names = "--traversal",
-            defaultValue = "stack",
+            defaultValue = "fastest",
             paramLabel = "NAME",
-            description = "stack or sequential; stack unless given.")
+            description = "tiles (for pictures), stack or sequential; the fastest unless given.")
     private TraversalKind traversal;
 
     @Option(
@@ -99,7 +100,9 @@ final class BenchCommand implements Callable<Integer> {
 
     private void check() {
         require(passes >= 1 && passes <= 1000, "--passes " + passes + ": must be 1 to 1000");
-        require(threads >= 1 && threads <= 1024, "--threads " + threads + ": must be 1 to 1024");
+        require(
+                threads >= 1 && threads <= Workers.MAX_THREADS,
+                "--threads " + threads + ": must be 1 to " + Workers.MAX_THREADS);
         require(hits == null || rays != null, "--hits needs --rays: hits belong to the rays of a file");
         require(width == null || rays != null, "--width needs --rays: it says how the rays of a file lie in a picture");
         require(width == null || width >= 1, "--width " + width + ": must be 1 or more");
@@ -149,7 +152,7 @@ final class BenchCommand implements Callable<Integer> {
         line.put("mrays_min", rounded(measured.slowest()));
         line.put("mrays_max", rounded(measured.fastest()));
         line.put("build_s", rounded(bench.buildSeconds()));
-        line.put("traversal", traversal.toString());
+        line.put("traversal", measured.traversal());
         line.put("threads", threads);
         if (rays == null) {
             line.put("seed", seed);

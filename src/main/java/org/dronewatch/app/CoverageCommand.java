@@ -55,8 +55,8 @@ final class CoverageCommand implements Callable<Integer> {
     @Option(names = "--out", required = true, paramLabel = "FILE.png", description = "Picture to write.")
     private String out;
 
-    @Option(names = "--threads", paramLabel = "N", description = "Threads to use, 1 to 1024; all cores unless given.")
-    private int threads = Runtime.getRuntime().availableProcessors();
+    @Mixin
+    private ThreadsOption threads = new ThreadsOption();
 
     @Spec
     private CommandSpec spec;
@@ -66,9 +66,7 @@ final class CoverageCommand implements Callable<Integer> {
         if (!out.toLowerCase(Locale.ROOT).endsWith(".png")) {
             throw new InputException("--out " + out + ": must end in .png");
         }
-        if (threads < 1 || threads > 1024) {
-            throw new InputException("--threads " + threads + ": must be 1 to 1024");
-        }
+        threads.number();
         WholeFile target = new WholeFile("--out", out);
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
@@ -76,13 +74,15 @@ final class CoverageCommand implements Callable<Integer> {
         SceneSettings settings = runner.settingsOfRuns().get(0);
         CoverageGrid grid = grid(settings);
         String id = drone(settings);
-        Stage stage = runner.stage(settings);
-        Coverage coverage = withProgress(settings, stage, id, grid);
-        String words = "drone '" + id + "'";
-        CoveragePicture picture = CoveragePicture.of(scene.name(), coverage, stage.world(), words);
-        target.write(picture::writePng);
-        print(coverage);
-        return 0;
+        return threads.call(() -> {
+            Stage stage = runner.stage(settings);
+            Coverage coverage = withProgress(settings, stage, id, grid);
+            String words = "drone '" + id + "'";
+            CoveragePicture picture = CoveragePicture.of(scene.name(), coverage, stage.world(), words);
+            target.write(picture::writePng);
+            print(coverage);
+            return 0;
+        });
     }
 
     private Coverage withProgress(SceneSettings settings, Stage stage, String id, CoverageGrid grid) {
@@ -90,7 +90,7 @@ final class CoverageCommand implements Callable<Integer> {
         ProgressBar bar = Progress.barOf("coverage", all);
         AtomicLong done = new AtomicLong();
         try {
-            return Coverage.of(settings, stage, id, grid, threads, points -> {
+            return Coverage.of(settings, stage, id, grid, points -> {
                 long now = done.addAndGet(points);
                 if (bar != null) {
                     bar.stepTo(now);

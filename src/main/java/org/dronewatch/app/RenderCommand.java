@@ -46,8 +46,8 @@ final class RenderCommand implements Callable<Integer> {
             description = "Run of a sweep, from 0; 0 unless given.")
     private int run;
 
-    @Option(names = "--threads", paramLabel = "N", description = "Threads to use, 1 to 1024; all cores unless given.")
-    private int threads = Runtime.getRuntime().availableProcessors();
+    @Mixin
+    private ThreadsOption threads = new ThreadsOption();
 
     @Spec
     private CommandSpec spec;
@@ -61,9 +61,10 @@ final class RenderCommand implements Callable<Integer> {
         SceneSettings settings = settingsOfRun(runner);
         CameraSettings camera = camera(settings);
         double seconds = seconds(settings);
-        checkThreads();
-        Stage stage = runner.stage(settings);
-        DepthImage image = camera.create().depthImage(stage.world(), stage.dronesAt(seconds), threads);
+        DepthImage image = threads.call(() -> {
+            Stage stage = runner.stage(settings);
+            return camera.create().depthImage(stage.world(), stage.dronesAt(seconds));
+        });
         target.write(isPng() ? image::writePng : image::writePfm);
         spec.commandLine()
                 .getOut()
@@ -102,12 +103,6 @@ final class RenderCommand implements Callable<Integer> {
             throw new InputException("--time " + time + ": must be 0 to " + duration + " s, the scene's duration");
         }
         return seconds;
-    }
-
-    private void checkThreads() {
-        if (threads < 1 || threads > 1024) {
-            throw new InputException("--threads " + threads + ": must be 1 to 1024");
-        }
     }
 
     private WholeFile target() {

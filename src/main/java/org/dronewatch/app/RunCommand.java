@@ -44,8 +44,8 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
     private Long seed;
 
-    @Option(names = "--threads", paramLabel = "N", description = "Threads to use, 1 to 1024; all cores unless given.")
-    private Integer threads;
+    @Mixin
+    private ThreadsOption threads = new ThreadsOption();
 
     @Option(
             names = "--real-time",
@@ -109,9 +109,7 @@ final class RunCommand implements Callable<Integer> {
             if (seed != null) {
                 runner.seed(seed);
             }
-            if (threads != null) {
-                runner.threads(threads);
-            }
+            runner.threads(threads.number());
             if (realTime != null) {
                 runner.pace(Pace.realTime(realTime));
             }

@@ -5,13 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
 
 /** Traces sets of rays over and over and takes the time. */
 public final class KernelBench {
-    private static final int BLOCK = 4096;
     private static final int WARM_UP = 2;
     private static final int BUILDS = 3;
 
@@ -52,9 +51,11 @@ public final class KernelBench {
         distances = new float[set.count()];
         triangles = new int[set.count()];
         double[] rates = new double[passes];
+        List<Tracer> tracers =
+                Stream.generate(kind.tracers(tree, set)).limit(threads).toList();
         for (int pass = -WARM_UP; pass < passes; pass++) {
             long start = System.nanoTime();
-            traceAll(set);
+            traceAll(tracers);
             double seconds = 1e-9 * (System.nanoTime() - start);
             if (pass >= 0) {
                 rates[pass] = 1e-6 * set.count() / seconds;
@@ -64,7 +65,8 @@ public final class KernelBench {
         Arrays.sort(rates);
         int hits =
                 (int) Arrays.stream(triangles).filter(triangle -> triangle >= 0).count();
-        return new Measurement(set.name(), set.count(), hits, rates[passes / 2], rates[0], rates[passes - 1]);
+        return new Measurement(
+                set.name(), kind.of(set).toString(), set.count(), hits, rates[passes / 2], rates[0], rates[passes - 1]);
     }
 
     /** How many passes there are in all when so many count. */
@@ -72,21 +74,15 @@ public final class KernelBench {
         return WARM_UP + passes;
     }
 
-    private void traceAll(RaySet set) {
-        AtomicInteger nextBlock = new AtomicInteger();
-        Runnable worker = () -> {
-            KDTraversal traversal = kind.create(tree);
-            for (int from = next(nextBlock); from < set.count(); from = next(nextBlock)) {
-                trace(traversal, set, from, Math.min(from + BLOCK, set.count()));
-            }
-        };
+    private void traceAll(List<Tracer> tracers) {
+        AtomicInteger nextPiece = new AtomicInteger();
         List<Thread> others = new ArrayList<>();
-        for (int i = 1; i < threads; i++) {
-            Thread thread = new Thread(worker, "bench-" + i);
+        for (Tracer tracer : tracers.subList(1, tracers.size())) {
+            Thread thread = new Thread(() -> tracePieces(tracer, nextPiece), "bench-" + others.size());
             thread.start();
             others.add(thread);
         }
-        worker.run();
+        tracePieces(tracers.get(0), nextPiece);
         try {
             for (Thread thread : others) {
                 thread.join();
@@ -97,18 +93,9 @@ public final class KernelBench {
         }
     }
 
-    private static int next(AtomicInteger block) {
-        return block.getAndAdd(BLOCK);
-    }
-
-    private void trace(KDTraversal traversal, RaySet set, int from, int to) {
-        float[] r = set.rays();
-        for (int ray = from; ray < to; ray++) {
-            int i = ray * RaySet.FLOATS;
-            boolean hit = traversal.closestHit(
-                    r[i], r[i + 1], r[i + 2], r[i + 3], r[i + 4], r[i + 5], 0.0, Double.POSITIVE_INFINITY);
-            distances[ray] = hit ? (float) traversal.distance() : Float.POSITIVE_INFINITY;
-            triangles[ray] = hit ? traversal.triangle() : -1;
+    private void tracePieces(Tracer tracer, AtomicInteger nextPiece) {
+        for (int piece = nextPiece.getAndIncrement(); piece < tracer.pieces(); piece = nextPiece.getAndIncrement()) {
+            tracer.trace(piece, distances, triangles);
         }
     }
 

@@ -1,21 +1,41 @@
 package org.dronewatch.bench;
 
 import java.util.Locale;
-import org.dronewatch.kdtree.KDTraversal;
+import java.util.function.Supplier;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.SequentialTraversal;
 import org.dronewatch.kdtree.StackTraversal;
 
 /** The ways through a tree that can be measured. */
 public enum TraversalKind {
-    /** Ordered, with a stack: the default. */
+    /** The fastest for the set: tiles for a picture, single rays for others. */
+    FASTEST,
+    /** Tiles of a picture; rays that are none one by one. */
+    TILES,
+    /** One ray at a time, ordered, with a stack. */
     STACK,
-    /** Stackless, leaf by leaf from the root. */
+    /** One ray at a time, stackless, leaf by leaf from the root. */
     SEQUENTIAL;
 
-    /** A traversal of this kind for one thread. */
-    public KDTraversal create(KDTree tree) {
-        return this == STACK ? new StackTraversal(tree) : new SequentialTraversal(tree);
+    /** This kind, or what it means for a set of rays. */
+    TraversalKind of(RaySet set) {
+        if (this == STACK || this == SEQUENTIAL) {
+            return this;
+        }
+        return set.width() > 0 ? TILES : STACK;
+    }
+
+    /** What makes a tracer of this kind for each thread. */
+    Supplier<Tracer> tracers(KDTree tree, RaySet set) {
+        return switch (of(set)) {
+            case SEQUENTIAL -> () -> new RayTracer(new SequentialTraversal(tree), set);
+            case TILES -> {
+                Picture picture = new Picture(set);
+                boolean[][] isTile = PictureTracer.tilesOf(picture);
+                yield () -> new PictureTracer(tree, set, picture, isTile);
+            }
+            default -> () -> new RayTracer(new StackTraversal(tree), set);
+        };
     }
 
     /** As it is written on the command line. */

@@ -5,9 +5,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.concurrent.Callable;
 import java.util.function.IntConsumer;
+import java.util.function.Supplier;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
@@ -30,17 +31,17 @@ public final class Coverage {
     }
 
     /**
-     * Lets all sensors of a scene look at all points.
+     * Lets all sensors of a scene look at all points, on the threads of the {@link Workers} that call; the same for any number
+     * of them.
      *
      * @param settings of one run
      * @param stage its world and drones
      * @param drone id of the drone that is put at the points
-     * @param threads how many sensors may look at the same time; the result is the same for any number
      * @param progress is told how many points a sensor has looked at since it was last told; by any thread
      * @throws IllegalArgumentException when there is no such drone
      */
     public static Coverage of(
-            SceneSettings settings, Stage stage, String drone, CoverageGrid grid, int threads, IntConsumer progress) {
+            SceneSettings settings, Stage stage, String drone, CoverageGrid grid, IntConsumer progress) {
         Drone sample = stage.dronesAt(0.0).stream()
                 .filter(one -> one.id().equals(drone))
                 .findFirst()
@@ -48,7 +49,7 @@ public final class Coverage {
                         + String.join(", ", settings.drones().keySet())));
         Coverage coverage = new Coverage(grid, settings.sensors());
         Heights heights = new Heights(stage.world(), grid);
-        List<Callable<boolean[]>> tasks = new ArrayList<>();
+        List<Supplier<boolean[]>> tasks = new ArrayList<>();
         settings.sensors().forEach((id, sensor) -> {
             Prober prober = new Prober(
                     grid,
@@ -61,12 +62,11 @@ public final class Coverage {
                     settings.run().seed());
             tasks.add(() -> prober.probe(progress));
         });
-        try (ObservationPool pool = new ObservationPool(threads)) {
-            List<boolean[]> results = pool.all(tasks);
-            int next = 0;
-            for (String id : settings.sensors().keySet()) {
-                coverage.reached.put(id, results.get(next++));
-            }
+        boolean[][] results = new boolean[tasks.size()][];
+        Workers.forEach(results.length, i -> results[i] = tasks.get(i).get());
+        int next = 0;
+        for (String id : settings.sensors().keySet()) {
+            coverage.reached.put(id, results[next++]);
         }
         return coverage;
     }

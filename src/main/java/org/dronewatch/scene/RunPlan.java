@@ -8,15 +8,8 @@ import java.util.function.Consumer;
  *
  * @param info number and settings of the run
  * @param models where models come from
- * @param pool who does the work
  * @param frames is given each frame
  * @param pace keeps time
  * @param cancelled says when to stop early
  */
-record RunPlan(
-        RunInfo info,
-        ModelCache models,
-        ObservationPool pool,
-        Consumer<Frame> frames,
-        Pace pace,
-        BooleanSupplier cancelled) {}
+record RunPlan(RunInfo info, ModelCache models, Consumer<Frame> frames, Pace pace, BooleanSupplier cancelled) {}

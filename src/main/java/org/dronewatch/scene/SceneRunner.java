@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.dronewatch.catalog.Catalog;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsPath;
@@ -53,8 +54,8 @@ public final class SceneRunner {
      * @throws IllegalArgumentException when below 1 or above 1024
      */
     public SceneRunner threads(int number) {
-        if (number < 1 || number > 1024) {
-            throw new IllegalArgumentException("threads " + number + " must be 1 to 1024");
+        if (number < 1 || number > Workers.MAX_THREADS) {
+            throw new IllegalArgumentException("threads " + number + " must be 1 to " + Workers.MAX_THREADS);
         }
         this.threads = number;
         return this;
@@ -178,10 +179,10 @@ public final class SceneRunner {
         List<RunResult> results = new ArrayList<>();
         boolean complete = true;
         long start = System.nanoTime();
-        try (ObservationPool pool = new ObservationPool(threads)) {
+        try (Workers workers = new Workers(threads)) {
             for (int run = 0; run < settingsOfRuns.size() && complete; run++) {
                 RunInfo info = new RunInfo(run, settingsOfRuns.size(), settingsOfRuns.get(run));
-                results.add(runOnce(simulator, info, loaded, pool));
+                results.add(workers.call(() -> runOnce(simulator, info, loaded)));
                 complete = !cancelled.getAsBoolean();
             }
         } finally {
@@ -205,14 +206,13 @@ public final class SceneRunner {
         return Sample.mix(Sample.mix(settings.run().seed(), run), replication);
     }
 
-    private RunResult runOnce(SceneSimulator simulator, RunInfo info, ModelCache models, ObservationPool pool) {
+    private RunResult runOnce(SceneSimulator simulator, RunInfo info, ModelCache models) {
         DetectionLog log = new DetectionLog(
                 info.run(), info.settings(), event -> listeners.forEach(listener -> listener.detectionChanged(event)));
         LastTime last = new LastTime();
         scene.prepare(new RunPlan(
                 info,
                 models,
-                pool,
                 frame -> {
                     last.time = frame.time();
                     frame.observations().forEach(log::add);

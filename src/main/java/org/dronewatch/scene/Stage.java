@@ -1,12 +1,14 @@
 package org.dronewatch.scene;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.Callable;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
+import java.util.function.Supplier;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
 import org.dronewatch.sensor.Observation;
@@ -114,8 +116,8 @@ public final class Stage {
     }
 
     /** Lets every sensor that is due at a time look. */
-    List<Observation> look(double time, List<Drone> drones, ObservationPool pool) {
-        List<Callable<List<Observation>>> looks = new ArrayList<>();
+    List<Observation> look(double time, List<Drone> drones) {
+        List<Supplier<List<Observation>>> looks = new ArrayList<>();
         for (Looker looker : lookers) {
             if (looker.nextTime() == time) {
                 Sample sample = Sample.of(runSeed, looker.number, looker.id, looker.nextIndex++, time);
@@ -128,7 +130,9 @@ public final class Stage {
                 looks.add(() -> looker.sensor.observe(world, reaching, sample));
             }
         }
-        return pool.all(looks).stream().flatMap(List::stream).toList();
+        List<List<Observation>> seen = new ArrayList<>(Collections.nCopies(looks.size(), List.of()));
+        Workers.forEach(looks.size(), i -> seen.set(i, looks.get(i).get()));
+        return seen.stream().flatMap(List::stream).toList();
     }
 
     /** The drones as they were when what reaches a place now left them; without those of which nothing has arrived yet. */

@@ -128,6 +128,19 @@ public final class Drone {
         return new Point3d(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
 
+    /** No part of its mesh is farther from its origin than this, m: its model box's reach times what the matrix stretches. */
+    public double reach() {
+        AABB box = tree.bounds();
+        double x = Math.max(Math.abs(box.minX()), Math.abs(box.maxX()));
+        double y = Math.max(Math.abs(box.minY()), Math.abs(box.maxY()));
+        double z = Math.max(Math.abs(box.minZ()), Math.abs(box.maxZ()));
+        Matrix4d m = modelMatrix;
+        double a = x * Math.abs(m.m00) + y * Math.abs(m.m01) + z * Math.abs(m.m02);
+        double b = x * Math.abs(m.m10) + y * Math.abs(m.m11) + z * Math.abs(m.m12);
+        double c = x * Math.abs(m.m20) + y * Math.abs(m.m21) + z * Math.abs(m.m22);
+        return Math.sqrt(a * a + b * b + c * c);
+    }
+
     /** A copy of its velocity, m/s. */
     public Vector3d velocity() {
         return new Vector3d(velocity);

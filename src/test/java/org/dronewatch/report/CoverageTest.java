@@ -7,6 +7,7 @@ import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.scene.Coverage;
 import org.dronewatch.scene.CoverageGrid;
 import org.dronewatch.scene.SceneFile;
@@ -56,7 +57,9 @@ class CoverageTest {
     }
 
     private Coverage coverage(int threads) {
-        return Coverage.of(settings, stage, "one", GRID, threads, points -> {});
+        try (Workers workers = new Workers(threads)) {
+            return workers.call(() -> Coverage.of(settings, stage, "one", GRID, points -> {}));
+        }
     }
 
     @Test

@@ -97,6 +97,44 @@ public final class CameraObject {
     }
 
     /**
+     * The directions of all pixels as a grid in the world's frame: that of the first pixel, what a column adds and what a
+     * row adds, three numbers each. They reach one unit along the camera's axis, so they are longer than unit directions
+     * by {@link #obliqueness}.
+     */
+    double[][] grid() {
+        double x = (0.5 - 0.5 * width) / focalLength;
+        double y = (0.5 * height - 0.5) / focalLength;
+        return new double[][] {
+            {forward.x + x * right.x + y * up.x, forward.y + x * right.y + y * up.y, forward.z + x * right.z + y * up.z
+            },
+            {right.x / focalLength, right.y / focalLength, right.z / focalLength},
+            {-up.x / focalLength, -up.y / focalLength, -up.z / focalLength}
+        };
+    }
+
+    /** Distance along a pixel's ray over that along the camera's axis, 1 or more. */
+    double obliqueness(int column, int row) {
+        double x = (column + 0.5 - 0.5 * width) / focalLength;
+        double y = (0.5 * height - row - 0.5) / focalLength;
+        return Math.sqrt(1.0 + x * x + y * y);
+    }
+
+    /** Whether a ball is wholly behind the camera or beside its picture: true only when it surely is. */
+    boolean isOutside(double x, double y, double z, double radius) {
+        double dx = x - position.x();
+        double dy = y - position.y();
+        double dz = z - position.z();
+        double depth = dx * forward.x + dy * forward.y + dz * forward.z;
+        double across = Math.abs(dx * right.x + dy * right.y + dz * right.z);
+        double above = Math.abs(dx * up.x + dy * up.y + dz * up.z);
+        double halfWidth = 0.5 * width / focalLength;
+        double halfHeight = 0.5 * height / focalLength;
+        return depth < -radius
+                || across - halfWidth * depth > radius * Math.sqrt(1.0 + halfWidth * halfWidth)
+                || above - halfHeight * depth > radius * Math.sqrt(1.0 + halfHeight * halfHeight);
+    }
+
+    /**
      * Where a point of the world appears.
      *
      * @return column and row in pixels, (0, 0) being the top left corner of the top left pixel; empty for a point nearer

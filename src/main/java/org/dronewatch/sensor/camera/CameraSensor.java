@@ -48,13 +48,12 @@ public final class CameraSensor implements Sensor {
     }
 
     /**
-     * The whole picture.
-     *
-     * @param threads how many threads may trace it, 1 or more; the picture is the same for any number
+     * The whole picture, traced on the threads of the {@link org.dronewatch.parallel.Workers} that call; the same for any
+     * number of them.
      */
-    public DepthImage depthImage(World world, List<Drone> drones, int threads) {
+    public DepthImage depthImage(World world, List<Drone> drones) {
         draw(world, drones);
-        float[] distances = staticView.all(threads);
+        float[] distances = staticView.all();
         boolean[] hits = new boolean[distances.length];
         dynamicView.overlay(distances, hits);
         return new DepthImage(camera.width(), camera.height(), distances, hits);

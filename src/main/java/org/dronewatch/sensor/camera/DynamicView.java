@@ -3,8 +3,8 @@ package org.dronewatch.sensor.camera;
 import java.util.Arrays;
 import java.util.List;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.TileTraversal;
 import org.dronewatch.world.Drone;
 import org.jogamp.vecmath.Matrix4d;
 
@@ -15,10 +15,14 @@ import org.jogamp.vecmath.Matrix4d;
  */
 final class DynamicView {
     private static final int NOBODY = -1;
+    /** With more triangles than this for each pixel of its rectangle, a drone is traced ray by ray: measured. */
+    private static final double TRIANGLES_PER_PIXEL = 4.0;
 
     private final CameraObject camera;
     private final SignificantPixels significantPixels;
-    private final double[] direction = new double[3];
+    private final double[][] grid;
+    private final double[] origin = new double[3];
+    private final double[][] modelGrid = new double[3][3];
 
     /** For each pixel with a drone: how far it is, and which one. Only the last frame's rectangles hold anything. */
     private final float[] nearest;
@@ -26,12 +30,13 @@ final class DynamicView {
     private final int[] owner;
     private PixelRectangle[] rectangles = new PixelRectangle[0];
     private int[] pixelCounts = new int[0];
-    private KDTraversal[] traversals = new KDTraversal[0];
+    private TileTraversal[] traversals = new TileTraversal[0];
     private KDTree[] traversed = new KDTree[0];
 
     DynamicView(CameraObject camera) {
         this.camera = camera;
         this.significantPixels = new SignificantPixels(camera);
+        this.grid = camera.grid();
         this.nearest = new float[camera.width() * camera.height()];
         this.owner = new int[nearest.length];
         Arrays.fill(nearest, Float.POSITIVE_INFINITY);
@@ -47,7 +52,7 @@ final class DynamicView {
         if (rectangles.length != count) {
             rectangles = new PixelRectangle[count];
             pixelCounts = new int[count];
-            traversals = new KDTraversal[count];
+            traversals = new TileTraversal[count];
             traversed = new KDTree[count];
         }
         Arrays.fill(pixelCounts, 0);
@@ -61,20 +66,45 @@ final class DynamicView {
 
     private void draw(StaticView staticView, Drone drone, int number) {
         PixelRectangle rectangle = rectangles[number];
-        KDTraversal traversal = traversalOf(drone, number);
-        Matrix4d m = drone.worldToModel();
+        TileTraversal traversal = traversalOf(drone, number);
+        setPicture(traversal, drone.worldToModel());
+        boolean coarse = drone.tree().mesh().triangleCount() < TRIANGLES_PER_PIXEL * rectangle.pixels();
+        for (int top = rectangle.top(); top <= rectangle.bottom(); top += TileTraversal.HEIGHT) {
+            int rows = Math.min(TileTraversal.HEIGHT, rectangle.bottom() + 1 - top);
+            for (int left = rectangle.left(); left <= rectangle.right(); left += TileTraversal.WIDTH) {
+                int columns = Math.min(TileTraversal.WIDTH, rectangle.right() + 1 - left);
+                if (coarse) {
+                    traversal.trace(left, top, columns, rows);
+                } else {
+                    traversal.traceSingly(left, top, columns, rows);
+                }
+                claimTile(traversal, left, top, columns, rows, staticView, number);
+            }
+        }
+    }
+
+    /** The grid of the pixels' rays in a drone's model space; lengths along them stay those of the world. */
+    private void setPicture(TileTraversal traversal, Matrix4d m) {
         Position from = camera.position();
-        double x = m.m00 * from.x() + m.m01 * from.y() + m.m02 * from.z() + m.m03;
-        double y = m.m10 * from.x() + m.m11 * from.y() + m.m12 * from.z() + m.m13;
-        double z = m.m20 * from.x() + m.m21 * from.y() + m.m22 * from.z() + m.m23;
-        for (int row = rectangle.top(); row <= rectangle.bottom(); row++) {
-            for (int column = rectangle.left(); column <= rectangle.right(); column++) {
-                camera.direction(column, row, direction);
-                double dx = m.m00 * direction[0] + m.m01 * direction[1] + m.m02 * direction[2];
-                double dy = m.m10 * direction[0] + m.m11 * direction[1] + m.m12 * direction[2];
-                double dz = m.m20 * direction[0] + m.m21 * direction[1] + m.m22 * direction[2];
-                if (traversal.closestHit(x, y, z, dx, dy, dz, 0.0, Double.POSITIVE_INFINITY)) {
-                    claim(column, row, (float) traversal.distance(), staticView, number);
+        origin[0] = m.m00 * from.x() + m.m01 * from.y() + m.m02 * from.z() + m.m03;
+        origin[1] = m.m10 * from.x() + m.m11 * from.y() + m.m12 * from.z() + m.m13;
+        origin[2] = m.m20 * from.x() + m.m21 * from.y() + m.m22 * from.z() + m.m23;
+        for (int i = 0; i < grid.length; i++) {
+            double[] d = grid[i];
+            modelGrid[i][0] = m.m00 * d[0] + m.m01 * d[1] + m.m02 * d[2];
+            modelGrid[i][1] = m.m10 * d[0] + m.m11 * d[1] + m.m12 * d[2];
+            modelGrid[i][2] = m.m20 * d[0] + m.m21 * d[1] + m.m22 * d[2];
+        }
+        traversal.setPicture(origin, modelGrid[0], modelGrid[1], modelGrid[2]);
+    }
+
+    private void claimTile(
+            TileTraversal traversal, int left, int top, int columns, int rows, StaticView staticView, int number) {
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                if (traversal.hits(column, row)) {
+                    double distance = traversal.parameter(column, row) * camera.obliqueness(left + column, top + row);
+                    claim(left + column, top + row, (float) distance, staticView, number);
                 }
             }
         }
@@ -92,10 +122,10 @@ final class DynamicView {
         }
     }
 
-    private KDTraversal traversalOf(Drone drone, int number) {
+    private TileTraversal traversalOf(Drone drone, int number) {
         if (traversed[number] != drone.tree()) {
             traversed[number] = drone.tree();
-            traversals[number] = drone.tree().newTraversal();
+            traversals[number] = new TileTraversal(drone.tree());
         }
         return traversals[number];
     }

@@ -12,6 +12,11 @@ record PixelRectangle(int left, int top, int right, int bottom) {
     /** No pixel at all. */
     static final PixelRectangle EMPTY = new PixelRectangle(0, 0, -1, -1);
 
+    /** How many pixels it has. */
+    int pixels() {
+        return isEmpty() ? 0 : (right - left + 1) * (bottom - top + 1);
+    }
+
     boolean isEmpty() {
         return right < left || bottom < top;
     }

@@ -24,6 +24,11 @@ final class SignificantPixels {
 
     /** The rectangle of pixels around a drone, within the picture. */
     PixelRectangle of(Drone drone) {
+        Point3d place = drone.position();
+        // Most cameras of a site look elsewhere: they are done here.
+        if (camera.isOutside(place.x, place.y, place.z, drone.reach())) {
+            return PixelRectangle.EMPTY;
+        }
         Matrix4d toClip = camera.modelViewProjection(drone.modelMatrix());
         Vector4d[] clip = clipCorners(drone.modelBounds(), toClip);
         Bounds bounds = new Bounds();

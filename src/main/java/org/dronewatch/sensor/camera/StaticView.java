@@ -1,20 +1,22 @@
 package org.dronewatch.sensor.camera;
 
 import java.util.Arrays;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.TileTraversal;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.World;
 
 /**
- * What a camera sees of the world without drones: a distance for each pixel, traced when it is first asked for and kept.
- * Used by one thread at a time.
+ * What a camera sees of the world without drones: a distance for each pixel, traced tile by tile when one of the tile's
+ * pixels is first asked for, and kept. Used by one thread at a time.
  */
 final class StaticView {
+    private static final int TILE_WIDTH = TileTraversal.WIDTH;
+    private static final int TILE_HEIGHT = TileTraversal.HEIGHT;
+
     private final CameraObject camera;
     private final World world;
-    private final KDTraversal traversal;
-    private final double[] direction = new double[3];
+    private final TileTraversal traversal;
 
     /** Distance along each pixel's ray, m; infinity for none; not a number where it has not been traced yet. */
     private final float[] distances;
@@ -22,9 +24,17 @@ final class StaticView {
     StaticView(CameraObject camera, World world) {
         this.camera = camera;
         this.world = world;
-        this.traversal = world.newTraversal();
+        this.traversal = newTraversal();
         this.distances = new float[camera.width() * camera.height()];
         Arrays.fill(distances, Float.NaN);
+    }
+
+    private TileTraversal newTraversal() {
+        TileTraversal created = new TileTraversal(world.tree());
+        Position from = camera.position();
+        double[][] grid = camera.grid();
+        created.setPicture(new double[] {from.x(), from.y(), from.z()}, grid[0], grid[1], grid[2]);
+        return created;
     }
 
     /** Whether this view shows a world. */
@@ -35,49 +45,31 @@ final class StaticView {
     /** Distance along a pixel's ray to the world, m; infinity for none. */
     float distance(int column, int row) {
         int pixel = row * camera.width() + column;
-        float known = distances[pixel];
-        if (Float.isNaN(known)) {
-            known = trace(column, row, traversal, direction);
-            distances[pixel] = known;
+        if (Float.isNaN(distances[pixel])) {
+            trace(traversal, column / TILE_WIDTH, row / TILE_HEIGHT);
         }
-        return known;
+        return distances[pixel];
     }
 
-    /** Traces all that has not been traced yet, on so many threads, and gives a copy of all distances, row by row. */
-    float[] all(int threads) {
-        AtomicInteger nextRow = new AtomicInteger();
-        Runnable rows = () -> {
-            KDTraversal own = world.newTraversal();
-            double[] ownDirection = new double[3];
-            for (int row = nextRow.getAndIncrement(); row < camera.height(); row = nextRow.getAndIncrement()) {
-                traceRow(row, own, ownDirection);
+    /** Traces all that has not been traced yet, on the threads at hand, and gives a copy of all distances, row by row. */
+    float[] all() {
+        int across = (camera.width() + TILE_WIDTH - 1) / TILE_WIDTH;
+        int tileRows = (camera.height() + TILE_HEIGHT - 1) / TILE_HEIGHT;
+        Workers.forEach(tileRows, this::newTraversal, (own, row) -> {
+            for (int tile = 0; tile < across; tile++) {
+                int first = row * TILE_HEIGHT * camera.width() + tile * TILE_WIDTH;
+                if (Float.isNaN(distances[first])) {
+                    trace(own, tile, row);
+                }
             }
-        };
-        Helpers.runOnThreads(rows, threads);
+        });
         return distances.clone();
     }
 
-    private void traceRow(int row, KDTraversal own, double[] ownDirection) {
-        int start = row * camera.width();
-        for (int column = 0; column < camera.width(); column++) {
-            if (Float.isNaN(distances[start + column])) {
-                distances[start + column] = trace(column, row, own, ownDirection);
-            }
-        }
-    }
-
-    private float trace(int column, int row, KDTraversal own, double[] ownDirection) {
-        camera.direction(column, row, ownDirection);
-        Position from = camera.position();
-        boolean hit = own.closestHit(
-                from.x(),
-                from.y(),
-                from.z(),
-                ownDirection[0],
-                ownDirection[1],
-                ownDirection[2],
-                0.0,
-                Double.POSITIVE_INFINITY);
-        return hit ? (float) own.distance() : Float.POSITIVE_INFINITY;
+    private void trace(TileTraversal own, int tile, int tileRow) {
+        int left = tile * TILE_WIDTH;
+        int top = tileRow * TILE_HEIGHT;
+        own.trace(left, top, Math.min(TILE_WIDTH, camera.width() - left), Math.min(TILE_HEIGHT, camera.height() - top));
+        own.copyDistances(distances, camera.width());
     }
 }

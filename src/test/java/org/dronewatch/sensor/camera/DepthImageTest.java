@@ -11,9 +11,11 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.concurrent.Callable;
 import javax.imageio.ImageIO;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
@@ -103,7 +105,7 @@ class DepthImageTest {
      */
     @Test
     void everyPixelShowsTheAnalyticDistance() {
-        DepthImage image = camera.depthImage(world(), List.of(), 2);
+        DepthImage image = withThreads(2, () -> camera.depthImage(world(), List.of()));
         double inner = inscribedRadius(Shapes.sphere(RADIUS, CUTS));
         int[] shown = new int[3];
         for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
@@ -129,8 +131,8 @@ class DepthImageTest {
     @Test
     void anyNumberOfThreadsGivesTheSamePicture() throws IOException {
         World world = world();
-        byte[] one = pfm(camera.settings().create().depthImage(world, List.of(), 1));
-        byte[] four = pfm(camera.settings().create().depthImage(world, List.of(), 4));
+        byte[] one = pfm(camera.settings().create().depthImage(world, List.of()));
+        byte[] four = pfm(withThreads(4, () -> camera.settings().create().depthImage(world, List.of())));
 
         assertThat(four).isEqualTo(one);
     }
@@ -155,7 +157,7 @@ class DepthImageTest {
     @Test
     void aPictureIsDarkerWhereNearerAndMarksTheDroneAndTheSky() throws IOException {
         Drone drone = Shapes.drone("ball", Shapes.sphere(0.5, 3), new Position(0, 5, 4));
-        DepthImage image = camera.depthImage(world(), List.of(drone), 1);
+        DepthImage image = camera.depthImage(world(), List.of(drone));
         ByteArrayOutputStream stream = new ByteArrayOutputStream();
         image.writePng(stream);
         BufferedImage picture = ImageIO.read(new ByteArrayInputStream(stream.toByteArray()));
@@ -190,12 +192,18 @@ class DepthImageTest {
     @Test
     void theDroneIsAsFarAsItIs() {
         Drone drone = Shapes.drone("box", Shapes.box(new Position(-1, -1, -1), new Position(1, 1, 1)), SPHERE_CENTRE);
-        DepthImage image = camera.depthImage(World.of(Shapes.ground(10, -50)), List.of(drone), 1);
+        DepthImage image = camera.depthImage(World.of(Shapes.ground(10, -50)), List.of(drone));
         var pixel = camera.camera().pixelOf(SPHERE_CENTRE.toPoint3d()).orElseThrow();
 
         // The box's southern face is 13 m north of the camera; the ray goes there aslant.
         var ray = camera.camera().ray((int) pixel.x, (int) pixel.y);
         assertThat((double) image.distance((int) pixel.x, (int) pixel.y))
                 .isCloseTo(13.0 / ray.direction().y, within(1e-5));
+    }
+
+    private static DepthImage withThreads(int number, Callable<DepthImage> picture) {
+        try (Workers workers = new Workers(number)) {
+            return workers.call(picture);
+        }
     }
 }

@@ -36,7 +36,7 @@ class DynamicViewTest {
             assertThat((int) observations.get(i).value()).isEqualTo(expected.pixels(i));
             counts.add(expected.pixels(i));
         }
-        DepthImage image = camera.depthImage(world, drones, 1);
+        DepthImage image = camera.depthImage(world, drones);
         for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
             assertThat(image.isHit(pixel % WIDTH, pixel / WIDTH)).isEqualTo(expected.isHit(pixel));
             assertThat(image.distance(pixel % WIDTH, pixel / WIDTH)).isEqualTo(expected.distance(pixel));

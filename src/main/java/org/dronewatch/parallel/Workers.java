@@ -1,0 +1,193 @@
+package org.dronewatch.parallel;
+
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntConsumer;
+import java.util.function.ObjIntConsumer;
+import java.util.function.Supplier;
+
+/**
+ * A number of threads that work for one caller. What is done inside {@link #call} may spread loops over them by
+ * {@link #forEach}, at any depth and without being handed anything: a kd-tree, a picture, the sensors of a site. Outside,
+ * the same loops run on the thread that calls them.
+ *
+ * <p>The thread that starts a loop works on it itself and waits only for pieces that others are working on: a loop within
+ * a loop cannot stop for want of threads.
+ */
+public final class Workers implements AutoCloseable {
+    /** The most threads that can be asked for. */
+    public static final int MAX_THREADS = 1024;
+
+    private static final ThreadLocal<Workers> HERE = new ThreadLocal<>();
+    private static final AtomicInteger NAMES = new AtomicInteger();
+
+    private final int threads;
+    private final ExecutorService helpers;
+
+    /**
+     * So many threads, the caller's among them.
+     *
+     * @throws IllegalArgumentException when below 1 or above {@link #MAX_THREADS}
+     */
+    public Workers(int threads) {
+        if (threads < 1 || threads > MAX_THREADS) {
+            throw new IllegalArgumentException("threads " + threads + " must be 1 to " + MAX_THREADS);
+        }
+        this.threads = threads;
+        this.helpers = threads == 1 ? null : Executors.newFixedThreadPool(threads - 1, this::helper);
+    }
+
+    private Thread helper(Runnable task) {
+        Thread thread = new Thread(
+                () -> {
+                    HERE.set(this);
+                    task.run();
+                },
+                "dronewatch-worker-" + NAMES.incrementAndGet());
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    /** Does a piece of work on the caller's thread, with these threads to help; gives what it gives. */
+    public <T> T call(Callable<T> work) {
+        Workers outer = HERE.get();
+        HERE.set(this);
+        try {
+            return work.call();
+        } catch (RuntimeException e) {
+            throw e;
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        } finally {
+            restore(outer);
+        }
+    }
+
+    private static void restore(Workers outer) {
+        if (outer == null) {
+            HERE.remove();
+        } else {
+            HERE.set(outer);
+        }
+    }
+
+    /** How many threads the code that asks may use. */
+    public static int available() {
+        Workers here = HERE.get();
+        return here == null ? 1 : here.threads;
+    }
+
+    /**
+     * Does something for each number from 0 on, in any order, on the threads at hand; returns when all is done.
+     *
+     * @param count how many numbers
+     * @param action must not depend on the others
+     * @throws RuntimeException the first failure; numbers that have not been begun are left out then
+     */
+    public static void forEach(int count, IntConsumer action) {
+        forEach(count, () -> action, IntConsumer::accept);
+    }
+
+    /**
+     * Does something for each number from 0 on, with scratch memory of its own for each thread.
+     *
+     * @param count how many numbers
+     * @param scratch makes the memory, for each thread that takes part
+     * @param action must not depend on the others
+     * @throws RuntimeException the first failure; numbers that have not been begun are left out then
+     */
+    public static <S> void forEach(int count, Supplier<S> scratch, ObjIntConsumer<S> action) {
+        Workers here = HERE.get();
+        int others = here == null ? 0 : Math.min(here.threads, count) - 1;
+        Loop<S> loop = new Loop<>(count, scratch, action);
+        for (int i = 0; i < others; i++) {
+            here.helpers.execute(loop::work);
+        }
+        loop.work();
+        loop.await();
+    }
+
+    /** Does two things, at the same time where there is a thread to spare. */
+    public static void both(Runnable one, Runnable other) {
+        forEach(2, which -> {
+            if (which == 0) {
+                one.run();
+            } else {
+                other.run();
+            }
+        });
+    }
+
+    @Override
+    public void close() {
+        if (helpers != null) {
+            helpers.shutdownNow();
+        }
+    }
+
+    /** One loop: its numbers are given out one by one to whoever comes. */
+    private static final class Loop<S> {
+        private final int count;
+        private final Supplier<S> scratch;
+        private final ObjIntConsumer<S> action;
+        private final AtomicInteger next = new AtomicInteger();
+        private int finished;
+        private Throwable failure;
+
+        Loop(int count, Supplier<S> scratch, ObjIntConsumer<S> action) {
+            this.count = count;
+            this.scratch = scratch;
+            this.action = action;
+        }
+
+        void work() {
+            int done = 0;
+            try {
+                int number = next.getAndIncrement();
+                if (number < count) {
+                    done++;
+                    S own = scratch.get();
+                    action.accept(own, number);
+                    for (number = next.getAndIncrement(); number < count; number = next.getAndIncrement()) {
+                        done++;
+                        action.accept(own, number);
+                    }
+                }
+            } catch (RuntimeException | Error e) {
+                // What has not been given out is nobody's any more.
+                int given = next.getAndSet(count);
+                finish(Math.max(0, count - given), e);
+            } finally {
+                finish(done, null);
+            }
+        }
+
+        private synchronized void finish(int numbers, Throwable problem) {
+            finished += numbers;
+            failure = failure == null ? problem : failure;
+            notifyAll();
+        }
+
+        synchronized void await() {
+            boolean interrupted = false;
+            while (finished < count) {
+                try {
+                    wait();
+                } catch (InterruptedException e) {
+                    interrupted = true;
+                }
+            }
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+            if (failure instanceof Error error) {
+                throw error;
+            }
+            if (failure != null) {
+                throw (RuntimeException) failure;
+            }
+        }
+    }
+}

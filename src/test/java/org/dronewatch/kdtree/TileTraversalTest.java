@@ -1,0 +1,237 @@
+package org.dronewatch.kdtree;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.TriangleMesh;
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Vector3d;
+import org.junit.jupiter.api.Test;
+
+/** Pictures by tiles against pictures by single rays: pixel by pixel the same. */
+class TileTraversalTest {
+    private static final double SAME = 1e-5;
+    private static final double EDGE = 1e-6;
+
+    @Test
+    void theHill() {
+        compare("hill", Meshes.model("hill.obj"), 25, 96, 201);
+    }
+
+    @Test
+    void theHouse() {
+        compare("house", Meshes.model("house.obj"), 25, 96, 202);
+    }
+
+    @Test
+    void theQuadrotor() {
+        compare("quadrotor", Meshes.model("quadrotor.obj"), 25, 96, 203);
+    }
+
+    /** From inside, where walls are parallel to the axes and eyes lie in the planes of faces. */
+    @Test
+    void aRoom() {
+        compare("room", Meshes.room(), 60, 80, 204);
+    }
+
+    @Test
+    void randomTriangles() {
+        compare("small triangles", Meshes.soup(2000, 0.05, 205), 25, 80, 206);
+        compare("large triangles", Meshes.soup(300, 0.9, 207), 25, 80, 208);
+    }
+
+    @Test
+    void degenerateMeshes() {
+        for (Map.Entry<String, TriangleMesh> entry : Meshes.degenerate().entrySet()) {
+            compare(entry.getKey(), entry.getValue(), 10, 40, 209);
+        }
+    }
+
+    /** A closed ball seen from inside has no gaps: edges and corners belong to some triangle, whatever the tile. */
+    @Test
+    void aClosedBallHoldsWater() {
+        KDTree ball = KDTree.of(Meshes.icosphere(3));
+        SplittableRandom random = new SplittableRandom(210);
+        TileTraversal tiles = new TileTraversal(ball);
+        for (int i = 0; i < 200; i++) {
+            View view = View.random(ball.mesh(), random, i, 64);
+            view.from[0] = 0.5 * random.nextDouble();
+            view.from[1] = 0.5 * random.nextDouble();
+            view.from[2] = 0.5 * random.nextDouble();
+            tiles.setPicture(view.from, view.corner, view.right, view.down);
+            for (int top = 0; top < 64; top += TileTraversal.HEIGHT) {
+                tiles.trace(0, top, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+                for (int pixel = 0; pixel < TileTraversal.WIDTH * TileTraversal.HEIGHT; pixel++) {
+                    assertThat(tiles.hits(pixel % TileTraversal.WIDTH, pixel / TileTraversal.WIDTH))
+                            .as("seed 210, view %d, pixel %d", i, pixel)
+                            .isTrue();
+                }
+            }
+        }
+    }
+
+    /** Rays aimed at the ball's vertices, where up to six triangles meet. */
+    @Test
+    void cornersHoldWater() {
+        TriangleMesh mesh = Meshes.icosphere(2);
+        TileTraversal tiles = new TileTraversal(KDTree.of(mesh));
+        double[] eye = {0.125, -0.25, 0.0625};
+        for (int triangle = 0; triangle < mesh.triangleCount(); triangle++) {
+            double[] at = new double[3];
+            for (int axis = 0; axis < 3; axis++) {
+                at[axis] = mesh.coordinate(triangle, 0, axis) - eye[axis];
+            }
+            Vector3d right = new Vector3d();
+            right.cross(new Vector3d(at), new Vector3d(0.3, 0.5, 0.7));
+            Vector3d down = new Vector3d();
+            down.cross(new Vector3d(at), right);
+            double[] u = {0.01 * right.x, 0.01 * right.y, 0.01 * right.z};
+            double[] v = {0.01 * down.x, 0.01 * down.y, 0.01 * down.z};
+            tiles.setPicture(eye, at, u, v);
+            tiles.trace(-3, -2, 7, 5);
+            assertThat(tiles.hits(3, 2)).as("vertex of triangle %d", triangle).isTrue();
+        }
+    }
+
+    @Test
+    void aPictureWithoutAnAreaIsRefused() {
+        TileTraversal tiles = new TileTraversal(KDTree.of(Meshes.icosphere(0)));
+        double[] from = {0, 0, 0};
+        double[] step = {1, 0, 0};
+        assertThatThrownBy(() -> tiles.setPicture(from, step, step, new double[] {0, 1, 0}))
+                .isInstanceOf(IllegalArgumentException.class);
+    }
+
+    /** Compares whole pictures whose borders cut tiles. */
+    private static void compare(String name, TriangleMesh mesh, int views, int width, long seed) {
+        KDTree tree = KDTree.of(mesh);
+        TileTraversal tiles = new TileTraversal(tree);
+        KDTraversal single = tree.newTraversal();
+        BruteForce exact = new BruteForce(mesh);
+        double size = mesh.triangleCount() == 0 ? 0.0 : mesh.bounds().diagonal();
+        SplittableRandom random = new SplittableRandom(seed);
+        List<String> excused = new ArrayList<>();
+        List<String> wrong = new ArrayList<>();
+        int pixels = 0;
+        int hits = 0;
+        for (int i = 0; i < views; i++) {
+            View view = View.random(mesh, random, i, width);
+            int height = 3 * width / 4;
+            tiles.setPicture(view.from, view.corner, view.right, view.down);
+            for (int top = 0; top < height; top += TileTraversal.HEIGHT) {
+                for (int left = 0; left < width; left += TileTraversal.WIDTH) {
+                    int columns = Math.min(TileTraversal.WIDTH, width - left);
+                    int rows = Math.min(TileTraversal.HEIGHT, height - top);
+                    boolean singly = random.nextInt(4) == 0;
+                    if (singly) {
+                        tiles.traceSingly(left, top, columns, rows);
+                    } else {
+                        tiles.trace(left, top, columns, rows);
+                    }
+                    for (int pixel = 0; pixel < columns * rows; pixel++) {
+                        int column = pixel % columns;
+                        int row = pixel / columns;
+                        double[] ray = view.ray(left + column, top + row);
+                        boolean found = Rays.closestHit(single, ray);
+                        boolean same = tiles.hits(column, row) == found
+                                && (!found
+                                        || Math.abs(tiles.parameter(column, row) - single.distance())
+                                                <= SAME * single.distance());
+                        pixels++;
+                        hits += found ? 1 : 0;
+                        if (!same) {
+                            boolean onEdge = found && exact.edgeDistance(ray, single.triangle()) <= EDGE * size
+                                    || tiles.hits(column, row)
+                                            && exact.edgeDistance(ray, tiles.triangle(column, row)) <= EDGE * size;
+                            (onEdge ? excused : wrong)
+                                    .add(Arrays.toString(ray) + ": "
+                                            + (found ? single.triangle() + " at " + single.distance() : "nothing")
+                                            + ", tile: "
+                                            + (tiles.hits(column, row)
+                                                    ? tiles.triangle(column, row) + " at "
+                                                            + tiles.parameter(column, row)
+                                                    : "nothing"));
+                        }
+                    }
+                }
+            }
+        }
+        assertThat(wrong)
+                .as(
+                        "%s: wrong of %d pixels, %d of which hit, seed %d; %d excused on edges: %s",
+                        name, pixels, hits, seed, excused.size(), excused)
+                .isEmpty();
+        assertThat(excused)
+                .as("%s: excused of %d pixels, seed %d", name, pixels, seed)
+                .hasSizeLessThanOrEqualTo(name.equals("slivers") ? pixels / 100 : pixels / 10_000);
+    }
+
+    /** A pinhole camera. */
+    private static final class View {
+        final double[] from = new double[3];
+        final double[] corner = new double[3];
+        final double[] right = new double[3];
+        final double[] down = new double[3];
+
+        /** Somewhere in or about the mesh, looking anywhere; every third along an axis. */
+        static View random(TriangleMesh mesh, SplittableRandom random, int number, int width) {
+            AABB box = mesh.triangleCount() == 0 ? new AABB(-1, -1, -1, 1, 1, 1) : mesh.bounds();
+            Point3d middle = box.center();
+            double reach = number % 2 == 0 ? 0.5 : 1.5;
+            View view = new View();
+            view.from[0] = middle.x + reach * (2 * random.nextDouble() - 1) * (box.maxX() - box.minX());
+            view.from[1] = middle.y + reach * (2 * random.nextDouble() - 1) * (box.maxY() - box.minY());
+            view.from[2] = middle.z + reach * (2 * random.nextDouble() - 1) * (box.maxZ() - box.minZ());
+            Vector3d forward =
+                    new Vector3d(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5);
+            if (number % 4 == 1) {
+                // From outside at least look at it.
+                forward.set(middle.x - view.from[0], middle.y - view.from[1], middle.z - view.from[2]);
+            }
+            Vector3d top = new Vector3d(0, 0, 1);
+            if (number % 3 == 0) {
+                int axis = random.nextInt(3);
+                forward.set(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? -1 : 0);
+                top.set(axis == 0 ? 0 : 1, axis == 0 ? 1 : 0, 0);
+                if (number % 2 == 0 && mesh.triangleCount() > 0) {
+                    // At the height of a vertex: in the plane of whatever lies level with it.
+                    view.from[2] = mesh.coordinate(random.nextInt(mesh.triangleCount()), 0, 2);
+                }
+            }
+            forward.normalize();
+            Vector3d u = new Vector3d();
+            u.cross(forward, top);
+            u.normalize();
+            Vector3d v = new Vector3d();
+            v.cross(forward, u);
+            double step = (0.1 + 2.0 * random.nextDouble()) / width;
+            int height = 3 * width / 4;
+            // An even number of pixels has no middle one: half of the axis-parallel views get a ray along the axis.
+            double offset = number % 2 == 0 ? 0.0 : 0.5;
+            for (int k = 0; k < 3; k++) {
+                double[] f = {forward.x, forward.y, forward.z};
+                double[] a = {u.x, u.y, u.z};
+                double[] b = {v.x, v.y, v.z};
+                view.right[k] = step * a[k];
+                view.down[k] = step * b[k];
+                view.corner[k] = f[k] - (width / 2 - offset) * step * a[k] - (height / 2 - offset) * step * b[k];
+            }
+            return view;
+        }
+
+        double[] ray(int column, int row) {
+            double[] ray = new double[6];
+            for (int k = 0; k < 3; k++) {
+                ray[k] = from[k];
+                ray[3 + k] = corner[k] + column * right[k] + row * down[k];
+            }
+            return ray;
+        }
+    }
+}
