@@ -53,7 +53,7 @@ public class PictureTracing {
                 middle.y - reach * (box.maxY() - middle.y),
                 model.equals("cathedral") ? middle.z : box.maxZ() + 10);
         CameraObject camera = new CameraObject(CameraSettings.at(eye)
-                .withSize(WIDTH, HEIGHT)
+                .withResolution(WIDTH, HEIGHT)
                 .withAim(new Aim.Target(new Position(middle.x, middle.y, middle.z))));
         tiles = new TileTraversal(world.tree());
         double[] corner = direction(camera, 0, 0);

@@ -22,6 +22,7 @@ final class KDNode {
 
     private static final int KIND_MASK = 3;
     private static final int HIGH = 32;
+    private static final long LOW_WORD = 0xffffffffL;
 
     private KDNode() {}
 
@@ -50,6 +51,18 @@ final class KDNode {
             throw new IllegalArgumentException("leaf of " + count + " triangles from entry " + first);
         }
         return (long) (count << 2 | LEAF) << HIGH | first;
+    }
+
+    /**
+     * The same node in a tree that begins earlier.
+     *
+     * @param nodes how many words come before what was the first
+     * @param entries how many leaf entries come before what was the first
+     */
+    static long moved(long node, int nodes, int entries) {
+        return kind(node) == LEAF
+                ? leaf(Math.addExact(first(node), entries), count(node))
+                : node & ~LOW_WORD | Math.addExact(rightChild(node), nodes);
     }
 
     /** The split axis, or {@link #LEAF}. */

@@ -1,32 +1,26 @@
 package org.dronewatch.kdtree;
 
-import java.util.Arrays;
 import java.util.Optional;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.Workers;
 
 /**
  * Builds a tree top down: split where {@link SahSplitFinder} says, stop when no split is cheaper than a leaf. Follows
- * Wald and Havran (2006) in O(n log² n): the events are sorted anew in each node, as plain integers.
+ * Wald and Havran (2006). Large parts grow side by side on the {@link Workers} that call; the tree is the same for any
+ * number of them.
  */
 final class KDTreeBuilder {
     private static final int BOX = SahSplitFinder.BOX;
+    /** Parts of fewer triangles are not worth another thread. */
+    private static final int WORTH_A_THREAD = 2048;
 
     private final TriangleMesh mesh;
     private final float[] corners;
-    private final SahSplitFinder splitFinder = new SahSplitFinder();
-    private final TriangleClipper clipper;
     private final int depthLimit;
-
-    private long[] nodes = new long[64];
-    private int nodeCount;
-    private int[] leafTriangles = new int[64];
-    private int leafTriangleCount;
-    private int depth;
 
     KDTreeBuilder(TriangleMesh mesh) {
         this.mesh = mesh;
         this.corners = flatten(mesh);
-        this.clipper = new TriangleClipper(corners);
         this.depthLimit = depthLimit(mesh.triangleCount());
     }
 
@@ -38,91 +32,21 @@ final class KDTreeBuilder {
     KDTree build() {
         int count = mesh.triangleCount();
         float[] rootBox = new float[BOX];
-        if (count == 0) {
-            appendLeaf(new int[0], 0);
-        } else {
-            int[] triangles = new int[count];
-            int[] boxes = new int[BOX * count];
+        NodeTriangles all = new NodeTriangles(count);
+        int[] voxel = new int[BOX];
+        if (count > 0) {
             for (int i = 0; i < count; i++) {
-                triangles[i] = i;
-                writeBox(i, boxes);
+                all.triangles[i] = i;
+                writeBox(i, all.boxes);
             }
-            int[] voxel = unionOf(boxes, count);
+            all.count = count;
+            voxel = all.bounds();
             for (int k = 0; k < BOX; k++) {
                 rootBox[k] = KDNode.value(voxel[k]);
             }
-            append(new NodeTriangles(triangles, boxes, count), voxel, 0);
         }
-        return new KDTree(
-                mesh,
-                Arrays.copyOf(nodes, nodeCount),
-                Arrays.copyOf(leafTriangles, leafTriangleCount),
-                corners,
-                rootBox,
-                depth);
-    }
-
-    /** Appends the subtree of a voxel: its root, all of the left part, all of the right part. */
-    private void append(NodeTriangles content, int[] voxel, int level) {
-        depth = Math.max(depth, level);
-        Optional<Split> found =
-                level < depthLimit ? splitFinder.find(content.boxes, content.count, voxel) : Optional.empty();
-        if (found.isEmpty() || found.get().cost() > SahCost.leaf(content.count)) {
-            appendLeaf(content.triangles, content.count);
-            return;
-        }
-        Split split = found.get();
-        int[] leftVoxel = voxel.clone();
-        leftVoxel[split.axis() + 3] = split.key();
-        int[] rightVoxel = voxel.clone();
-        rightVoxel[split.axis()] = split.key();
-        NodeTriangles left = part(content, split, true, leftVoxel);
-        NodeTriangles right = part(content, split, false, rightVoxel);
-
-        int parent = reserveNode();
-        append(left, leftVoxel, level + 1);
-        nodes[parent] = KDNode.interior(split.axis(), split.key(), nodeCount);
-        append(right, rightVoxel, level + 1);
-    }
-
-    /** The triangles on one side of a split; those that cross it are clipped to the part's voxel. */
-    private NodeTriangles part(NodeTriangles whole, Split split, boolean leftPart, int[] voxel) {
-        int expected = 0;
-        for (int i = 0; i < whole.count; i++) {
-            expected += whole.isIn(i, split, leftPart) ? 1 : 0;
-        }
-        NodeTriangles part = new NodeTriangles(new int[expected], new int[BOX * expected], 0);
-        for (int i = 0; i < whole.count; i++) {
-            if (!whole.isIn(i, split, leftPart)) {
-                continue;
-            }
-            boolean crosses = whole.isIn(i, split, !leftPart);
-            int slot = BOX * part.count;
-            if (!crosses) {
-                System.arraycopy(whole.boxes, BOX * i, part.boxes, slot, BOX);
-            } else if (!clipper.clip(whole.triangles[i], voxel, part.boxes, slot)) {
-                continue;
-            }
-            part.triangles[part.count++] = whole.triangles[i];
-        }
-        return part;
-    }
-
-    private int reserveNode() {
-        if (nodeCount == nodes.length) {
-            nodes = Arrays.copyOf(nodes, 2 * nodes.length);
-        }
-        return nodeCount++;
-    }
-
-    private void appendLeaf(int[] triangles, int count) {
-        int node = reserveNode();
-        if (leafTriangleCount + count > leafTriangles.length) {
-            leafTriangles = Arrays.copyOf(leafTriangles, Math.max(2 * leafTriangles.length, leafTriangleCount + count));
-        }
-        System.arraycopy(triangles, 0, leafTriangles, leafTriangleCount, count);
-        nodes[node] = KDNode.leaf(leafTriangleCount, count);
-        leafTriangleCount += count;
+        Subtree tree = new Grower().grow(all, voxel, 0);
+        return new KDTree(mesh, tree.nodes(), tree.leafTriangles(), corners, rootBox, tree.depth());
     }
 
     private static float[] flatten(TriangleMesh mesh) {
@@ -143,33 +67,47 @@ final class KDTreeBuilder {
         }
     }
 
-    private static int[] unionOf(int[] boxes, int count) {
-        int[] union = Arrays.copyOf(boxes, BOX);
-        for (int i = 1; i < count; i++) {
-            for (int axis = 0; axis < 3; axis++) {
-                union[axis] = Math.min(union[axis], boxes[BOX * i + axis]);
-                union[axis + 3] = Math.max(union[axis + 3], boxes[BOX * i + axis + 3]);
+    /** What one thread needs to let parts of the tree grow. */
+    private final class Grower {
+        private final SahSplitFinder splitFinder = new SahSplitFinder();
+        private final TriangleClipper clipper = new TriangleClipper(corners);
+
+        Subtree grow(NodeTriangles content, int[] voxel, int level) {
+            Subtree tree = new Subtree();
+            append(tree, content, voxel, level);
+            return tree;
+        }
+
+        /** Appends the part of a voxel: its root, all that is left of the split, all that is right of it. */
+        private void append(Subtree tree, NodeTriangles content, int[] voxel, int level) {
+            Optional<Split> found =
+                    level < depthLimit ? splitFinder.find(content.boxes, content.count, voxel) : Optional.empty();
+            if (found.isEmpty() || found.get().cost() > SahCost.leaf(content.count)) {
+                tree.appendLeaf(content, level);
+                return;
             }
-        }
-        return union;
-    }
+            Split split = found.get();
+            int[] leftVoxel = voxel.clone();
+            leftVoxel[split.axis() + 3] = split.key();
+            int[] rightVoxel = voxel.clone();
+            rightVoxel[split.axis()] = split.key();
+            NodeTriangles left = content.part(split, true, leftVoxel, clipper);
+            NodeTriangles right = content.part(split, false, rightVoxel, clipper);
 
-    /** The triangles of a voxel with their clipped boxes. */
-    private static final class NodeTriangles {
-        final int[] triangles;
-        final int[] boxes;
-        int count;
-
-        NodeTriangles(int[] triangles, int[] boxes, int count) {
-            this.triangles = triangles;
-            this.boxes = boxes;
-            this.count = count;
-        }
-
-        boolean isIn(int i, Split split, boolean left) {
-            int low = boxes[BOX * i + split.axis()];
-            int high = boxes[BOX * i + split.axis() + 3];
-            return left ? split.isLeft(low, high) : split.isRight(low, high);
+            int parent = tree.reserveNode();
+            if (Math.min(left.count, right.count) < WORTH_A_THREAD || Workers.available() == 1) {
+                append(tree, left, leftVoxel, level + 1);
+                tree.closeInterior(parent, split);
+                append(tree, right, rightVoxel, level + 1);
+            } else {
+                Subtree[] parts = new Subtree[2];
+                Workers.both(
+                        () -> parts[0] = new Grower().grow(left, leftVoxel, level + 1),
+                        () -> parts[1] = new Grower().grow(right, rightVoxel, level + 1));
+                tree.append(parts[0]);
+                tree.closeInterior(parent, split);
+                tree.append(parts[1]);
+            }
         }
     }
 }

@@ -33,8 +33,17 @@ final class TriangleClipper {
         }
         int size = 3;
         for (int axis = 0; axis < 3 && size > 0; axis++) {
-            size = clipHalfSpace(size, axis, KDNode.value(voxel[axis]), 1.0);
-            size = clipHalfSpace(size, axis, KDNode.value(voxel[axis + 3]), -1.0);
+            double a = corners[9 * triangle + axis];
+            double b = corners[9 * triangle + 3 + axis];
+            double c = corners[9 * triangle + 6 + axis];
+            double low = KDNode.value(voxel[axis]);
+            double high = KDNode.value(voxel[axis + 3]);
+            if (a < low || b < low || c < low) {
+                size = clipHalfSpace(size, axis, low, 1.0);
+            }
+            if (a > high || b > high || c > high) {
+                size = clipHalfSpace(size, axis, high, -1.0);
+            }
         }
         if (size == 0) {
             return false;
@@ -54,32 +63,32 @@ final class TriangleClipper {
 
     /** Keeps what lies at or beyond a plane: above it for side 1, below it for side -1. */
     private int clipHalfSpace(int size, int axis, double plane, double side) {
+        double[] from = polygon;
+        double[] to = clipped;
         int kept = 0;
-        for (int i = 0; i < size; i++) {
-            int from = 3 * i;
-            int to = 3 * ((i + 1) % size);
-            double here = side * (polygon[from + axis] - plane);
-            double there = side * (polygon[to + axis] - plane);
+        int previous = 3 * (size - 1);
+        double before = side * (from[previous + axis] - plane);
+        for (int i = 0; i < 3 * size; i += 3) {
+            double here = side * (from[i + axis] - plane);
+            if (before > 0.0 && here < 0.0 || before < 0.0 && here > 0.0) {
+                double fraction = before / (before - here);
+                for (int k = 0; k < 3; k++) {
+                    to[kept + k] = from[previous + k] + fraction * (from[i + k] - from[previous + k]);
+                }
+                to[kept + axis] = plane;
+                kept += 3;
+            }
             if (here >= 0.0) {
-                System.arraycopy(polygon, from, clipped, 3 * kept, 3);
-                kept++;
+                to[kept] = from[i];
+                to[kept + 1] = from[i + 1];
+                to[kept + 2] = from[i + 2];
+                kept += 3;
             }
-            if (here > 0.0 && there < 0.0 || here < 0.0 && there > 0.0) {
-                cross(from, to, here / (here - there), 3 * kept);
-                clipped[3 * kept + axis] = plane;
-                kept++;
-            }
+            previous = i;
+            before = here;
         }
-        double[] swap = polygon;
-        polygon = clipped;
-        clipped = swap;
-        return kept;
-    }
-
-    private void cross(int from, int to, double fraction, int target) {
-        for (int k = 0; k < 3; k++) {
-            double start = polygon[from + k];
-            clipped[target + k] = start + fraction * (polygon[to + k] - start);
-        }
+        polygon = to;
+        clipped = from;
+        return kept / 3;
     }
 }
