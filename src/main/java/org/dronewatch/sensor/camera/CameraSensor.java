@@ -56,7 +56,7 @@ public final class CameraSensor implements Sensor {
         float[] distances = staticView.all();
         boolean[] hits = new boolean[distances.length];
         dynamicView.overlay(distances, hits);
-        return new DepthImage(camera.width(), camera.height(), distances, hits);
+        return DepthImage.over(camera, distances, hits);
     }
 
     /** How many pixels show a drone when it is the only one. */

@@ -55,12 +55,11 @@ final class StaticView {
     float[] all() {
         int across = (camera.width() + TILE_WIDTH - 1) / TILE_WIDTH;
         int tileRows = (camera.height() + TILE_HEIGHT - 1) / TILE_HEIGHT;
-        Workers.forEach(tileRows, this::newTraversal, (own, row) -> {
-            for (int tile = 0; tile < across; tile++) {
-                int first = row * TILE_HEIGHT * camera.width() + tile * TILE_WIDTH;
-                if (Float.isNaN(distances[first])) {
-                    trace(own, tile, row);
-                }
+        Workers.forEach(across * tileRows, this::newTraversal, (own, number) -> {
+            int tile = number % across;
+            int row = number / across;
+            if (Float.isNaN(distances[row * TILE_HEIGHT * camera.width() + tile * TILE_WIDTH])) {
+                trace(own, tile, row);
             }
         });
         return distances.clone();

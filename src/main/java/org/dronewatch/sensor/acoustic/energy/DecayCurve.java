@@ -26,6 +26,13 @@ public final class DecayCurve {
         }
     }
 
+    /** Adds all of another curve. */
+    void add(DecayCurve other) {
+        for (int bin = 0; bin < BINS; bin++) {
+            received[bin] += other.received[bin];
+        }
+    }
+
     void clear() {
         Arrays.fill(received, 0.0);
     }
@@ -39,7 +46,10 @@ public final class DecayCurve {
         return scaled;
     }
 
-    /** Levels of what is still to come at the beginning of each bin, dB re all; minus infinity after the last arrival and for silence. */
+    /**
+     * Levels of what is still to come at the beginning of each bin, dB re all; minus infinity after the last arrival and
+     * for silence.
+     */
     public double[] levels() {
         double[] levels = new double[BINS];
         double toCome = 0.0;

@@ -18,6 +18,16 @@ final class EnergyBooks {
         residual = 0.0;
     }
 
+    /** Adds the account of other rays. */
+    void add(EnergyBooks others) {
+        gained += others.gained;
+        absorbed += others.absorbed;
+        air += others.air;
+        escaped += others.escaped;
+        lost += others.lost;
+        residual += others.residual;
+    }
+
     /** Stays in a surface. */
     void absorb(double energy) {
         absorbed += energy;

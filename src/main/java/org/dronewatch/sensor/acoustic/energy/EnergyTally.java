@@ -49,6 +49,17 @@ final class EnergyTally {
         decay.add((ray.travelled + onward) / air.soundSpeed(), brought);
     }
 
+    /** Adds what other rays, which have all ended, have brought. */
+    void add(EnergyTally others) {
+        for (int band = 0; band < BANDS; band++) {
+            received[band] += others.received[band];
+        }
+        decay.add(others.decay);
+        sum += others.sum;
+        squares += others.squares;
+        rays += others.rays;
+    }
+
     /** Notes that a ray has come to its end: rays are what scatters independently. */
     void endRay() {
         sum += ofThisRay;

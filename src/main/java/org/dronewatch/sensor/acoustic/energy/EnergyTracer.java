@@ -2,10 +2,14 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
+import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
@@ -15,12 +19,17 @@ import org.dronewatch.world.World;
  * The energy model. {@link ExactPaths} finds what needs no chance. The rest is found by rays that run backward, from the
  * sensor: what they meet is what the sensor can hear, however far away the source is, and by reciprocity the share of the
  * energy that they bring to the source is the share that the source would have sent to the sensor. What is scattered once
- * only is looked for from the source, too. One per thread.
+ * only is looked for from the source, too.
+ *
+ * <p>Rays are traced in batches, on the {@link Workers} that call. Each batch has random numbers of its own, and batches
+ * count in their order up to the one that makes the reading accurate: the same reading for any number of threads. Used by
+ * one caller at a time.
  */
 public final class EnergyTracer {
-    /** Rays before the first look at the standard error, which a few may deceive, and from one look to the next. */
+    /** Rays before the first look at the standard error, which a few may deceive. */
     private static final int FEWEST = 1000;
 
+    /** Rays from one look at the standard error to the next: to stop at the first chance prefers low values. */
     private static final int BATCH = 500;
 
     private final EnergyModel model;
@@ -28,9 +37,11 @@ public final class EnergyTracer {
     private final Air air;
     private final ExactPaths exact;
     private final EnergyTally tally;
-    private final RayJourney journey;
-    private final FirstScattering firstScattering;
     private final EnergyBooks books = new EnergyBooks();
+    private final Supplier<RayBatch> batches;
+
+    /** One for each batch that is traced at the same time. */
+    private final List<RayBatch> team = new ArrayList<>();
 
     /**
      * A tracer to one sensor.
@@ -46,8 +57,7 @@ public final class EnergyTracer {
         this.air = new Air(world.atmosphere());
         this.exact = new ExactPaths(model, world, planes, surfaces, air);
         this.tally = new EnergyTally(air);
-        this.journey = new RayJourney(model, sensor, radius, world, planes, surfaces, air, tally, books);
-        this.firstScattering = new FirstScattering(world, surfaces, air, tally);
+        this.batches = () -> new RayBatch(model, sensor, radius, world, planes, surfaces, air);
     }
 
     /**
@@ -55,28 +65,42 @@ public final class EnergyTracer {
      *
      * @param source the drone's sound
      * @param random the random numbers of the rays
-     * @param recorder is told every piece of every ray, from the sensor on
+     * @param recorder is told every piece of every ray that counts, from the sensor on
      */
     public EnergyReading trace(SoundSource source, RandomGenerator random, RayRecorder recorder) {
         books.clear();
         tally.clear();
         exact.find(source, sensor);
+        long seed = random.nextLong();
+        // A recorder takes one piece at a time.
+        int atOnce = recorder == RayRecorder.NONE ? Workers.available() : 1;
+        while (team.size() < atOnce) {
+            team.add(batches.get());
+        }
         long traced = 0;
-        for (int i = 0; i < model.rays() && !isAccurate(i); i++) {
-            traced += journey.follow(source, random, recorder);
-            // What the source's rays find has met one surface, too.
-            traced += model.maxOrder() > 0 ? firstScattering.add(source, sensor, random) : 0;
-            tally.endRay();
+        int from = 0;
+        while (from < model.rays() && !isAccurate(from)) {
+            int first = from;
+            int wave = Math.min(atOnce, (model.rays() - first + BATCH - 1) / BATCH);
+            Workers.forEach(wave, i -> {
+                int start = first + i * BATCH;
+                int count = Math.min(BATCH, model.rays() - start);
+                team.get(i).trace(source, count, new SplittableRandom(Sample.mix(seed, start)), recorder);
+            });
+            for (int i = 0; i < wave && !isAccurate(from); i++) {
+                RayBatch batch = team.get(i);
+                tally.add(batch.tally());
+                books.add(batch.books());
+                traced += batch.traced();
+                from = Math.min(from + BATCH, model.rays());
+            }
         }
         return reading(source, traced);
     }
 
-    /**
-     * Looks now and then only: to stop at the first chance prefers low values. As long as no ray has brought anything,
-     * nothing is known of what they might bring.
-     */
+    /** As long as no ray has brought anything, nothing is known of what they might bring. */
     private boolean isAccurate(int rays) {
-        return rays >= FEWEST && rays % BATCH == 0 && tally.received() > 0.0 && errorLevel() < model.accuracy();
+        return rays >= FEWEST && tally.received() > 0.0 && errorLevel() < model.accuracy();
     }
 
     /** Standard error of the level of all that is heard so far, dB; infinity as long as that is nothing. */

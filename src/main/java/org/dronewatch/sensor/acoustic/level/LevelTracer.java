@@ -1,11 +1,15 @@
 package org.dronewatch.sensor.acoustic.level;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.OptionalInt;
+import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
-import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
@@ -13,20 +17,27 @@ import org.dronewatch.world.World;
 
 /**
  * The level model: follows rays breadth first, in a fixed order, from a drone to one sensor. Rays end below the level of
- * detection, at the largest order and with the ray budget; what was cut is counted. One per thread.
+ * detection, at the largest order and with the ray budget; what was cut is counted.
+ *
+ * <p>Rays wait in a queue and are traced in stretches of it, on the {@link Workers} that call. Each stretch has random
+ * numbers of its own, and what it finds counts in the queue's order: the same for any number of threads. Used by one
+ * caller at a time.
  */
 public final class LevelTracer {
-    /** How far rays that meet nothing are drawn, m. */
-    private static final double DRAWN = 1000.0;
+    /** How many waiting rays are traced in one go. */
+    private static final int STRETCH = 256;
+    /** Threads end together better with several stretches each. */
+    private static final int STRETCHES_PER_THREAD = 8;
 
     private final LevelModel model;
     private final Position sensor;
-    private final double radius;
     private final double detectionLevel;
-    private final KDTraversal traversal;
-    private final ReflectionGenerator reflections;
     private final RayQueue queue = new RayQueue();
     private final AcousticRay ray = new AcousticRay();
+    private final Supplier<RayStretch> stretches;
+
+    /** One for each stretch that is traced at the same time. */
+    private final List<RayStretch> team = new ArrayList<>();
 
     private double bestLevel;
     private double energy;
@@ -46,10 +57,9 @@ public final class LevelTracer {
     public LevelTracer(LevelModel model, Position sensor, double radius, double detectionLevel, World world) {
         this.model = model;
         this.sensor = sensor;
-        this.radius = radius;
         this.detectionLevel = detectionLevel;
-        this.traversal = world.newTraversal();
-        this.reflections = new ReflectionGenerator(world.mesh(), new SurfaceLevels(world), sensor);
+        SurfaceLevels surfaces = new SurfaceLevels(world);
+        this.stretches = () -> new RayStretch(model, sensor, radius, detectionLevel, world, surfaces);
     }
 
     /**
@@ -63,29 +73,29 @@ public final class LevelTracer {
             Position source, double sourceLevel, RandomGenerator random, boolean fully, RayRecorder recorder) {
         reset();
         emit(source, sourceLevel, random);
-        while (queue.take(ray)) {
-            boolean hit = traversal.closestHit(
-                    ray.originX,
-                    ray.originY,
-                    ray.originZ,
-                    ray.directionX,
-                    ray.directionY,
-                    ray.directionZ,
-                    0.0,
-                    Double.POSITIVE_INFINITY);
-            traced++;
-            double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
-            if (reachesSensor(distance)) {
-                receive(recorder);
-                if (!fully && bestLevel >= detectionLevel) {
-                    break;
-                }
-            } else {
-                double arriving = ray.level - model.attenuation() * Math.min(distance, DRAWN);
-                record(recorder, Math.min(distance, DRAWN), arriving, false);
-                if (hit) {
-                    reflect(distance, traversal.triangle(), random);
-                }
+        long seed = random.nextLong();
+        // A recorder takes one piece at a time.
+        int threads = recorder == RayRecorder.NONE ? Workers.available() : 1;
+        int atOnce = threads == 1 ? 1 : STRETCHES_PER_THREAD * threads;
+        while (team.size() < atOnce) {
+            team.add(stretches.get());
+        }
+        int next = 0;
+        boolean enough = false;
+        while (next < queue.added() && !enough) {
+            // Only whole stretches go together: where they begin must not depend on how many there are.
+            int first = next;
+            int wave = Math.max(1, Math.min(atOnce, (queue.added() - first) / STRETCH));
+            Workers.forEach(wave, i -> {
+                int from = first + i * STRETCH;
+                int to = Math.min(from + STRETCH, queue.added());
+                team.get(i).trace(queue, from, to, new SplittableRandom(Sample.mix(seed, from)), fully, recorder);
+            });
+            int waiting = queue.added();
+            for (int i = 0; i < wave && !enough; i++) {
+                add(team.get(i));
+                next = Math.min(first + (i + 1) * STRETCH, waiting);
+                enough = !fully && bestLevel >= detectionLevel;
             }
         }
         OptionalInt cutAt = cutByBudget > 0 ? OptionalInt.of(cutOrder) : OptionalInt.empty();
@@ -119,76 +129,34 @@ public final class LevelTracer {
         ray.directionX = length > 0.0 ? way.x() / length : 1.0;
         ray.directionY = length > 0.0 ? way.y() / length : 0.0;
         ray.directionZ = length > 0.0 ? way.z() / length : 0.0;
-        enqueue(ray);
+        emit();
         for (int i = 0; i < model.initialRays(); i++) {
             Directions.draw(random, ray);
-            enqueue(ray);
+            emit();
         }
     }
 
-    /** Too quiet a ray is not worth tracing: nothing that comes of it can be detected. */
-    private void enqueue(AcousticRay next) {
-        if (next.level < detectionLevel && next.order > 0) {
-            return;
-        }
+    private void emit() {
         if (queue.added() < model.rayBudget()) {
-            queue.add(next);
+            queue.add(ray);
         } else {
             cutByBudget++;
-            cutOrder = Math.min(cutOrder, next.order);
+            cutOrder = 0;
         }
     }
 
-    private boolean reachesSensor(double surface) {
-        double entry = IntersectionHandler.raySphere(
-                ray.originX,
-                ray.originY,
-                ray.originZ,
-                ray.directionX,
-                ray.directionY,
-                ray.directionZ,
-                sensor.x(),
-                sensor.y(),
-                sensor.z(),
-                radius);
-        return entry < surface;
-    }
-
-    /** Heard at the way to the sensor's centre, so that the range does not grow by the radius. */
-    private void receive(RayRecorder recorder) {
-        double x = sensor.x() - ray.originX;
-        double y = sensor.y() - ray.originY;
-        double z = sensor.z() - ray.originZ;
-        double toCentre = Math.sqrt(x * x + y * y + z * z);
-        double level = ray.level - model.attenuation() * toCentre;
-        bestLevel = Math.max(bestLevel, level);
-        energy += ray.energy * Math.pow(10.0, -0.1 * model.attenuation() * (ray.travelled + toCentre));
-        received++;
-        record(recorder, toCentre, level, true);
-    }
-
-    private void reflect(double distance, int triangle, RandomGenerator random) {
-        double arriving = ray.level - model.attenuation() * distance;
-        if (arriving < detectionLevel) {
-            return;
+    private void add(RayStretch stretch) {
+        bestLevel = Math.max(bestLevel, stretch.bestLevel());
+        energy += stretch.energy();
+        received += stretch.received();
+        traced += stretch.traced();
+        cutByOrder += stretch.cutByOrder();
+        RayQueue branches = stretch.branches();
+        int kept = Math.min(branches.added(), model.rayBudget() - queue.added());
+        queue.addAll(branches, kept);
+        for (int i = kept; i < branches.added(); i++) {
+            cutByBudget++;
+            cutOrder = Math.min(cutOrder, branches.order(i));
         }
-        if (ray.order >= model.maxOrder()) {
-            cutByOrder += model.reflectionsPerHit();
-            return;
-        }
-        reflections.branch(ray, distance, triangle, arriving, model.reflectionsPerHit(), random, this::enqueue);
-    }
-
-    private void record(RayRecorder recorder, double length, double level, boolean atSensor) {
-        recorder.record(
-                ray.originX,
-                ray.originY,
-                ray.originZ,
-                ray.originX + length * ray.directionX,
-                ray.originY + length * ray.directionY,
-                ray.originZ + length * ray.directionZ,
-                level,
-                ray.order,
-                atSensor);
     }
 }

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.level;
 import java.util.Arrays;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
-/** Rays that wait to be traced, first in, first out, in flat arrays; it grows and is reused. One per thread. */
+/** Rays in the order in which they were added, in flat arrays; it grows and is reused. Written by one thread at a time. */
 final class RayQueue {
     private static final int NUMBERS = 9;
     private static final int COUNTS = 2;
@@ -11,11 +11,9 @@ final class RayQueue {
     private double[] numbers = new double[NUMBERS * 1024];
     private int[] counts = new int[COUNTS * 1024];
     private int added;
-    private int taken;
 
     void clear() {
         added = 0;
-        taken = 0;
     }
 
     /** How many rays were added since the queue was cleared. */
@@ -25,8 +23,7 @@ final class RayQueue {
 
     void add(AcousticRay ray) {
         if (NUMBERS * (added + 1) > numbers.length) {
-            numbers = Arrays.copyOf(numbers, 2 * numbers.length);
-            counts = Arrays.copyOf(counts, 2 * counts.length);
+            grow();
         }
         int i = NUMBERS * added;
         numbers[i] = ray.originX;
@@ -43,12 +40,29 @@ final class RayQueue {
         added++;
     }
 
-    /** Copies the first waiting ray into a carrier; false when none waits. */
-    boolean take(AcousticRay ray) {
-        if (taken == added) {
-            return false;
+    /** Adds the first rays of another queue. */
+    void addAll(RayQueue other, int count) {
+        while (NUMBERS * (added + count) > numbers.length) {
+            grow();
         }
-        int i = NUMBERS * taken;
+        System.arraycopy(other.numbers, 0, numbers, NUMBERS * added, NUMBERS * count);
+        System.arraycopy(other.counts, 0, counts, COUNTS * added, COUNTS * count);
+        added += count;
+    }
+
+    /** How many surfaces a ray has met. */
+    int order(int index) {
+        return counts[COUNTS * index];
+    }
+
+    private void grow() {
+        numbers = Arrays.copyOf(numbers, 2 * numbers.length);
+        counts = Arrays.copyOf(counts, 2 * counts.length);
+    }
+
+    /** Copies a ray into a carrier. */
+    void get(int index, AcousticRay ray) {
+        int i = NUMBERS * index;
         ray.originX = numbers[i];
         ray.originY = numbers[i + 1];
         ray.originZ = numbers[i + 2];
@@ -58,9 +72,7 @@ final class RayQueue {
         ray.level = numbers[i + 6];
         ray.energy = numbers[i + 7];
         ray.travelled = numbers[i + 8];
-        ray.order = counts[COUNTS * taken];
-        ray.medium = counts[COUNTS * taken + 1];
-        taken++;
-        return true;
+        ray.order = counts[COUNTS * index];
+        ray.medium = counts[COUNTS * index + 1];
     }
 }

@@ -13,6 +13,7 @@ import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.propagation.Diffraction;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
@@ -357,6 +358,25 @@ class EnergyModelTest {
 
         assertThat(second.reverberant()).isEqualTo(first.reverberant());
         assertThat(second.audit()).isEqualTo(first.audit());
+    }
+
+    /** Also where it stops early, between waves of batches: three threads have traced more than one by then. */
+    @Test
+    void theSameForAnyNumberOfThreads() {
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
+        EnergyModel model = EnergyModel.DEFAULT.withRays(40_000).withAccuracy(0.12);
+        SoundSource sound = Sites.sound(SOURCE, LOWEST);
+        EnergyReading alone = Sites.read(model, room, sound, new Position(7, 5, 1.7), 5);
+        for (int threads = 1; threads <= 3; threads++) {
+            try (Workers workers = new Workers(threads)) {
+                EnergyReading together = workers.call(() -> Sites.read(model, room, sound, new Position(7, 5, 1.7), 5));
+                assertThat(together.reverberant()).as("%d threads", threads).isEqualTo(alone.reverberant());
+                assertThat(together.audit()).isEqualTo(alone.audit());
+                assertThat(together.traced()).isEqualTo(alone.traced());
+                assertThat(together.decay().levels()).isEqualTo(alone.decay().levels());
+            }
+        }
+        assertThat(alone.standardError()).isLessThan(0.12);
     }
 
     @Test

@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
@@ -182,6 +183,31 @@ class LevelModelTest {
     void theSameRandomNumbersGiveTheSame() {
         Drone drone = drone(50, new Position(4, 3, 2));
         assertThat(fully(room(), drone, TEN)).isEqualTo(fully(room(), drone, TEN));
+    }
+
+    /** With enough rays for many stretches, with and without an early end, and with the budget used up on the way. */
+    @Test
+    void theSameForAnyNumberOfThreads() {
+        World room = room();
+        Drone drone = drone(50, new Position(4, 3, 2));
+        AcousticSensor sensor = AcousticSettings.at(new Position(0, 0, 0))
+                .withPropagation(LevelModel.DEFAULT.withRays(40, 20).withLimits(3, 7_000))
+                .create();
+        Listening alone = sensor.listenFully(room, drone, new SplittableRandom(9), RayRecorder.NONE);
+        Listening soon = sensor.listen(room, drone, new SplittableRandom(9));
+        for (int threads = 1; threads <= 3; threads++) {
+            try (Workers workers = new Workers(threads)) {
+                assertThat(workers.call(
+                                () -> sensor.listenFully(room, drone, new SplittableRandom(9), RayRecorder.NONE)))
+                        .as("%d threads", threads)
+                        .isEqualTo(alone);
+                assertThat(workers.call(() -> sensor.listen(room, drone, new SplittableRandom(9))))
+                        .as("%d threads", threads)
+                        .isEqualTo(soon);
+            }
+        }
+        assertThat(alone.traced()).isEqualTo(7_000);
+        assertThat(alone.cutByBudget()).isPositive();
     }
 
     @Test

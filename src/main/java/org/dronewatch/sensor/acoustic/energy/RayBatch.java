@@ -1,0 +1,61 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.random.RandomGenerator;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.world.World;
+
+/** Traces some rays of a reading and keeps what they found until it is asked for. One per thread. */
+final class RayBatch {
+    private final EnergyModel model;
+    private final Position sensor;
+    private final EnergyTally tally;
+    private final EnergyBooks books = new EnergyBooks();
+    private final RayJourney journey;
+    private final FirstScattering firstScattering;
+    private long traced;
+
+    RayBatch(
+            EnergyModel model,
+            Position sensor,
+            double radius,
+            World world,
+            WallPlanes planes,
+            BandSurfaces surfaces,
+            Air air) {
+        this.model = model;
+        this.sensor = sensor;
+        this.tally = new EnergyTally(air);
+        this.journey = new RayJourney(model, sensor, radius, world, planes, surfaces, air, tally, books);
+        this.firstScattering = new FirstScattering(world, surfaces, air, tally);
+    }
+
+    /** Traces so many rays; forgets those before. */
+    void trace(SoundSource source, int rays, RandomGenerator random, RayRecorder recorder) {
+        tally.clear();
+        books.clear();
+        traced = 0;
+        for (int i = 0; i < rays; i++) {
+            traced += journey.follow(source, random, recorder);
+            // What the source's rays find has met one surface, too.
+            traced += model.maxOrder() > 0 ? firstScattering.add(source, sensor, random) : 0;
+            tally.endRay();
+        }
+    }
+
+    /** What the rays brought. */
+    EnergyTally tally() {
+        return tally;
+    }
+
+    /** Where their energy went. */
+    EnergyBooks books() {
+        return books;
+    }
+
+    /** How many pieces of rays were traced. */
+    long traced() {
+        return traced;
+    }
+}

@@ -1,0 +1,178 @@
+package org.dronewatch.sensor.acoustic.level;
+
+import java.util.random.RandomGenerator;
+import org.dronewatch.geometry.IntersectionHandler;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.LevelModel;
+import org.dronewatch.world.World;
+
+/** Traces a stretch of the waiting rays: what they bring to the sensor, and the rays that leave what they meet. One per thread. */
+final class RayStretch {
+    /** How far rays that meet nothing are drawn, m. */
+    private static final double DRAWN = 1000.0;
+
+    private final LevelModel model;
+    private final Position sensor;
+    private final double radius;
+    private final double detectionLevel;
+    private final KDTraversal traversal;
+    private final ReflectionGenerator reflections;
+    private final RayQueue branches = new RayQueue();
+    private final AcousticRay ray = new AcousticRay();
+
+    private double bestLevel;
+    private double energy;
+    private long received;
+    private long traced;
+    private long cutByOrder;
+
+    RayStretch(
+            LevelModel model,
+            Position sensor,
+            double radius,
+            double detectionLevel,
+            World world,
+            SurfaceLevels surfaces) {
+        this.model = model;
+        this.sensor = sensor;
+        this.radius = radius;
+        this.detectionLevel = detectionLevel;
+        this.traversal = world.newTraversal();
+        this.reflections = new ReflectionGenerator(world.mesh(), surfaces, sensor);
+    }
+
+    /**
+     * Traces rays of a queue; forgets those before.
+     *
+     * @param from the first
+     * @param to the first that is not traced
+     * @param fully whether to go on after the first detection
+     */
+    void trace(RayQueue queue, int from, int to, RandomGenerator random, boolean fully, RayRecorder recorder) {
+        branches.clear();
+        bestLevel = Double.NEGATIVE_INFINITY;
+        energy = 0.0;
+        received = 0;
+        traced = 0;
+        cutByOrder = 0;
+        for (int i = from; i < to; i++) {
+            queue.get(i, ray);
+            boolean hit = traversal.closestHit(
+                    ray.originX,
+                    ray.originY,
+                    ray.originZ,
+                    ray.directionX,
+                    ray.directionY,
+                    ray.directionZ,
+                    0.0,
+                    Double.POSITIVE_INFINITY);
+            traced++;
+            double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
+            if (reachesSensor(distance)) {
+                receive(recorder);
+                if (!fully && bestLevel >= detectionLevel) {
+                    return;
+                }
+            } else {
+                double arriving = ray.level - model.attenuation() * Math.min(distance, DRAWN);
+                record(recorder, Math.min(distance, DRAWN), arriving, false);
+                if (hit) {
+                    reflect(distance, traversal.triangle(), random);
+                }
+            }
+        }
+    }
+
+    private boolean reachesSensor(double surface) {
+        double entry = IntersectionHandler.raySphere(
+                ray.originX,
+                ray.originY,
+                ray.originZ,
+                ray.directionX,
+                ray.directionY,
+                ray.directionZ,
+                sensor.x(),
+                sensor.y(),
+                sensor.z(),
+                radius);
+        return entry < surface;
+    }
+
+    /** Heard at the way to the sensor's centre, so that the range does not grow by the radius. */
+    private void receive(RayRecorder recorder) {
+        double x = sensor.x() - ray.originX;
+        double y = sensor.y() - ray.originY;
+        double z = sensor.z() - ray.originZ;
+        double toCentre = Math.sqrt(x * x + y * y + z * z);
+        double level = ray.level - model.attenuation() * toCentre;
+        bestLevel = Math.max(bestLevel, level);
+        energy += ray.energy * Math.pow(10.0, -0.1 * model.attenuation() * (ray.travelled + toCentre));
+        received++;
+        record(recorder, toCentre, level, true);
+    }
+
+    private void reflect(double distance, int triangle, RandomGenerator random) {
+        double arriving = ray.level - model.attenuation() * distance;
+        if (arriving < detectionLevel) {
+            return;
+        }
+        if (ray.order >= model.maxOrder()) {
+            cutByOrder += model.reflectionsPerHit();
+            return;
+        }
+        reflections.branch(ray, distance, triangle, arriving, model.reflectionsPerHit(), random, this::keep);
+    }
+
+    /** Too quiet a ray is not worth tracing: nothing that comes of it can be detected. */
+    private void keep(AcousticRay branch) {
+        if (branch.level >= detectionLevel) {
+            branches.add(branch);
+        }
+    }
+
+    private void record(RayRecorder recorder, double length, double level, boolean atSensor) {
+        recorder.record(
+                ray.originX,
+                ray.originY,
+                ray.originZ,
+                ray.originX + length * ray.directionX,
+                ray.originY + length * ray.directionY,
+                ray.originZ + length * ray.directionZ,
+                level,
+                ray.order,
+                atSensor);
+    }
+
+    /** The best level that reached the sensor, dB; minus infinity for none. */
+    double bestLevel() {
+        return bestLevel;
+    }
+
+    /** Share of the emitted energy that reached the sensor. */
+    double energy() {
+        return energy;
+    }
+
+    /** How many rays reached the sensor. */
+    long received() {
+        return received;
+    }
+
+    /** How many rays were traced. */
+    long traced() {
+        return traced;
+    }
+
+    /** How many rays were not made, for their order. */
+    long cutByOrder() {
+        return cutByOrder;
+    }
+
+    /** The rays that leave the surfaces, in the order of those that met them. */
+    RayQueue branches() {
+        return branches;
+    }
+}
