@@ -1,6 +1,5 @@
 package org.dronewatch.sensor.camera;
 
-import java.util.Arrays;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.TileTraversal;
 import org.dronewatch.parallel.Workers;
@@ -18,15 +17,21 @@ final class StaticView {
     private final World world;
     private final TileTraversal traversal;
 
-    /** Distance along each pixel's ray, m; infinity for none; not a number where it has not been traced yet. */
+    private final int tilesAcross;
+
+    /** Distance along each pixel's ray, m; infinity for none. */
     private final float[] distances;
+
+    /** Which tiles hold their distances already. */
+    private final boolean[] traced;
 
     StaticView(CameraObject camera, World world) {
         this.camera = camera;
         this.world = world;
         this.traversal = newTraversal();
+        this.tilesAcross = (camera.width() + TILE_WIDTH - 1) / TILE_WIDTH;
         this.distances = new float[camera.width() * camera.height()];
-        Arrays.fill(distances, Float.NaN);
+        this.traced = new boolean[tilesAcross * ((camera.height() + TILE_HEIGHT - 1) / TILE_HEIGHT)];
     }
 
     private TileTraversal newTraversal() {
@@ -44,31 +49,28 @@ final class StaticView {
 
     /** Distance along a pixel's ray to the world, m; infinity for none. */
     float distance(int column, int row) {
-        int pixel = row * camera.width() + column;
-        if (Float.isNaN(distances[pixel])) {
-            trace(traversal, column / TILE_WIDTH, row / TILE_HEIGHT);
+        int tile = row / TILE_HEIGHT * tilesAcross + column / TILE_WIDTH;
+        if (!traced[tile]) {
+            trace(traversal, tile);
         }
-        return distances[pixel];
+        return distances[row * camera.width() + column];
     }
 
     /** Traces all that has not been traced yet, on the threads at hand, and gives a copy of all distances, row by row. */
     float[] all() {
-        int across = (camera.width() + TILE_WIDTH - 1) / TILE_WIDTH;
-        int tileRows = (camera.height() + TILE_HEIGHT - 1) / TILE_HEIGHT;
-        Workers.forEach(across * tileRows, this::newTraversal, (own, number) -> {
-            int tile = number % across;
-            int row = number / across;
-            if (Float.isNaN(distances[row * TILE_HEIGHT * camera.width() + tile * TILE_WIDTH])) {
-                trace(own, tile, row);
+        Workers.forEach(traced.length, this::newTraversal, (own, tile) -> {
+            if (!traced[tile]) {
+                trace(own, tile);
             }
         });
         return distances.clone();
     }
 
-    private void trace(TileTraversal own, int tile, int tileRow) {
-        int left = tile * TILE_WIDTH;
-        int top = tileRow * TILE_HEIGHT;
+    private void trace(TileTraversal own, int tile) {
+        int left = tile % tilesAcross * TILE_WIDTH;
+        int top = tile / tilesAcross * TILE_HEIGHT;
         own.trace(left, top, Math.min(TILE_WIDTH, camera.width() - left), Math.min(TILE_HEIGHT, camera.height() - top));
         own.copyDistances(distances, camera.width());
+        traced[tile] = true;
     }
 }
