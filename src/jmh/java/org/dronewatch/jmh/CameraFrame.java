@@ -43,6 +43,7 @@ public class CameraFrame {
 
     private World world;
     private CameraSensor camera;
+    private CameraSensor otherWay;
     private Drone drone;
     private FlightPath flight;
     private long frame;
@@ -57,6 +58,9 @@ public class CameraFrame {
         Position eye = new Position(x, y, z);
         Position middle = new Position(x, y + distance, z + 1.0);
         camera = CameraSettings.at(eye).withLookAt(middle).create();
+        otherWay = CameraSettings.at(eye)
+                .withLookAt(eye.minus(new Position(0, distance, 0)))
+                .create();
 
         FlightPathSettings path = new FlightPathSettings.Approach(
                 middle.plus(new Position(-2.0, 0, 0)), middle.plus(new Position(2.0, 0, 0)));
@@ -69,8 +73,24 @@ public class CameraFrame {
     /** The next frame of the flight, which starts again when it is over. */
     @Benchmark
     public List<Observation> observe() {
+        return look(camera);
+    }
+
+    /** The same frame by a camera that looks the other way. */
+    @Benchmark
+    public List<Observation> lookTheOtherWay() {
+        return look(otherWay);
+    }
+
+    /** What the frame costs without a camera: the drone's place and pose. */
+    @Benchmark
+    public Drone drone() {
+        return drone.at(flight.at(frame++ % FRAMES / FRAMES_PER_SECOND));
+    }
+
+    private List<Observation> look(CameraSensor by) {
         long index = frame++ % FRAMES;
         double time = index / FRAMES_PER_SECOND;
-        return camera.observe(world, List.of(drone.at(flight.at(time))), Sample.of(1, 0, "camera", index, time));
+        return by.observe(world, List.of(drone.at(flight.at(time))), Sample.of(1, 0, "camera", index, time));
     }
 }

@@ -42,6 +42,8 @@ final class Summary {
         root.put("load_s", Numbers.rounded(result.timing().load()));
         root.put("build_s", Numbers.rounded(result.timing().build()));
         root.put("wall_s", Numbers.rounded(wall));
+        ObjectNode looking = root.putObject("looking_s");
+        result.timing().looking().forEach((kind, seconds) -> looking.put(kind + "_s", Numbers.rounded(seconds)));
         root.put("real_time_factor", Numbers.rounded(result.simulated() / wall));
         root.put("complete", result.complete());
         ArrayNode pairs = root.putArray("pairs");

@@ -10,6 +10,13 @@ import java.util.function.Consumer;
  * @param models where models come from
  * @param frames is given each frame
  * @param pace keeps time
+ * @param times is told how long sensors looked
  * @param cancelled says when to stop early
  */
-record RunPlan(RunInfo info, ModelCache models, Consumer<Frame> frames, Pace pace, BooleanSupplier cancelled) {}
+record RunPlan(
+        RunInfo info,
+        ModelCache models,
+        Consumer<Frame> frames,
+        Pace pace,
+        LookTimes times,
+        BooleanSupplier cancelled) {}

@@ -200,7 +200,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
                 ownModels = new ModelCache(directory(), note -> {});
             }
             RunInfo info = new RunInfo(0, 1, describe().withoutSweep());
-            plan = new RunPlan(info, ownModels, f -> {}, Pace.AS_FAST_AS_POSSIBLE, () -> false);
+            plan = new RunPlan(info, ownModels, f -> {}, Pace.AS_FAST_AS_POSSIBLE, new LookTimes(), () -> false);
         }
         int replication = getSimulator().getReplication() instanceof ExperimentReplication<?, ?> numbered
                 ? numbered.getReplicationNr()
@@ -230,7 +230,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         }
         plan.pace().await(time);
         List<Drone> drones = stage.dronesAt(time);
-        List<Observation> observations = stage.look(time, drones);
+        List<Observation> observations = stage.look(time, drones, plan.times());
         double now = getSimulator().getSimulatorTime();
         for (Observation observation : observations) {
             fireTimedEvent(OBSERVATION, observation, now);

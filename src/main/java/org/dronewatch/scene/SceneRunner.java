@@ -177,12 +177,13 @@ public final class SceneRunner {
         ModelCache loaded = models();
         double before = loaded.loadSeconds() + loaded.buildSeconds();
         List<RunResult> results = new ArrayList<>();
+        LookTimes times = new LookTimes();
         boolean complete = true;
         long start = System.nanoTime();
         try (Workers workers = new Workers(threads)) {
             for (int run = 0; run < settingsOfRuns.size() && complete; run++) {
                 RunInfo info = new RunInfo(run, settingsOfRuns.size(), settingsOfRuns.get(run));
-                results.add(workers.call(() -> runOnce(simulator, info, loaded)));
+                results.add(workers.call(() -> runOnce(simulator, info, loaded, times)));
                 complete = !cancelled.getAsBoolean();
             }
         } finally {
@@ -190,7 +191,7 @@ public final class SceneRunner {
         }
         double all = NANO * (System.nanoTime() - start);
         double wall = all - (loaded.loadSeconds() + loaded.buildSeconds() - before);
-        Timing timing = new Timing(loaded.loadSeconds(), loaded.buildSeconds(), wall);
+        Timing timing = new Timing(loaded.loadSeconds(), loaded.buildSeconds(), wall, times.seconds());
         return new SceneResult(scene.name(), settings.run().seed(), threads, complete, results, timing);
     }
 
@@ -206,7 +207,7 @@ public final class SceneRunner {
         return Sample.mix(Sample.mix(settings.run().seed(), run), replication);
     }
 
-    private RunResult runOnce(SceneSimulator simulator, RunInfo info, ModelCache models) {
+    private RunResult runOnce(SceneSimulator simulator, RunInfo info, ModelCache models, LookTimes times) {
         DetectionLog log = new DetectionLog(
                 info.run(), info.settings(), event -> listeners.forEach(listener -> listener.detectionChanged(event)));
         LastTime last = new LastTime();
@@ -219,6 +220,7 @@ public final class SceneRunner {
                     listeners.forEach(listener -> listener.observed(frame));
                 },
                 pace,
+                times,
                 cancelled));
         listeners.forEach(listener -> listener.runStarted(info));
         double duration = info.settings().run().duration();

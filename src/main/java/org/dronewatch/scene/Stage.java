@@ -116,7 +116,7 @@ public final class Stage {
     }
 
     /** Lets every sensor that is due at a time look. */
-    List<Observation> look(double time, List<Drone> drones) {
+    List<Observation> look(double time, List<Drone> drones, LookTimes times) {
         List<Supplier<List<Observation>>> looks = new ArrayList<>();
         for (Looker looker : lookers) {
             if (looker.nextTime() == time) {
@@ -127,7 +127,12 @@ public final class Stage {
                     found = dronesReaching(looker.settings.position(), speed, time);
                 }
                 List<Drone> reaching = found;
-                looks.add(() -> looker.sensor.observe(world, reaching, sample));
+                looks.add(() -> {
+                    long start = System.nanoTime();
+                    List<Observation> observations = looker.sensor.observe(world, reaching, sample);
+                    times.add(looker.settings.kind(), System.nanoTime() - start);
+                    return observations;
+                });
             }
         }
         List<List<Observation>> seen = new ArrayList<>(Collections.nCopies(looks.size(), List.of()));
