@@ -118,6 +118,16 @@ public final class Drone {
         return new Matrix4d(modelMatrix);
     }
 
+    /** Writes the matrix from model space to the world. */
+    public void modelMatrix(Matrix4d target) {
+        target.set(modelMatrix);
+    }
+
+    /** Writes the matrix from the world to model space. */
+    public void worldToModel(Matrix4d target) {
+        target.set(worldToModel);
+    }
+
     /** A copy of the matrix from the world to model space. */
     public Matrix4d worldToModel() {
         return new Matrix4d(worldToModel);

@@ -119,6 +119,16 @@ public final class CameraObject {
         return Math.sqrt(1.0 + x * x + y * y);
     }
 
+    /** Writes where a point of the world is in the camera's frame: metres to the right, up and ahead. */
+    void toView(double x, double y, double z, double[] target, int at) {
+        double dx = x - position.x();
+        double dy = y - position.y();
+        double dz = z - position.z();
+        target[at] = dx * right.x + dy * right.y + dz * right.z;
+        target[at + 1] = dx * up.x + dy * up.y + dz * up.z;
+        target[at + 2] = dx * forward.x + dy * forward.y + dz * forward.z;
+    }
+
     /** Whether a ball is wholly behind the camera or beside its picture: true only when it surely is. */
     boolean isOutside(double x, double y, double z, double radius) {
         double dx = x - position.x();

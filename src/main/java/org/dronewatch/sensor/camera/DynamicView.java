@@ -2,6 +2,7 @@ package org.dronewatch.sensor.camera;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.TileTraversal;
@@ -20,6 +21,7 @@ final class DynamicView {
 
     private final CameraObject camera;
     private final SignificantPixels significantPixels;
+    private final Matrix4d toModel = new Matrix4d();
     private final double[][] grid;
     private final double[] origin = new double[3];
     private final double[][] modelGrid = new double[3][3];
@@ -50,14 +52,14 @@ final class DynamicView {
         }
         int count = drones.size();
         if (rectangles.length != count) {
-            rectangles = new PixelRectangle[count];
+            rectangles = Stream.generate(PixelRectangle::new).limit(count).toArray(PixelRectangle[]::new);
             pixelCounts = new int[count];
             traversals = new TileTraversal[count];
             traversed = new KDTree[count];
         }
         Arrays.fill(pixelCounts, 0);
         for (int i = 0; i < count; i++) {
-            rectangles[i] = significantPixels.of(drones.get(i));
+            significantPixels.find(drones.get(i), rectangles[i]);
             if (!rectangles[i].isEmpty()) {
                 draw(staticView, drones.get(i), i);
             }
@@ -67,7 +69,8 @@ final class DynamicView {
     private void draw(StaticView staticView, Drone drone, int number) {
         PixelRectangle rectangle = rectangles[number];
         TileTraversal traversal = traversalOf(drone, number);
-        setPicture(traversal, drone.worldToModel());
+        drone.worldToModel(toModel);
+        setPicture(traversal, toModel);
         boolean coarse = drone.tree().mesh().triangleCount() < TRIANGLES_PER_PIXEL * rectangle.pixels();
         for (int top = rectangle.top(); top <= rectangle.bottom(); top += TileTraversal.HEIGHT) {
             int rows = Math.min(TileTraversal.HEIGHT, rectangle.bottom() + 1 - top);

@@ -1,16 +1,40 @@
 package org.dronewatch.sensor.camera;
 
-/**
- * A rectangle of pixels, borders included; empty when the right is left of the left.
- *
- * @param left first column
- * @param top first row
- * @param right last column
- * @param bottom last row
- */
-record PixelRectangle(int left, int top, int right, int bottom) {
-    /** No pixel at all. */
-    static final PixelRectangle EMPTY = new PixelRectangle(0, 0, -1, -1);
+/** A rectangle of pixels, borders included; set anew in each frame. Used by one thread at a time. */
+final class PixelRectangle {
+    private int left;
+    private int top;
+    private int right = -1;
+    private int bottom = -1;
+
+    /** Leaves no pixel at all. */
+    void clear() {
+        set(0, 0, -1, -1);
+    }
+
+    /** Sets the first and last column and row. */
+    void set(int newLeft, int newTop, int newRight, int newBottom) {
+        left = newLeft;
+        top = newTop;
+        right = newRight;
+        bottom = newBottom;
+    }
+
+    int left() {
+        return left;
+    }
+
+    int top() {
+        return top;
+    }
+
+    int right() {
+        return right;
+    }
+
+    int bottom() {
+        return bottom;
+    }
 
     /** How many pixels it has. */
     int pixels() {

@@ -2,13 +2,11 @@ package org.dronewatch.sensor.camera;
 
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.world.Drone;
-import org.jogamp.vecmath.Point3d;
-import org.joml.Matrix4d;
-import org.joml.Vector4d;
+import org.jogamp.vecmath.Matrix4d;
 
 /**
  * The pixels that can show a drone: those inside the projection of its bounding box. Corners behind the camera would flip
- * through the projection's divide, so the box's edges are cut at the near plane first.
+ * through the projection's divide, so the box's edges are cut at the near plane first. Allocates nothing. One per thread.
  */
 final class SignificantPixels {
     /** Rounding of the projection, in pixels: a rectangle a little too large costs nothing. */
@@ -17,79 +15,95 @@ final class SignificantPixels {
     private static final int CORNERS = 8;
 
     private final CameraObject camera;
+    private final Matrix4d model = new Matrix4d();
+
+    /** The box's corners in the camera's frame: to the right, up and ahead. */
+    private final double[] corners = new double[3 * CORNERS];
+
+    // The smallest rectangle around what was added, in pixels.
+    private double left;
+    private double top;
+    private double right;
+    private double bottom;
 
     SignificantPixels(CameraObject camera) {
         this.camera = camera;
     }
 
-    /** The rectangle of pixels around a drone, within the picture. */
-    PixelRectangle of(Drone drone) {
-        Point3d place = drone.position();
+    /** Finds the rectangle of pixels around a drone, within the picture. */
+    void find(Drone drone, PixelRectangle target) {
+        target.clear();
+        drone.modelMatrix(model);
         // Most cameras of a site look elsewhere: they are done here.
-        if (camera.isOutside(place.x, place.y, place.z, drone.reach())) {
-            return PixelRectangle.EMPTY;
+        if (camera.isOutside(model.m03, model.m13, model.m23, drone.reach())) {
+            return;
         }
-        Matrix4d toClip = camera.modelViewProjection(drone.modelMatrix());
-        Vector4d[] clip = clipCorners(drone.modelBounds(), toClip);
-        Bounds bounds = new Bounds();
+        setCorners(drone.modelBounds());
+        left = Double.POSITIVE_INFINITY;
+        top = Double.POSITIVE_INFINITY;
+        right = Double.NEGATIVE_INFINITY;
+        bottom = Double.NEGATIVE_INFINITY;
         for (int corner = 0; corner < CORNERS; corner++) {
-            if (isVisible(clip[corner])) {
-                bounds.add(clip[corner]);
+            if (isAhead(corner)) {
+                add(corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2]);
             }
             // The corners differ from their neighbours in one bit: each of the box's twelve edges once.
             for (int bit = 1; bit < CORNERS; bit <<= 1) {
                 int other = corner | bit;
-                if (other != corner && isVisible(clip[corner]) != isVisible(clip[other])) {
-                    bounds.add(atNearPlane(clip[corner], clip[other]));
+                if (other != corner && isAhead(corner) != isAhead(other)) {
+                    addAtNearPlane(3 * corner, 3 * other);
                 }
             }
         }
-        return bounds.toRectangle();
+        setRectangle(target);
     }
 
-    private static Vector4d[] clipCorners(AABB box, Matrix4d toClip) {
-        Point3d[] corners = box.corners();
-        Vector4d[] clip = new Vector4d[CORNERS];
-        for (int i = 0; i < CORNERS; i++) {
-            clip[i] = toClip.transform(new Vector4d(corners[i].x, corners[i].y, corners[i].z, 1.0));
+    private void setCorners(AABB box) {
+        for (int corner = 0; corner < CORNERS; corner++) {
+            double x = (corner & 1) == 0 ? box.minX() : box.maxX();
+            double y = (corner & 2) == 0 ? box.minY() : box.maxY();
+            double z = (corner & 4) == 0 ? box.minZ() : box.maxZ();
+            camera.toView(
+                    model.m00 * x + model.m01 * y + model.m02 * z + model.m03,
+                    model.m10 * x + model.m11 * y + model.m12 * z + model.m13,
+                    model.m20 * x + model.m21 * y + model.m22 * z + model.m23,
+                    corners,
+                    3 * corner);
         }
-        return clip;
     }
 
-    /** In front of the near plane: w is the depth along the camera's axis. */
-    private static boolean isVisible(Vector4d clip) {
-        return clip.w >= CameraObject.NEAR;
+    private boolean isAhead(int corner) {
+        return corners[3 * corner + 2] >= CameraObject.NEAR;
     }
 
-    private static Vector4d atNearPlane(Vector4d from, Vector4d to) {
-        double fraction = (CameraObject.NEAR - from.w) / (to.w - from.w);
-        return new Vector4d(from).lerp(to, fraction);
+    private void addAtNearPlane(int from, int to) {
+        double fraction = (CameraObject.NEAR - corners[from + 2]) / (corners[to + 2] - corners[from + 2]);
+        add(
+                corners[from] + fraction * (corners[to] - corners[from]),
+                corners[from + 1] + fraction * (corners[to + 1] - corners[from + 1]),
+                CameraObject.NEAR);
     }
 
-    /** The smallest rectangle around what was added. */
-    private final class Bounds {
-        private double left = Double.POSITIVE_INFINITY;
-        private double top = Double.POSITIVE_INFINITY;
-        private double right = Double.NEGATIVE_INFINITY;
-        private double bottom = Double.NEGATIVE_INFINITY;
+    private void add(double across, double above, double ahead) {
+        double column = 0.5 * camera.width() + camera.focalLength() * across / ahead;
+        double row = 0.5 * camera.height() - camera.focalLength() * above / ahead;
+        left = Math.min(left, column);
+        right = Math.max(right, column);
+        top = Math.min(top, row);
+        bottom = Math.max(bottom, row);
+    }
 
-        void add(Vector4d clip) {
-            left = Math.min(left, camera.column(clip));
-            right = Math.max(right, camera.column(clip));
-            top = Math.min(top, camera.row(clip));
-            bottom = Math.max(bottom, camera.row(clip));
-        }
-
-        /** The pixels whose centres lie inside. */
-        PixelRectangle toRectangle() {
-            double first = 0.5 + MARGIN;
-            double last = 0.5 - MARGIN;
-            PixelRectangle rectangle = new PixelRectangle(
-                    (int) Math.max(0.0, Math.ceil(left - first)),
-                    (int) Math.max(0.0, Math.ceil(top - first)),
-                    (int) Math.min(camera.width() - 1.0, Math.floor(right - last)),
-                    (int) Math.min(camera.height() - 1.0, Math.floor(bottom - last)));
-            return rectangle.isEmpty() ? PixelRectangle.EMPTY : rectangle;
+    /** The pixels whose centres lie inside. */
+    private void setRectangle(PixelRectangle target) {
+        double first = 0.5 + MARGIN;
+        double last = 0.5 - MARGIN;
+        target.set(
+                (int) Math.max(0.0, Math.ceil(left - first)),
+                (int) Math.max(0.0, Math.ceil(top - first)),
+                (int) Math.min(camera.width() - 1.0, Math.floor(right - last)),
+                (int) Math.min(camera.height() - 1.0, Math.floor(bottom - last)));
+        if (target.isEmpty()) {
+            target.clear();
         }
     }
 }
