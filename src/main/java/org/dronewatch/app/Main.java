@@ -22,6 +22,7 @@ import picocli.CommandLine.Spec;
             RenderCommand.class,
             CoverageCommand.class,
             BenchCommand.class,
+            CostsCommand.class,
             ModelsCommand.class
         },
         footer = {"", "Example: dronewatch run camera-range --out results"})

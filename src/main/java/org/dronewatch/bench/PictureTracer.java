@@ -61,7 +61,7 @@ final class PictureTracer implements Tracer {
     }
 
     private void copy(int left, int top, int columns, int rows, float[] distances, int[] triangles) {
-        traversal.copyDistances(distances, picture.width());
+        traversal.copyDistances(distances, top * picture.width() + left, picture.width());
         for (int row = 0; row < rows; row++) {
             int ray = (top + row) * picture.width() + left;
             for (int column = 0; column < columns; column++) {

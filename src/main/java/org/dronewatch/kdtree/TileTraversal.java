@@ -173,16 +173,17 @@ public final class TileTraversal {
      * Writes how far the pixels of the last tile see: ray parameters times the lengths of the pixels' directions, which is
      * metres in the frame of the grid. Infinity for nothing.
      *
-     * @param target distances of the whole picture, row by row
-     * @param pictureWidth pixels in a row of it
+     * @param target where to
+     * @param first place of the tile's first pixel in it
+     * @param rowLength from one row to the next
      */
-    public void copyDistances(float[] target, int pictureWidth) {
+    public void copyDistances(float[] target, int first, int rowLength) {
         for (int row = 0; row < height; row++) {
             double y = top + row;
             double dx = grid[0] + left * grid[3] + y * grid[6];
             double dy = grid[1] + left * grid[4] + y * grid[7];
             double dz = grid[2] + left * grid[5] + y * grid[8];
-            int start = (top + row) * pictureWidth + left;
+            int start = first + row * rowLength;
             for (int column = 0; column < width; column++) {
                 double inverse = nearest[row * width + column];
                 target[start + column] = inverse > 0.0

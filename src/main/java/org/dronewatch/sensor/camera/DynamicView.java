@@ -1,7 +1,8 @@
 package org.dronewatch.sensor.camera;
 
-import java.util.Arrays;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
@@ -15,7 +16,6 @@ import org.jogamp.vecmath.Matrix4d;
  * pixel belongs to the nearest drone that stands before the world. Used by one thread at a time.
  */
 final class DynamicView {
-    private static final int NOBODY = -1;
     /** With more triangles than this for each pixel of its rectangle, a drone is traced ray by ray: measured. */
     private static final double TRIANGLES_PER_PIXEL = 0.5;
 
@@ -26,49 +26,35 @@ final class DynamicView {
     private final double[] origin = new double[3];
     private final double[][] modelGrid = new double[3][3];
 
-    /** For each pixel with a drone: how far it is, and which one. Only the last frame's rectangles hold anything. */
-    private final float[] nearest;
+    private final Map<KDTree, TileTraversal> traversals = new IdentityHashMap<>();
 
-    private final int[] owner;
-    private PixelRectangle[] rectangles = new PixelRectangle[0];
-    private int[] pixelCounts = new int[0];
-    private TileTraversal[] traversals = new TileTraversal[0];
-    private KDTree[] traversed = new KDTree[0];
+    /** One for each drone of the last frame, in its order. */
+    private Silhouette[] silhouettes = new Silhouette[0];
 
     DynamicView(CameraObject camera) {
         this.camera = camera;
         this.significantPixels = new SignificantPixels(camera);
         this.grid = camera.grid();
-        this.nearest = new float[camera.width() * camera.height()];
-        this.owner = new int[nearest.length];
-        Arrays.fill(nearest, Float.POSITIVE_INFINITY);
-        Arrays.fill(owner, NOBODY);
     }
 
     /** Draws the drones of a new frame and forgets those of the last. */
     void draw(StaticView staticView, List<Drone> drones) {
-        for (PixelRectangle rectangle : rectangles) {
-            clear(rectangle);
-        }
         int count = drones.size();
-        if (rectangles.length != count) {
-            rectangles = Stream.generate(PixelRectangle::new).limit(count).toArray(PixelRectangle[]::new);
-            pixelCounts = new int[count];
-            traversals = new TileTraversal[count];
-            traversed = new KDTree[count];
+        if (silhouettes.length != count) {
+            silhouettes = Stream.generate(Silhouette::new).limit(count).toArray(Silhouette[]::new);
         }
-        Arrays.fill(pixelCounts, 0);
         for (int i = 0; i < count; i++) {
-            significantPixels.find(drones.get(i), rectangles[i]);
-            if (!rectangles[i].isEmpty()) {
+            significantPixels.find(drones.get(i), silhouettes[i].rectangle());
+            silhouettes[i].clear();
+            if (!silhouettes[i].rectangle().isEmpty()) {
                 draw(staticView, drones.get(i), i);
             }
         }
     }
 
     private void draw(StaticView staticView, Drone drone, int number) {
-        PixelRectangle rectangle = rectangles[number];
-        TileTraversal traversal = traversalOf(drone, number);
+        PixelRectangle rectangle = silhouettes[number].rectangle();
+        TileTraversal traversal = traversals.computeIfAbsent(drone.tree(), TileTraversal::new);
         drone.worldToModel(toModel);
         setPicture(traversal, toModel);
         boolean coarse = drone.tree().mesh().triangleCount() < TRIANGLES_PER_PIXEL * rectangle.pixels();
@@ -113,47 +99,41 @@ final class DynamicView {
         }
     }
 
+    /** Gives a pixel to a drone that stands before the world and before all drones that were drawn before it. */
     private void claim(int column, int row, float distance, StaticView staticView, int number) {
-        int pixel = row * camera.width() + column;
-        if (distance < nearest[pixel] && distance < staticView.distance(column, row)) {
-            if (owner[pixel] != NOBODY) {
-                pixelCounts[owner[pixel]]--;
+        if (!(distance < staticView.distance(column, row))) {
+            return;
+        }
+        Silhouette claiming = silhouettes[number];
+        for (int i = 0; i < number; i++) {
+            if (silhouettes[i].overlaps(claiming)) {
+                float other = silhouettes[i].distance(column, row);
+                if (other <= distance) {
+                    return;
+                }
+                if (other < Float.POSITIVE_INFINITY) {
+                    silhouettes[i].hide(column, row);
+                }
             }
-            owner[pixel] = number;
-            nearest[pixel] = distance;
-            pixelCounts[number]++;
         }
-    }
-
-    private TileTraversal traversalOf(Drone drone, int number) {
-        if (traversed[number] != drone.tree()) {
-            traversed[number] = drone.tree();
-            traversals[number] = new TileTraversal(drone.tree());
-        }
-        return traversals[number];
-    }
-
-    private void clear(PixelRectangle rectangle) {
-        for (int row = rectangle.top(); row <= rectangle.bottom(); row++) {
-            int start = row * camera.width();
-            Arrays.fill(nearest, start + rectangle.left(), start + rectangle.right() + 1, Float.POSITIVE_INFINITY);
-            Arrays.fill(owner, start + rectangle.left(), start + rectangle.right() + 1, NOBODY);
-        }
+        claiming.show(column, row, distance);
     }
 
     /** How many pixels show the drone of a number in the list that was drawn. */
     int pixels(int number) {
-        return pixelCounts[number];
+        return silhouettes[number].pixels();
     }
 
     /** Puts the drones over a picture's distances and marks their pixels. */
     void overlay(float[] distances, boolean[] hits) {
-        for (PixelRectangle rectangle : rectangles) {
+        for (Silhouette silhouette : silhouettes) {
+            PixelRectangle rectangle = silhouette.rectangle();
             for (int row = rectangle.top(); row <= rectangle.bottom(); row++) {
                 for (int column = rectangle.left(); column <= rectangle.right(); column++) {
-                    int pixel = row * camera.width() + column;
-                    if (owner[pixel] != NOBODY) {
-                        distances[pixel] = nearest[pixel];
+                    float distance = silhouette.distance(column, row);
+                    if (distance < Float.POSITIVE_INFINITY) {
+                        int pixel = row * camera.width() + column;
+                        distances[pixel] = distance;
                         hits[pixel] = true;
                     }
                 }

@@ -41,6 +41,10 @@ final class PixelRectangle {
         return isEmpty() ? 0 : (right - left + 1) * (bottom - top + 1);
     }
 
+    boolean contains(int column, int row) {
+        return column >= left && column <= right && row >= top && row <= bottom;
+    }
+
     boolean isEmpty() {
         return right < left || bottom < top;
     }

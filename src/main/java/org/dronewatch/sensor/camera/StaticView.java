@@ -19,19 +19,15 @@ final class StaticView {
 
     private final int tilesAcross;
 
-    /** Distance along each pixel's ray, m; infinity for none. */
-    private final float[] distances;
-
-    /** Which tiles hold their distances already. */
-    private final boolean[] traced;
+    /** The distances of each tile, m, row by row; infinity for none. None for a tile that has not been traced yet. */
+    private final float[][] tiles;
 
     StaticView(CameraObject camera, World world) {
         this.camera = camera;
         this.world = world;
         this.traversal = newTraversal();
         this.tilesAcross = (camera.width() + TILE_WIDTH - 1) / TILE_WIDTH;
-        this.distances = new float[camera.width() * camera.height()];
-        this.traced = new boolean[tilesAcross * ((camera.height() + TILE_HEIGHT - 1) / TILE_HEIGHT)];
+        this.tiles = new float[tilesAcross * ((camera.height() + TILE_HEIGHT - 1) / TILE_HEIGHT)][];
     }
 
     private TileTraversal newTraversal() {
@@ -50,27 +46,46 @@ final class StaticView {
     /** Distance along a pixel's ray to the world, m; infinity for none. */
     float distance(int column, int row) {
         int tile = row / TILE_HEIGHT * tilesAcross + column / TILE_WIDTH;
-        if (!traced[tile]) {
-            trace(traversal, tile);
+        if (tiles[tile] == null) {
+            tiles[tile] = trace(traversal, tile);
         }
-        return distances[row * camera.width() + column];
+        int left = tile % tilesAcross * TILE_WIDTH;
+        return tiles[tile][row % TILE_HEIGHT * columns(left) + column - left];
     }
 
-    /** Traces all that has not been traced yet, on the threads at hand, and gives a copy of all distances, row by row. */
+    /** Traces all that has not been traced yet, on the threads at hand, and gives all distances, row by row. */
     float[] all() {
-        Workers.forEach(traced.length, this::newTraversal, (own, tile) -> {
-            if (!traced[tile]) {
-                trace(own, tile);
+        float[] distances = new float[camera.width() * camera.height()];
+        Workers.forEach(tiles.length, this::newTraversal, (own, tile) -> {
+            if (tiles[tile] == null) {
+                tiles[tile] = trace(own, tile);
             }
+            copy(tile, distances);
         });
-        return distances.clone();
+        return distances;
     }
 
-    private void trace(TileTraversal own, int tile) {
+    private float[] trace(TileTraversal own, int tile) {
         int left = tile % tilesAcross * TILE_WIDTH;
         int top = tile / tilesAcross * TILE_HEIGHT;
-        own.trace(left, top, Math.min(TILE_WIDTH, camera.width() - left), Math.min(TILE_HEIGHT, camera.height() - top));
-        own.copyDistances(distances, camera.width());
-        traced[tile] = true;
+        int columns = columns(left);
+        int rows = Math.min(TILE_HEIGHT, camera.height() - top);
+        float[] distances = new float[columns * rows];
+        own.trace(left, top, columns, rows);
+        own.copyDistances(distances, 0, columns);
+        return distances;
+    }
+
+    private int columns(int left) {
+        return Math.min(TILE_WIDTH, camera.width() - left);
+    }
+
+    private void copy(int tile, float[] target) {
+        int left = tile % tilesAcross * TILE_WIDTH;
+        int top = tile / tilesAcross * TILE_HEIGHT;
+        int columns = columns(left);
+        for (int row = 0; row < tiles[tile].length / columns; row++) {
+            System.arraycopy(tiles[tile], row * columns, target, (top + row) * camera.width() + left, columns);
+        }
     }
 }

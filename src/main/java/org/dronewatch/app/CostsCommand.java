@@ -1,0 +1,70 @@
+package org.dronewatch.app;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.dronewatch.bench.CostCurves;
+import org.dronewatch.bench.CostStudy;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.report.CostReport;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.ObjLoader;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Measures how costs grow on this machine. */
+@Command(
+        name = "costs",
+        mixinStandardHelpOptions = true,
+        description = "Measures on this machine how time and memory grow with triangles, rays, sensors, drones and"
+                + " threads; writes tables and plots. Takes about three minutes.",
+        footer = {"", "Example: dronewatch costs --out target/costs"})
+final class CostsCommand implements Callable<Integer> {
+    private static final int LEAST = 1000;
+    private static final int MOST = 20_000_000;
+
+    @Option(
+            names = "--out",
+            defaultValue = "target/costs",
+            paramLabel = "DIR",
+            description = "Where the tables and plots go; target/costs unless given.")
+    private String out;
+
+    @Option(
+            names = "--largest",
+            defaultValue = "2000000",
+            paramLabel = "N",
+            description = "Triangles of the largest ground, 1000 to 20000000; two million unless given.")
+    private int largest;
+
+    @Option(
+            names = "--drone",
+            defaultValue = "models/quadrotor.obj",
+            paramLabel = "FILE.obj",
+            description = "The drone's model; models/quadrotor.obj unless given.")
+    private String drone;
+
+    @Mixin
+    private ThreadsOption threads = new ThreadsOption();
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        if (largest < LEAST || largest > MOST) {
+            throw new InputException("--largest " + largest + ": must be " + LEAST + " to " + MOST);
+        }
+        TriangleMesh mesh =
+                new ObjLoader(Path.of("")).load(ModelSettings.of(drone)).mesh();
+        List<CostCurves> costs = threads.call(() ->
+                new CostStudy(mesh, largest, next -> spec.commandLine().getErr().println("measuring " + next)).run());
+        CostReport.write(Path.of(out), costs);
+        spec.commandLine().getOut().println("tables and plots in " + out);
+        return 0;
+    }
+}

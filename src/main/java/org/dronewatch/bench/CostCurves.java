@@ -1,0 +1,55 @@
+package org.dronewatch.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * How a cost grows: lines over one quantity.
+ *
+ * @param name short, for the names of files
+ * @param title what is shown
+ * @param xLabel the quantity, with its unit
+ * @param yLabel the cost, with its unit
+ * @param lines the lines
+ */
+public record CostCurves(String name, String title, String xLabel, String yLabel, List<Line> lines) {
+    /** Keeps its own list. */
+    public CostCurves {
+        lines = List.copyOf(lines);
+    }
+
+    /**
+     * One line.
+     *
+     * @param name what it is the cost of
+     * @param x the quantity
+     * @param y the cost
+     */
+    public record Line(String name, List<Double> x, List<Double> y) {
+        /** Keeps its own lists. */
+        public Line {
+            x = List.copyOf(x);
+            y = List.copyOf(y);
+        }
+    }
+
+    /** Collects the points of a line. */
+    static final class Points {
+        private final String name;
+        private final List<Double> x = new ArrayList<>();
+        private final List<Double> y = new ArrayList<>();
+
+        Points(String name) {
+            this.name = name;
+        }
+
+        void add(double quantity, double cost) {
+            x.add(quantity);
+            y.add(cost);
+        }
+
+        Line line() {
+            return new Line(name, x, y);
+        }
+    }
+}

@@ -1,0 +1,287 @@
+package org.dronewatch.bench;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Consumer;
+import java.util.function.IntFunction;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.KDTreeStats;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.acoustic.AcousticSensor;
+import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sensor.acoustic.propagation.LevelModel;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.FlightPathSettings.Hover;
+import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.World;
+
+/**
+ * Measures how costs grow with triangles, rays, sensors, drones and threads, on ground that it makes itself. Every figure
+ * is the median of several runs after others that warmed up.
+ */
+public final class CostStudy {
+    private static final double NANO = 1e-9;
+    private static final int RUNS = 5;
+    private static final long WARM_UP_NANOS = 700_000_000L;
+    private static final int SITE_TRIANGLES = 65_000;
+    private static final int MOST = 64;
+    private static final double DRONE_DISTANCE = 60.0;
+
+    private final TriangleMesh droneMesh;
+    private final int largest;
+    private final Consumer<String> progress;
+
+    /**
+     * A study.
+     *
+     * @param droneMesh the drone's model in its own frame
+     * @param largest triangles of the largest ground
+     * @param progress is told what is measured next
+     */
+    public CostStudy(TriangleMesh droneMesh, int largest, Consumer<String> progress) {
+        this.droneMesh = droneMesh;
+        this.largest = largest;
+        this.progress = progress;
+    }
+
+    /** Runs all of it. */
+    public List<CostCurves> run() {
+        List<CostCurves> all = new ArrayList<>(overTriangles());
+        World site = World.of(RollingTerrain.of(SITE_TRIANGLES));
+        all.add(overRays(site));
+        all.add(overSensors(site));
+        all.add(overDrones(site));
+        all.add(overThreads(site));
+        return all;
+    }
+
+    private List<CostCurves> overTriangles() {
+        CostCurves.Points build = new CostCurves.Points("tree build, " + Workers.available() + " threads");
+        CostCurves.Points camera = new CostCurves.Points("camera rays, tiles");
+        CostCurves.Points diffuse = new CostCurves.Points("diffuse rays");
+        CostCurves.Points memory = new CostCurves.Points("tree and corners");
+        for (double size = 1000; size <= 1.01 * largest; size *= nextFactor(size)) {
+            TriangleMesh mesh = RollingTerrain.of((int) size);
+            int triangles = mesh.triangleCount();
+            progress.accept(String.format("%,d triangles", triangles));
+            build.add(triangles, seconds(() -> KDTree.of(mesh)));
+            KDTree tree = KDTree.of(mesh);
+            KDTreeStats stats = tree.stats();
+            memory.add(triangles, stats.bytes() / (double) triangles);
+            RaySet picture = new RayGenerator(tree, 1).camera();
+            camera.add(triangles, rate(tree, picture));
+            diffuse.add(triangles, rate(tree, new RayGenerator(tree, 1).diffuse(picture)));
+        }
+        return List.of(
+                new CostCurves("build", "Building the tree", "triangles", "time [s]", List.of(build.line())),
+                new CostCurves(
+                        "triangles",
+                        "Tracing, one thread",
+                        "triangles",
+                        "million rays a second",
+                        List.of(camera.line(), diffuse.line())),
+                new CostCurves("memory", "Memory", "triangles", "bytes a triangle", List.of(memory.line())));
+    }
+
+    /** Four times as many each time, and the largest at the end. */
+    private double nextFactor(double size) {
+        return size < largest && 4.0 * size > largest ? largest / size : 4.0;
+    }
+
+    private static double rate(KDTree tree, RaySet set) {
+        Tracer tracer = TraversalKind.FASTEST.tracers(tree, set).get();
+        float[] distances = new float[set.count()];
+        int[] triangles = new int[set.count()];
+        double seconds = seconds(() -> {
+            for (int piece = 0; piece < tracer.pieces(); piece++) {
+                tracer.trace(piece, distances, triangles);
+            }
+        });
+        return 1e-6 * set.count() / seconds;
+    }
+
+    private CostCurves overRays(World site) {
+        CostCurves.Points level = new CostCurves.Points("level model");
+        CostCurves.Points energy = new CostCurves.Points("energy model");
+        Drone drone = droneAt(new Position(0, DRONE_DISTANCE, 0), site);
+        Position place = above(site, 0, 0, 2.0);
+        for (int rays = 250; rays <= 64_000; rays *= 4) {
+            int count = rays;
+            progress.accept(String.format("%,d sound rays", rays));
+            AcousticSensor byLevel = AcousticSettings.at(place)
+                    .withPropagation(LevelModel.DEFAULT
+                            .withAttenuation(0.0)
+                            .withRays(count, 1)
+                            .withLimits(3, 100 * count))
+                    .create();
+            level.add(
+                    rays,
+                    1e3 * seconds(() -> byLevel.listenFully(site, drone, new SplittableRandom(1), RayRecorder.NONE)));
+            AcousticSensor byEnergy = AcousticSettings.at(place)
+                    .withPropagation(EnergyModel.DEFAULT.withRays(count).withAccuracy(0.0))
+                    .create();
+            energy.add(rays, 1e3 * seconds(() -> byEnergy.read(site, drone, new SplittableRandom(1))));
+        }
+        return new CostCurves(
+                "rays",
+                "One look of a microphone on " + Workers.available() + " threads",
+                "rays sent out",
+                "time [ms]",
+                List.of(level.line(), energy.line()));
+    }
+
+    private CostCurves overSensors(World site) {
+        Drone drone = droneAt(new Position(0, 0, 0), site);
+        CostCurves.Points look = new CostCurves.Points("cameras that see the drone");
+        CostCurves.Points away = new CostCurves.Points("cameras that look elsewhere");
+        CostCurves.Points ears = new CostCurves.Points("microphones, level model");
+        for (int count = 1; count <= MOST; count *= 2) {
+            progress.accept(count + " sensors");
+            look.add(count, frame(site, List.of(drone), cameras(site, count, false)));
+            away.add(count, frame(site, List.of(drone), cameras(site, count, true)));
+            ears.add(count, frame(site, List.of(drone), microphones(site, count)));
+        }
+        return new CostCurves(
+                "sensors",
+                "One frame of full HD cameras or microphones on " + Workers.available() + " threads, drone at 60 m",
+                "sensors",
+                "time [us]",
+                List.of(look.line(), away.line(), ears.line()));
+    }
+
+    private CostCurves overDrones(World site) {
+        CostCurves.Points look = new CostCurves.Points("one camera, full HD");
+        for (int count = 1; count <= MOST; count *= 2) {
+            progress.accept(count + " drones");
+            List<Drone> drones = of(
+                    count, i -> droneAt(new Position(4.0 * (i % 8) - 14.0, DRONE_DISTANCE / 4, 3.0 * (i / 8)), site));
+            Sensor camera = CameraSettings.at(above(site, 0, -0.75 * DRONE_DISTANCE, 20.0))
+                    .withLookAt(above(site, 0, DRONE_DISTANCE / 4, 20.0))
+                    .create();
+            look.add(count, frame(site, drones, List.of(camera)));
+        }
+        return new CostCurves(
+                "drones", "One frame of a camera, drones at 60 m", "drones", "time [us]", List.of(look.line()));
+    }
+
+    private CostCurves overThreads(World site) {
+        CostCurves.Points view = new CostCurves.Points("static view, full HD");
+        CostCurves.Points level = new CostCurves.Points("sound, level model");
+        CostCurves.Points energy = new CostCurves.Points("sound, energy model");
+        CostCurves.Points build = new CostCurves.Points("tree build");
+        Drone drone = droneAt(new Position(0, DRONE_DISTANCE, 0), site);
+        Position place = above(site, 0, 0, 2.0);
+        AcousticSensor byLevel = AcousticSettings.at(place)
+                .withPropagation(LevelModel.DEFAULT.withRays(1000, 10))
+                .create();
+        AcousticSensor byEnergy = AcousticSettings.at(place)
+                .withPropagation(EnergyModel.DEFAULT.withRays(40_000).withAccuracy(0.0))
+                .create();
+        double[] alone = new double[4];
+        for (int threads = 1; threads <= Runtime.getRuntime().availableProcessors(); threads++) {
+            progress.accept(threads + " threads");
+            double[] times;
+            try (Workers workers = new Workers(threads)) {
+                times = workers.call(() -> new double[] {
+                    seconds(() -> CameraSettings.at(place).create().depthImage(site, List.of())),
+                    seconds(() -> byLevel.listenFully(site, drone, new SplittableRandom(1), RayRecorder.NONE)),
+                    seconds(() -> byEnergy.read(site, drone, new SplittableRandom(1))),
+                    seconds(() -> KDTree.of(site.mesh()))
+                });
+            }
+            alone = threads == 1 ? times : alone;
+            List<CostCurves.Points> lines = List.of(view, level, energy, build);
+            for (int i = 0; i < times.length; i++) {
+                lines.get(i).add(threads, alone[i] / times[i]);
+            }
+        }
+        return new CostCurves(
+                "threads",
+                "How much faster with more threads",
+                "threads",
+                "times as fast",
+                List.of(view.line(), level.line(), energy.line(), build.line()));
+    }
+
+    /** Time of a look of all sensors, us. */
+    private static double frame(World site, List<Drone> drones, List<? extends Sensor> sensors) {
+        return 1e6
+                * seconds(() ->
+                        Workers.forEach(sensors.size(), i -> sensors.get(i).observe(site, drones, sample(i))));
+    }
+
+    /** Cameras in a circle about the middle that look at it, or away from it. */
+    private static List<Sensor> cameras(World site, int count, boolean away) {
+        Position middle = above(site, 0, 0, 20.0);
+        return of(count, i -> {
+            Position eye = around(site, i, count);
+            Position target = away ? eye.plus(eye.minus(middle)) : middle;
+            return CameraSettings.at(eye).withLookAt(target).create();
+        });
+    }
+
+    private static List<Sensor> microphones(World site, int count) {
+        return of(count, i -> AcousticSettings.at(around(site, i, count)).create());
+    }
+
+    private static Position around(World site, int number, int count) {
+        double angle = 2.0 * Math.PI * number / count;
+        return above(site, DRONE_DISTANCE * Math.cos(angle), DRONE_DISTANCE * Math.sin(angle), 20.0);
+    }
+
+    private static Position above(World site, double x, double y, double metres) {
+        return new Position(x, y, site.surfaceHeight(x, y).orElseThrow() + metres);
+    }
+
+    private Drone droneAt(Position offset, World site) {
+        Position place = above(site, offset.x(), offset.y(), 20.0 + offset.z());
+        DroneSettings settings = DroneSettings.of(ModelSettings.of("drone.obj"), new Hover(place, 0.0));
+        KDTree tree = KDTree.of(droneMesh);
+        return settings.create("drone", tree).at(settings.createFlight().at(0.0));
+    }
+
+    private static Sample sample(int number) {
+        return Sample.of(1, number, "sensor", 0, 0.0);
+    }
+
+    private static <T> List<T> of(int count, IntFunction<T> make) {
+        List<T> all = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            all.add(make.apply(i));
+        }
+        return all;
+    }
+
+    /** Median time of a piece of work, s. Short work is done many times over. */
+    private static double seconds(Runnable work) {
+        long repeats = 1;
+        long begun = System.nanoTime();
+        long once;
+        do {
+            long start = System.nanoTime();
+            work.run();
+            once = Math.max(1, System.nanoTime() - start);
+        } while (System.nanoTime() - begun < WARM_UP_NANOS && once < WARM_UP_NANOS);
+        repeats = Math.max(1, WARM_UP_NANOS / 20 / once);
+        double[] times = new double[once > WARM_UP_NANOS ? 1 + RUNS / 2 : RUNS];
+        for (int run = 0; run < times.length; run++) {
+            long start = System.nanoTime();
+            for (long i = 0; i < repeats; i++) {
+                work.run();
+            }
+            times[run] = NANO * (System.nanoTime() - start) / repeats;
+        }
+        Arrays.sort(times);
+        return times[times.length / 2];
+    }
+}

@@ -1,0 +1,62 @@
+package org.dronewatch.sensor.camera;
+
+import java.util.Arrays;
+
+/** The pixels of one drone in a frame, within its rectangle. Kept from frame to frame. Used by one thread at a time. */
+final class Silhouette {
+    private final PixelRectangle rectangle = new PixelRectangle();
+
+    /** Distance of the drone in each pixel of the rectangle, row by row, m; infinity where it is not seen. */
+    private float[] distances = new float[0];
+
+    private int pixels;
+
+    /** The pixels that may show it; set it, then {@link #clear()}. */
+    PixelRectangle rectangle() {
+        return rectangle;
+    }
+
+    /** Forgets all pixels. */
+    void clear() {
+        pixels = 0;
+        if (distances.length < rectangle.pixels()) {
+            distances = new float[rectangle.pixels()];
+        }
+        Arrays.fill(distances, 0, rectangle.pixels(), Float.POSITIVE_INFINITY);
+    }
+
+    /** Whether two drones may share pixels. */
+    boolean overlaps(Silhouette other) {
+        PixelRectangle theirs = other.rectangle;
+        return rectangle.left() <= theirs.right()
+                && theirs.left() <= rectangle.right()
+                && rectangle.top() <= theirs.bottom()
+                && theirs.top() <= rectangle.bottom();
+    }
+
+    /** How far the drone is in a pixel, m; infinity where it is not seen. */
+    float distance(int column, int row) {
+        return rectangle.contains(column, row) ? distances[index(column, row)] : Float.POSITIVE_INFINITY;
+    }
+
+    /** Shows the drone in a pixel of the rectangle. */
+    void show(int column, int row, float distance) {
+        distances[index(column, row)] = distance;
+        pixels++;
+    }
+
+    /** Hides it in a pixel where it was shown. */
+    void hide(int column, int row) {
+        distances[index(column, row)] = Float.POSITIVE_INFINITY;
+        pixels--;
+    }
+
+    private int index(int column, int row) {
+        return (row - rectangle.top()) * (rectangle.right() - rectangle.left() + 1) + column - rectangle.left();
+    }
+
+    /** How many pixels show it. */
+    int pixels() {
+        return pixels;
+    }
+}
