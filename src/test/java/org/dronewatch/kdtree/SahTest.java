@@ -58,7 +58,7 @@ class SahTest {
     }
 
     private static double cost(double leftShare, double rightShare, int left, int right) {
-        return (left * right == 0 ? 0.8 : 1.0) * (1.0 + 1.5 * (leftShare * left + rightShare * right));
+        return (left * right == 0 ? 0.8 : 1.0) * (4.0 + 1.5 * (leftShare * left + rightShare * right));
     }
 
     private static double surface(int[] keys) {
@@ -128,6 +128,35 @@ class SahTest {
         }
     }
 
+    /** So many that they are counted in slices first; planes by the thousand, many of them shared, some crowded. */
+    @Test
+    void theSplitOfManyTrianglesIsTheCheapestOfAllPlanes() {
+        SplittableRandom random = new SplittableRandom(85);
+        for (int round = 0; round < 150; round++) {
+            int reach = round % 3 == 0 ? 50 : 5_000_000;
+            int count = 64 + random.nextInt(400);
+            int[] boxes = randomBoxes(count, reach, random);
+            if (round % 5 == 0) {
+                crowd(boxes, reach);
+            }
+            int[] voxel = voxel(reach, reach, reach);
+
+            Split split = new SahSplitFinder().find(boxes, count, voxel).orElseThrow();
+
+            double own = cost(split.axis(), split.key(), boxes, voxel);
+            String what = "round " + round + " of seed 85";
+            assertThat(split.cost()).as(what).isCloseTo(own, withinPercentage(1e-10));
+            assertThat(own).as(what).isCloseTo(leastCost(boxes, voxel), withinPercentage(1e-10));
+        }
+    }
+
+    /** Puts most boxes into a small part of the voxel. */
+    private static void crowd(int[] boxes, int reach) {
+        for (int i = 0; i < boxes.length / 6 * 5; i++) {
+            boxes[i] = ORIGIN + reach / 3 + (boxes[i] - ORIGIN) / 40;
+        }
+    }
+
     @Test
     void emptySpaceIsCutOffAtADiscount() {
         int[] box = {ORIGIN + 48, ORIGIN, ORIGIN, ORIGIN + 64, ORIGIN + 64, ORIGIN + 64};
@@ -137,7 +166,7 @@ class SahTest {
         // A quarter of a cube has half of its surface.
         assertThat(split.axis()).isZero();
         assertThat(split.key()).isEqualTo(ORIGIN + 48);
-        assertThat(split.cost()).isCloseTo(0.8 * (1.0 + 1.5 * 0.5), within(1e-12));
+        assertThat(split.cost()).isCloseTo(0.8 * (4.0 + 1.5 * 0.5), within(1e-12));
     }
 
     @Test
@@ -150,7 +179,7 @@ class SahTest {
             assertThat(split.planarLeft()).isEqualTo(plane == 16);
             assertThat(split.isLeft(ORIGIN + plane, ORIGIN + plane)).isEqualTo(plane == 16);
             assertThat(split.isRight(ORIGIN + plane, ORIGIN + plane)).isEqualTo(plane == 48);
-            assertThat(split.cost()).isCloseTo(0.8 * (1.0 + 1.5 * 0.5), within(1e-12));
+            assertThat(split.cost()).isCloseTo(0.8 * (4.0 + 1.5 * 0.5), within(1e-12));
         }
     }
 
