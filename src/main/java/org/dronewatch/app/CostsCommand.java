@@ -1,9 +1,7 @@
 package org.dronewatch.app;
 
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.Callable;
-import org.dronewatch.bench.CostCurves;
 import org.dronewatch.bench.CostStudy;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.report.CostReport;
@@ -59,11 +57,12 @@ final class CostsCommand implements Callable<Integer> {
         if (largest < LEAST || largest > MOST) {
             throw new InputException("--largest " + largest + ": must be " + LEAST + " to " + MOST);
         }
+        threads.number();
         TriangleMesh mesh =
                 new ObjLoader(Path.of("")).load(ModelSettings.of(drone)).mesh();
-        List<CostCurves> costs = threads.call(() ->
-                new CostStudy(mesh, largest, next -> spec.commandLine().getErr().println("measuring " + next)).run());
-        CostReport.write(Path.of(out), costs);
+        CostStudy study =
+                new CostStudy(mesh, largest, next -> spec.commandLine().getErr().println("measuring " + next));
+        CostReport.write(Path.of(out), () -> threads.call(study::run));
         spec.commandLine().getOut().println("tables and plots in " + out);
         return 0;
     }

@@ -163,8 +163,7 @@ public final class CostStudy {
         CostCurves.Points look = new CostCurves.Points("one camera, full HD");
         for (int count = 1; count <= MOST; count *= 2) {
             progress.accept(count + " drones");
-            List<Drone> drones = of(
-                    count, i -> droneAt(new Position(4.0 * (i % 8) - 14.0, DRONE_DISTANCE / 4, 3.0 * (i / 8)), site));
+            List<Drone> drones = of(count, i -> droneAt(inRows(i), site));
             Sensor camera = CameraSettings.at(above(site, 0, -0.75 * DRONE_DISTANCE, 20.0))
                     .withLookAt(above(site, 0, DRONE_DISTANCE / 4, 20.0))
                     .create();
@@ -211,6 +210,12 @@ public final class CostStudy {
                 "threads",
                 "times as fast",
                 List.of(view.line(), level.line(), energy.line(), build.line()));
+    }
+
+    /** Eight drones side by side, the next eight above them. */
+    private static Position inRows(int number) {
+        int row = number / 8;
+        return new Position(4.0 * (number % 8) - 14.0, DRONE_DISTANCE / 4, 3.0 * row);
     }
 
     /** Time of a look of all sensors, us. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Supplier;
 import org.dronewatch.bench.CostCurves;
 import org.knowm.xchart.XYChart;
 
@@ -15,10 +16,11 @@ public final class CostReport {
      * Writes a CSV file and a PNG picture for each.
      *
      * @param directory where to; made if it is not there, and it gets all files or none
+     * @param study is done once it is known that the directory can be written
      */
-    public static void write(Path directory, List<CostCurves> all) {
+    public static void write(Path directory, Supplier<List<CostCurves>> study) {
         try (OutputDirectory target = new OutputDirectory(directory)) {
-            for (CostCurves curves : all) {
+            for (CostCurves curves : study.get()) {
                 table(curves, target.file(curves.name() + ".csv"));
                 plot(curves, target.file(curves.name() + ".png"));
             }
