@@ -10,12 +10,6 @@ import java.util.Arrays;
  * <p>What it buys: a ray of its own costs a descent and a handful of triangle tests, a pixel of a tile a few additions.
  * The benchmark {@code PictureTracing} shows the ratio. It pays while triangles are not much smaller than pixels; a tile
  * that has met {@link #TRIANGLES_PER_PIXEL} times as many triangles as it has pixels is traced ray by ray instead.
- *
- * <p>How a triangle is painted: in the frame whose axes are a step to the right, a step down and the grid's corner, the
- * ray of pixel (x, y) has the direction (x, y, 1). The three edge functions, whose signs tell inside from outside, and
- * the inverse of the ray parameter are linear in x and y there. Each row of pixels is then an interval between the edges.
- * An edge that two triangles share has exactly opposite values in them, and zero counts as inside: no pixel slips
- * through.
  */
 public final class TileTraversal {
     /** The most pixels of a tile in a row. */
@@ -27,37 +21,14 @@ public final class TileTraversal {
 
     /** Widens the interval of a cell by more than the roundings of its bounds. */
     private static final double WIDER = 1e-12;
-    /** How near to a pixel's centre, in pixels, an edge must pass to be looked at once more. */
-    private static final double NEAR_EDGE = 1e-6;
-    /** As if so many triangles had been met: gives the tile up. */
-    private static final int TOO_MANY = 1 << 30;
-    /** Relative size of the roundings of the volume between the origin and a triangle. */
-    private static final double IN_PLANE = 1e-12;
 
     private final KDTree tree;
-    private final float[] corners;
     private final KDTraversal single;
+    private final PixelGrid grid = new PixelGrid();
+    private final TilePainter painter;
 
-    private final double[] origin = new double[3];
-    /** Direction of pixel (0, 0), step to the next column, step to the next row: three numbers each. */
-    private final double[] grid = new double[9];
-    /** From world to grid coordinates: rows of the inverse of the matrix of the steps and the corner. */
-    private final double[] toGrid = new double[9];
-
-    private int left;
-    private int top;
-    private int width;
-    private int height;
-
-    /** Inverse ray parameter of the nearest surface of each pixel, 0 for none; and which triangle it is. */
-    private final double[] nearest = new double[WIDTH * HEIGHT];
-
-    private final int[] triangles = new int[WIDTH * HEIGHT];
-    private int uncovered;
-    /** The ray parameter beyond which the tile sees nothing any more; its inverse. */
+    /** The ray parameter beyond which the tile sees nothing any more. */
     private double farthest;
-
-    private double leastInverse;
 
     /** On which tile each triangle was painted last: triangles lie in many leaves. */
     private final int[] painted;
@@ -80,8 +51,8 @@ public final class TileTraversal {
     /** A traversal of a tree for the use of one thread. */
     public TileTraversal(KDTree tree) {
         this.tree = tree;
-        this.corners = tree.corners();
         this.single = new StackTraversal(tree);
+        this.painter = new TilePainter(tree.corners(), grid, WIDTH * HEIGHT);
         this.painted = new int[tree.mesh().triangleCount()];
         int size = tree.depth() + 1;
         this.stackNode = new int[size];
@@ -100,26 +71,7 @@ public final class TileTraversal {
      * @throws IllegalArgumentException when corner, right and down lie in one plane
      */
     public void setPicture(double[] from, double[] corner, double[] right, double[] down) {
-        System.arraycopy(from, 0, origin, 0, 3);
-        System.arraycopy(corner, 0, grid, 0, 3);
-        System.arraycopy(right, 0, grid, 3, 3);
-        System.arraycopy(down, 0, grid, 6, 3);
-        crossTo(right, down, 0);
-        crossTo(down, corner, 3);
-        crossTo(corner, right, 6);
-        double determinant = corner[0] * toGrid[0] + corner[1] * toGrid[1] + corner[2] * toGrid[2];
-        if (!(Math.abs(determinant) > 0.0)) {
-            throw new IllegalArgumentException("a picture whose corner, right and down lie in one plane");
-        }
-        for (int i = 0; i < 9; i++) {
-            toGrid[i] /= determinant;
-        }
-    }
-
-    private void crossTo(double[] a, double[] b, int target) {
-        toGrid[target] = a[1] * b[2] - a[2] * b[1];
-        toGrid[target + 1] = a[2] * b[0] - a[0] * b[2];
-        toGrid[target + 2] = a[0] * b[1] - a[1] * b[0];
+        grid.set(from, corner, right, down);
     }
 
     /**
@@ -131,24 +83,14 @@ public final class TileTraversal {
      * @param rows 1 to {@link #HEIGHT}
      */
     public void trace(int firstColumn, int firstRow, int columns, int rows) {
-        setTile(firstColumn, firstRow, columns, rows);
-        uncovered = width * height;
+        painter.begin(firstColumn, firstRow, columns, rows);
         farthest = Double.POSITIVE_INFINITY;
-        leastInverse = 0.0;
         met = 0;
         nextTile();
-        setDirections();
-        if (!descend()) {
+        setDirections(firstColumn, firstRow, columns, rows);
+        if (!descend((int) (TRIANGLES_PER_PIXEL * columns * rows) + 1)) {
             traceSingly(firstColumn, firstRow, columns, rows);
         }
-    }
-
-    private void setTile(int firstColumn, int firstRow, int columns, int rows) {
-        left = firstColumn;
-        top = firstRow;
-        width = columns;
-        height = rows;
-        Arrays.fill(nearest, 0, width * height, 0.0);
     }
 
     private void nextTile() {
@@ -161,12 +103,17 @@ public final class TileTraversal {
 
     /** Whether a pixel of the last tile, counted from its own corner, sees a triangle. */
     public boolean hits(int column, int row) {
-        return nearest[row * width + column] > 0.0;
+        return painter.hits(column, row);
     }
 
     /** Ray parameter of what a pixel of the last tile sees; infinity for nothing. */
     public double parameter(int column, int row) {
-        return 1.0 / nearest[row * width + column];
+        return painter.parameter(column, row);
+    }
+
+    /** What a pixel of the last tile sees, if it sees anything. */
+    public int triangle(int column, int row) {
+        return painter.triangle(column, row);
     }
 
     /**
@@ -178,35 +125,15 @@ public final class TileTraversal {
      * @param rowLength from one row to the next
      */
     public void copyDistances(float[] target, int first, int rowLength) {
-        for (int row = 0; row < height; row++) {
-            double y = top + row;
-            double dx = grid[0] + left * grid[3] + y * grid[6];
-            double dy = grid[1] + left * grid[4] + y * grid[7];
-            double dz = grid[2] + left * grid[5] + y * grid[8];
-            int start = first + row * rowLength;
-            for (int column = 0; column < width; column++) {
-                double inverse = nearest[row * width + column];
-                target[start + column] = inverse > 0.0
-                        ? (float) (Math.sqrt(dx * dx + dy * dy + dz * dz) / inverse)
-                        : Float.POSITIVE_INFINITY;
-                dx += grid[3];
-                dy += grid[4];
-                dz += grid[5];
-            }
-        }
-    }
-
-    /** What a pixel of the last tile sees, if it sees anything. */
-    public int triangle(int column, int row) {
-        return triangles[row * width + column];
+        painter.copyDistances(target, first, rowLength);
     }
 
     /** The range of the rays' steps along each axis is that of the tile's corners: they are a grid. */
-    private void setDirections() {
+    private void setDirections(int left, int top, int columns, int rows) {
         for (int axis = 0; axis < 3; axis++) {
-            double atCorner = grid[axis] + left * grid[3 + axis] + top * grid[6 + axis];
-            double across = (width - 1) * grid[3 + axis];
-            double downwards = (height - 1) * grid[6 + axis];
+            double atCorner = grid.direction(left, top, axis);
+            double across = (columns - 1) * grid.right(axis);
+            double downwards = (rows - 1) * grid.down(axis);
             double low = atCorner + Math.min(across, 0.0) + Math.min(downwards, 0.0);
             double high = atCorner + Math.max(across, 0.0) + Math.max(downwards, 0.0);
             first[2 * axis] = high > 0.0 ? (1.0 - WIDER) / high : Double.POSITIVE_INFINITY;
@@ -220,11 +147,13 @@ public final class TileTraversal {
      * Descends the tree, nearer cells first. The interval of a cell holds every ray parameter at which any ray of the
      * tile is inside.
      *
-     * @return false when the tile has met more triangles than are worth painting
+     * @param limit how many triangles are worth painting
+     * @return false when there are more, or one that cannot be painted
      */
-    private boolean descend() {
+    private boolean descend(int limit) {
         double entry = 0.0;
         double exit = Double.POSITIVE_INFINITY;
+        double[] origin = grid.origin;
         float[] box = tree.rootBox();
         for (int axis = 0; axis < 3; axis++) {
             // The face towards the origin lets in, the other one out; from inside no face lets in.
@@ -242,7 +171,6 @@ public final class TileTraversal {
             return true;
         }
         long[] nodes = tree.nodes();
-        int limit = (int) (TRIANGLES_PER_PIXEL * width * height) + 1;
         int stacked = 0;
         int index = 0;
         while (true) {
@@ -279,7 +207,7 @@ public final class TileTraversal {
             }
 
             paintLeaf(node);
-            if (met > limit) {
+            if (met > limit || painter.isLost()) {
                 return false;
             }
             // What is still to come lies behind all that the tile sees: it is done.
@@ -305,173 +233,12 @@ public final class TileTraversal {
             if (painted[triangle] != tile) {
                 painted[triangle] = tile;
                 met++;
-                changed |= paint(triangle);
+                changed |= painter.paint(triangle);
             }
         }
-        if (changed && uncovered == 0) {
-            double least = Double.POSITIVE_INFINITY;
-            for (int i = 0; i < width * height; i++) {
-                least = nearest[i] < least ? nearest[i] : least;
-            }
-            leastInverse = least;
-            farthest = 1.0 / least * (1.0 + WIDER);
+        if (changed) {
+            farthest = painter.farthest() * (1.0 + WIDER);
         }
-    }
-
-    /** Paints a triangle into the tile; gives whether any pixel took it. */
-    private boolean paint(int triangle) {
-        // The corners in grid coordinates, from the tile's own corner.
-        float[] c = corners;
-        double[] m = toGrid;
-        int base = 9 * triangle;
-        double x = c[base] - origin[0];
-        double y = c[base + 1] - origin[1];
-        double z = c[base + 2] - origin[2];
-        double az = m[0] * x + m[1] * y + m[2] * z;
-        double ax = m[3] * x + m[4] * y + m[5] * z - left * az;
-        double ay = m[6] * x + m[7] * y + m[8] * z - top * az;
-        x = c[base + 3] - origin[0];
-        y = c[base + 4] - origin[1];
-        z = c[base + 5] - origin[2];
-        double bz = m[0] * x + m[1] * y + m[2] * z;
-        double bx = m[3] * x + m[4] * y + m[5] * z - left * bz;
-        double by = m[6] * x + m[7] * y + m[8] * z - top * bz;
-        x = c[base + 6] - origin[0];
-        y = c[base + 7] - origin[1];
-        z = c[base + 8] - origin[2];
-        double cz = m[0] * x + m[1] * y + m[2] * z;
-        double cx = m[3] * x + m[4] * y + m[5] * z - left * cz;
-        double cy = m[6] * x + m[7] * y + m[8] * z - top * cz;
-        int lastColumn = width - 1;
-        int lastRow = height - 1;
-        if (ax < 0.0 && bx < 0.0 && cx < 0.0
-                || ay < 0.0 && by < 0.0 && cy < 0.0
-                || ax > lastColumn * az && bx > lastColumn * bz && cx > lastColumn * cz
-                || ay > lastRow * az && by > lastRow * bz && cy > lastRow * cz) {
-            return false;
-        }
-
-        // The triangle's plane, and the inverse ray parameter of each pixel on it: r + x * rx + y * ry.
-        double nx = (by - ay) * (cz - az) - (bz - az) * (cy - ay);
-        double ny = (bz - az) * (cx - ax) - (bx - ax) * (cz - az);
-        double nz = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
-        double volume = ax * nx + ay * ny + az * nz;
-        if (Math.abs(volume) <= IN_PLANE * (Math.abs(ax * nx) + Math.abs(ay * ny) + Math.abs(az * nz))
-                && mayHoldOrigin(triangle)) {
-            // Every pixel sees it at no distance, and the edge functions say nothing: single rays know.
-            met = TOO_MANY;
-            return false;
-        }
-        double inverse = 1.0 / volume;
-        double r = nz * inverse;
-        double rx = nx * inverse;
-        double ry = ny * inverse;
-        if (!(r + Math.max(0.0, lastColumn * rx) + Math.max(0.0, lastRow * ry) > leastInverse)) {
-            return false;
-        }
-
-        // Edge functions, turned so that inside is above zero for what lies before the origin.
-        double turn = volume < 0.0 ? -1.0 : 1.0;
-        double ex = turn * (by * cz - bz * cy);
-        double ey = turn * (bz * cx - bx * cz);
-        double e = turn * (bx * cy - by * cx);
-        double fx = turn * (cy * az - cz * ay);
-        double fy = turn * (cz * ax - cx * az);
-        double f = turn * (cx * ay - cy * ax);
-        double gx = turn * (ay * bz - az * by);
-        double gy = turn * (az * bx - ax * bz);
-        double g = turn * (ax * by - ay * bx);
-        if (e + Math.max(0.0, lastColumn * ex) + Math.max(0.0, lastRow * ey) < 0.0
-                || f + Math.max(0.0, lastColumn * fx) + Math.max(0.0, lastRow * fy) < 0.0
-                || g + Math.max(0.0, lastColumn * gx) + Math.max(0.0, lastRow * gy) < 0.0) {
-            return false;
-        }
-
-        int fromRow = 0;
-        int toRow = lastRow;
-        if (az > 0.0 && bz > 0.0 && cz > 0.0) {
-            double yA = ay / az;
-            double yB = by / bz;
-            double yC = cy / cz;
-            double high = Math.min(yA, Math.min(yB, yC));
-            double low = Math.max(yA, Math.max(yB, yC));
-            fromRow = high > 0.0 ? (int) (high + (1.0 - NEAR_EDGE)) : 0;
-            toRow = low < lastRow ? (int) (low + NEAR_EDGE) : lastRow;
-        }
-        double atE = -1.0 / ex;
-        double atF = -1.0 / fx;
-        double atG = -1.0 / gx;
-        boolean taken = false;
-        for (int row = fromRow; row <= toRow; row++) {
-            // The columns between the edges; a rising edge function bounds them from the left.
-            double eRow = e + row * ey;
-            double fRow = f + row * fy;
-            double gRow = g + row * gy;
-            double from = 0.0;
-            double to = lastColumn;
-            double at = eRow * atE;
-            if (atE < 0.0) {
-                from = at > from ? at : from;
-            } else {
-                to = at < to ? at : to;
-            }
-            at = fRow * atF;
-            if (atF < 0.0) {
-                from = at > from ? at : from;
-            } else {
-                to = at < to ? at : to;
-            }
-            at = gRow * atG;
-            if (atG < 0.0) {
-                from = at > from ? at : from;
-            } else {
-                to = at < to ? at : to;
-            }
-            if (from > to + NEAR_EDGE) {
-                continue;
-            }
-            int first = (int) (from + (1.0 - NEAR_EDGE));
-            int last = (int) (to + NEAR_EDGE);
-            // Where an edge passes a pixel's centre within rounding, its sign decides.
-            if (Math.abs(first - from) <= NEAR_EDGE
-                    && first <= last
-                    && (eRow + first * ex < 0.0 || fRow + first * fx < 0.0 || gRow + first * gx < 0.0)) {
-                first++;
-            }
-            if (Math.abs(to - last) <= NEAR_EDGE
-                    && first <= last
-                    && (eRow + last * ex < 0.0 || fRow + last * fx < 0.0 || gRow + last * gx < 0.0)) {
-                last--;
-            }
-            taken |= paintRow(row * width, first, last, r + row * ry, rx, triangle);
-        }
-        return taken;
-    }
-
-    private boolean mayHoldOrigin(int triangle) {
-        boolean inside = true;
-        for (int axis = 0; axis < 3; axis++) {
-            float a = corners[9 * triangle + axis];
-            float b = corners[9 * triangle + 3 + axis];
-            float c = corners[9 * triangle + 6 + axis];
-            inside &= origin[axis] >= Math.min(a, Math.min(b, c)) && origin[axis] <= Math.max(a, Math.max(b, c));
-        }
-        return inside;
-    }
-
-    private boolean paintRow(int start, int first, int last, double inverse, double step, int triangle) {
-        boolean taken = false;
-        for (int column = first; column <= last; column++) {
-            double here = inverse + column * step;
-            int pixel = start + column;
-            if (here > nearest[pixel]) {
-                uncovered -= nearest[pixel] == 0.0 ? 1 : 0;
-                nearest[pixel] = here;
-                triangles[pixel] = triangle;
-                taken = true;
-            }
-        }
-        return taken;
     }
 
     /**
@@ -483,23 +250,21 @@ public final class TileTraversal {
      * @param rows 1 to {@link #HEIGHT}
      */
     public void traceSingly(int firstColumn, int firstRow, int columns, int rows) {
-        setTile(firstColumn, firstRow, columns, rows);
-        for (int row = 0; row < height; row++) {
-            for (int column = 0; column < width; column++) {
-                int x = left + column;
-                int y = top + row;
+        painter.begin(firstColumn, firstRow, columns, rows);
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
                 boolean hit = single.closestHit(
-                        origin[0],
-                        origin[1],
-                        origin[2],
-                        grid[0] + x * grid[3] + y * grid[6],
-                        grid[1] + x * grid[4] + y * grid[7],
-                        grid[2] + x * grid[5] + y * grid[8],
+                        grid.origin[0],
+                        grid.origin[1],
+                        grid.origin[2],
+                        grid.direction(firstColumn + column, firstRow + row, 0),
+                        grid.direction(firstColumn + column, firstRow + row, 1),
+                        grid.direction(firstColumn + column, firstRow + row, 2),
                         0.0,
                         Double.POSITIVE_INFINITY);
-                int pixel = row * width + column;
-                nearest[pixel] = hit ? 1.0 / Math.abs(single.distance()) : 0.0;
-                triangles[pixel] = hit ? single.triangle() : 0;
+                if (hit) {
+                    painter.set(column, row, Math.abs(single.distance()), single.triangle());
+                }
             }
         }
     }
