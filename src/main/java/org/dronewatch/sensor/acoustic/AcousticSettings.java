@@ -15,7 +15,8 @@ import org.dronewatch.world.World;
  * A microphone, or an array of them at one place.
  *
  * @param position its centre, m
- * @param radius rays that pass within this distance are heard, above 0, m
+ * @param radius rays that pass within this distance are heard, above 0, m; in the energy model, where rays run backward,
+ *     the distance from the drone
  * @param rate how often it listens, above 0, Hz
  * @param threshold how far above the background a sound must be, dB
  * @param arrayGain how much better than one microphone it hears, 0 to 60 dB

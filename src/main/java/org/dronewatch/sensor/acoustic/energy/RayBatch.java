@@ -36,6 +36,7 @@ final class RayBatch {
         tally.clear();
         books.clear();
         traced = 0;
+        journey.seek(source);
         for (int i = 0; i < rays; i++) {
             traced += journey.follow(source, random, recorder);
             // What the source's rays find has met one surface, too.

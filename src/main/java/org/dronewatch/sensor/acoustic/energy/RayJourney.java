@@ -84,7 +84,12 @@ final class RayJourney {
         this.energy = new EnergyPacket(model, surfaces, air, books);
     }
 
-    /** Follows one ray to its end; gives how many pieces were traced. */
+    /** Prepares for rays that look for a source. */
+    void seek(SoundSource next) {
+        ball.surround(next.place(), traversal);
+    }
+
+    /** Follows one ray to its end, looking for the source that is sought; gives how many pieces were traced. */
     int follow(SoundSource from, RandomGenerator chance, RayRecorder told) {
         source = from;
         random = chance;

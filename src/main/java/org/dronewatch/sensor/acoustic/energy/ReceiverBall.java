@@ -2,6 +2,7 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.OctaveBands;
 
@@ -12,17 +13,43 @@ import org.dronewatch.sound.OctaveBands;
 final class ReceiverBall {
     private static final int BANDS = OctaveBands.COUNT;
 
+    /** Directions in which is looked how much of the ball is free: its volume is right within about 1 %. */
+    private static final int LOOKS = 100;
+
+    private static final double GOLDEN_ANGLE = Math.PI * (3.0 - Math.sqrt(5.0));
+
     private final double radius;
-    private final double volume;
     private final Air air;
+    private double volume;
     private final EnergyTally tally;
     private final double[] brought = new double[BANDS];
 
     ReceiverBall(double radius, Air air, EnergyTally tally) {
         this.radius = radius;
-        this.volume = 4.0 / 3.0 * Math.PI * radius * radius * radius;
         this.air = air;
         this.tally = tally;
+    }
+
+    /**
+     * Puts the ball about a place. What a surface cuts off brings nothing, and does not count in the volume either: a drone
+     * just above a floor has half a ball.
+     *
+     * @return its volume, m3
+     */
+    double surround(Position centre, KDTraversal traversal) {
+        double share = 0.0;
+        for (int i = 0; i < LOOKS; i++) {
+            // Spread evenly over the sphere (Fibonacci lattice).
+            double z = 1.0 - (2.0 * i + 1.0) / LOOKS;
+            double level = Math.sqrt(1.0 - z * z);
+            double x = level * Math.cos(GOLDEN_ANGLE * i);
+            double y = level * Math.sin(GOLDEN_ANGLE * i);
+            boolean cut = traversal.closestHit(centre.x(), centre.y(), centre.z(), x, y, z, 0.0, radius);
+            double free = cut ? traversal.distance() / radius : 1.0;
+            share += free * free * free / LOOKS;
+        }
+        volume = share * 4.0 / 3.0 * Math.PI * radius * radius * radius;
+        return volume;
     }
 
     /**
@@ -41,7 +68,7 @@ final class ReceiverBall {
                 centre.y(),
                 centre.z(),
                 radius);
-        if (entry >= end) {
+        if (entry >= end || !(volume > 0.0)) {
             return;
         }
         double x = centre.x() - ray.originX;

@@ -342,6 +342,38 @@ class EnergyModelTest {
                 .isPositive();
     }
 
+    /** A fifth of the radius above a floor, 0.648 of a ball are free: the ball less a cap of height 0.8 radii. */
+    @Test
+    void aBallThatReachesThroughAFloorIsLess() {
+        World floor = Sites.world(Sites.square(50, 0), SurfaceMaterial.uniform("floor", 0.2, 0));
+        ReceiverBall ball =
+                new ReceiverBall(0.5, new Air(Atmosphere.STANDARD), new EnergyTally(new Air(Atmosphere.STANDARD)));
+        double whole = 4.0 / 3.0 * Math.PI * 0.125;
+
+        assertThat(ball.surround(new Position(0, 0, 0.1), floor.newTraversal()))
+                .isCloseTo(0.648 * whole, within(0.01 * whole));
+        assertThat(ball.surround(new Position(0, 0, 0.6), floor.newTraversal())).isCloseTo(whole, within(1e-9));
+    }
+
+    /** Late mirror reflections do not depend on how much of the ball about the drone the floor cuts off. */
+    @Test
+    void aDroneJustAboveTheFloorIsHeardAsLoudWithAnyRadius() {
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0));
+        EnergyModel model = EnergyModel.DEFAULT.withRays(60_000).withAccuracy(0.0);
+        Position sensor = new Position(7, 5, 1.7);
+        SoundSource low = Sites.sound(new Position(3, 2.5, 0.12), LOWEST);
+        EnergyReading wide =
+                new EnergyTracer(model, sensor, 0.6, room).trace(low, new SplittableRandom(31), RayRecorder.NONE);
+        EnergyReading narrow =
+                new EnergyTracer(model, sensor, 0.11, room).trace(low, new SplittableRandom(32), RayRecorder.NONE);
+
+        double difference = Levels.ofRatio(
+                wide.reverberant().get(LOWEST) / narrow.reverberant().get(LOWEST));
+        assertThat(difference)
+                .as("standard errors %.2f and %.2f dB", wide.standardError(), narrow.standardError())
+                .isCloseTo(0.0, within(0.5));
+    }
+
     @Test
     void silenceIsHeardAsSilence() {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
