@@ -18,6 +18,7 @@ import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.propagation.Diffraction;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.SurfaceMaterial;
@@ -30,6 +31,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** The energy model against closed forms, an exact image-source sum and an independent Monte Carlo simulation. */
 class EnergyModelTest {
     private static final int READINGS = 12;
+    /** The band of 1 kHz, in which rotors are directed. */
+    private static final int KILOHERTZ = 4;
+
     private static final Position SOURCE = new Position(2, 3, 1.5);
 
     private static EnergyReading read(
@@ -372,6 +376,31 @@ class EnergyModelTest {
         assertThat(difference)
                 .as("standard errors %.2f and %.2f dB", wide.standardError(), narrow.standardError())
                 .isCloseTo(0.0, within(0.5));
+    }
+
+    /**
+     * Rotors are loudest below and above, and between two high walls all mirror images are level with them. What is
+     * computed exactly and what is left to the rays must agree on that: the whole is the same wherever the border between
+     * them lies.
+     */
+    @Test
+    void aDirectedSourceIsHeardAlikeByMirrorsAndByRays() {
+        TriangleMesh canyon =
+                World.merge(List.of(Sites.wall(0, 0, -40, 40, -40, 40), Sites.wall(0, 6, -40, 40, -40, 40)));
+        World walls = Sites.world(canyon, SurfaceMaterial.uniform("wall", 0.1, 0));
+        SoundSource rotor = Sites.sound(new Position(2, 0, 0), KILOHERTZ, Directivity.ROTOR);
+        Position sensor = new Position(4.5, 3, 0);
+        EnergyModel model = EnergyModel.DEFAULT.withRays(100_000).withAccuracy(0.0);
+        EnergyReading byRays = Sites.read(model.withMirrorOrder(1), walls, rotor, sensor, 41);
+        EnergyReading byMirrors = Sites.read(model.withMirrorOrder(4), walls, rotor, sensor, 42);
+
+        assertThat(byRays.reverberant().get(KILOHERTZ))
+                .isGreaterThan(1.5 * byMirrors.reverberant().get(KILOHERTZ));
+        assertThat(byRays.level(KILOHERTZ))
+                .as("standard errors %.3f and %.3f dB", byRays.standardError(), byMirrors.standardError())
+                .isCloseTo(
+                        byMirrors.level(KILOHERTZ),
+                        within(4 * (byRays.standardError() + byMirrors.standardError()) + 0.02));
     }
 
     @Test
