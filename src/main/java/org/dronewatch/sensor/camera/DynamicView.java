@@ -31,6 +31,11 @@ final class DynamicView {
     /** One for each drone of the last frame, in its order. */
     private Silhouette[] silhouettes = new Silhouette[0];
 
+    /** Those before the drone that is being drawn which may share pixels with it: few, where a swarm has many. */
+    private Silhouette[] rivals = new Silhouette[0];
+
+    private int rivalCount;
+
     DynamicView(CameraObject camera) {
         this.camera = camera;
         this.significantPixels = new SignificantPixels(camera);
@@ -42,12 +47,23 @@ final class DynamicView {
         int count = drones.size();
         if (silhouettes.length != count) {
             silhouettes = Stream.generate(Silhouette::new).limit(count).toArray(Silhouette[]::new);
+            rivals = new Silhouette[count];
         }
         for (int i = 0; i < count; i++) {
             significantPixels.find(drones.get(i), silhouettes[i].rectangle());
             silhouettes[i].clear();
             if (!silhouettes[i].rectangle().isEmpty()) {
+                findRivals(i);
                 draw(staticView, drones.get(i), i);
+            }
+        }
+    }
+
+    private void findRivals(int number) {
+        rivalCount = 0;
+        for (int i = 0; i < number; i++) {
+            if (silhouettes[i].overlaps(silhouettes[number])) {
+                rivals[rivalCount++] = silhouettes[i];
             }
         }
     }
@@ -104,19 +120,16 @@ final class DynamicView {
         if (!(distance < staticView.distance(column, row))) {
             return;
         }
-        Silhouette claiming = silhouettes[number];
-        for (int i = 0; i < number; i++) {
-            if (silhouettes[i].overlaps(claiming)) {
-                float other = silhouettes[i].distance(column, row);
-                if (other <= distance) {
-                    return;
-                }
-                if (other < Float.POSITIVE_INFINITY) {
-                    silhouettes[i].hide(column, row);
-                }
+        for (int i = 0; i < rivalCount; i++) {
+            float other = rivals[i].distance(column, row);
+            if (other <= distance) {
+                return;
+            }
+            if (other < Float.POSITIVE_INFINITY) {
+                rivals[i].hide(column, row);
             }
         }
-        claiming.show(column, row, distance);
+        silhouettes[number].show(column, row, distance);
     }
 
     /** How many pixels show the drone of a number in the list that was drawn. */

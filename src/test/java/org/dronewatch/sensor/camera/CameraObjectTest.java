@@ -6,9 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
 import org.dronewatch.geometry.Position;
+import org.jogamp.vecmath.Matrix4d;
 import org.jogamp.vecmath.Point2d;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
+import org.joml.Vector4d;
 import org.junit.jupiter.api.Test;
 
 class CameraObjectTest {
@@ -50,6 +52,22 @@ class CameraObjectTest {
             assertThat(pixel.x).isCloseTo(column + 0.5, within(1e-6));
             assertThat(pixel.y).isCloseTo(row + 0.5, within(1e-6));
         }
+    }
+
+    /** The product of the three matrices, step by step. */
+    @Test
+    void theMatrixToClipSpaceTakesAModelsPointToItsPixel() {
+        CameraObject camera = new CameraObject(NORTH);
+        Matrix4d model = new Matrix4d();
+        model.rotZ(0.7);
+        model.setTranslation(new Vector3d(3, 40, 5));
+        Point3d point = new Point3d(0.3, -0.2, 0.1);
+        Vector4d clip = camera.modelViewProjection(model).transform(new Vector4d(point.x, point.y, point.z, 1));
+
+        model.transform(point);
+        Point2d pixel = camera.pixelOf(point).orElseThrow();
+        assertThat(0.5 * (1 + clip.x / clip.w) * camera.width()).isCloseTo(pixel.x, within(1e-9));
+        assertThat(0.5 * (1 - clip.y / clip.w) * camera.height()).isCloseTo(pixel.y, within(1e-9));
     }
 
     @Test
