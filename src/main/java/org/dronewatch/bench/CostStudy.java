@@ -37,7 +37,9 @@ public final class CostStudy {
     private static final int MOST = 64;
     private static final double DRONE_DISTANCE = 60.0;
 
-    private final TriangleMesh droneMesh;
+    /** All drones share it, as in a scene. */
+    private final KDTree droneTree;
+
     private final int largest;
     private final Consumer<String> progress;
 
@@ -49,7 +51,7 @@ public final class CostStudy {
      * @param progress is told what is measured next
      */
     public CostStudy(TriangleMesh droneMesh, int largest, Consumer<String> progress) {
-        this.droneMesh = droneMesh;
+        this.droneTree = KDTree.of(droneMesh);
         this.largest = largest;
         this.progress = progress;
     }
@@ -251,8 +253,7 @@ public final class CostStudy {
     private Drone droneAt(Position offset, World site) {
         Position place = above(site, offset.x(), offset.y(), 20.0 + offset.z());
         DroneSettings settings = DroneSettings.of(ModelSettings.of("drone.obj"), new Hover(place, 0.0));
-        KDTree tree = KDTree.of(droneMesh);
-        return settings.create("drone", tree).at(settings.createFlight().at(0.0));
+        return settings.create("drone", droneTree).at(settings.createFlight().at(0.0));
     }
 
     private static Sample sample(int number) {
