@@ -15,7 +15,10 @@ import org.dronewatch.world.ModelSettings;
 import org.dronewatch.world.ObjLoader;
 import org.dronewatch.world.World;
 
-/** Loads each model and builds each tree once, however many runs need them, and measures how long that took. */
+/**
+ * Loads each model and builds each tree once, however many runs need them, and measures how long that took. Any thread may
+ * ask; one at a time is served.
+ */
 final class ModelCache {
     private static final double NANO = 1e-9;
 
@@ -39,8 +42,17 @@ final class ModelCache {
     }
 
     /** The tree over some models as one mesh. */
-    KDTree tree(List<ModelSettings> settings) {
+    synchronized KDTree tree(List<ModelSettings> settings) {
         return trees.computeIfAbsent(settings, this::build);
+    }
+
+    /** What the materials of some models look like, by name: red, green and blue in the lowest 24 bits. */
+    synchronized Map<String, Integer> colours(List<ModelSettings> settings) {
+        Map<String, Integer> colours = new HashMap<>();
+        for (ModelSettings model : settings) {
+            models.computeIfAbsent(model, this::load).colours().forEach(colours::putIfAbsent);
+        }
+        return colours;
     }
 
     private KDTree build(List<ModelSettings> settings) {
@@ -64,17 +76,17 @@ final class ModelCache {
     }
 
     /** Warns, once for each text. */
-    void warn(String text) {
+    synchronized void warn(String text) {
         if (noted.add(text)) {
             notes.accept("warning: " + text);
         }
     }
 
-    double loadSeconds() {
+    synchronized double loadSeconds() {
         return loadSeconds;
     }
 
-    double buildSeconds() {
+    synchronized double buildSeconds() {
         return buildSeconds;
     }
 }

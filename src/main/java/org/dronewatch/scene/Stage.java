@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
@@ -26,6 +27,7 @@ import org.dronewatch.world.WorldSettings;
 /** A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. */
 public final class Stage {
     private final World world;
+    private final Map<String, Integer> colours;
     private final List<Flier> fliers = new ArrayList<>();
     private final List<Looker> lookers = new ArrayList<>();
     private final long runSeed;
@@ -34,6 +36,7 @@ public final class Stage {
         WorldSettings site = settings.world();
         this.world = new World(models.tree(site.models()), site.noise(), site.surfaces(), site.atmosphere())
                 .withRain(site.rain());
+        this.colours = Map.copyOf(models.colours(site.models()));
         warn(settings, models);
         this.runSeed = runSeed;
         settings.drones().forEach((id, drone) -> {
@@ -68,6 +71,11 @@ public final class Stage {
     /** The world. */
     public World world() {
         return world;
+    }
+
+    /** What the world's materials look like in daylight, by name: red, green and blue in the lowest 24 bits. */
+    public Map<String, Integer> colours() {
+        return colours;
     }
 
     /** The drones at a time, seconds since the start of the run. */

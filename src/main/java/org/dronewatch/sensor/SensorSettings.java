@@ -1,5 +1,6 @@
 package org.dronewatch.sensor;
 
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.world.World;
 
@@ -12,6 +13,11 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
 
     /** Where the sensor is, m. */
     Position position();
+
+    /** The space that it looks into, for pictures; none unless a kind of sensor has one. */
+    default Optional<Outline> outline() {
+        return Optional.empty();
+    }
 
     /** How often it looks, Hz, above 0: frames, updates or scans a second. */
     double rate();

@@ -2,6 +2,7 @@ package org.dronewatch.world;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 
@@ -11,12 +12,15 @@ import org.dronewatch.geometry.TriangleMesh;
  * @param name the file's name
  * @param mesh its triangles, placed in the world's frame
  * @param dropped how many triangles without area were left out
+ * @param colours what its materials look like in daylight, red, green and blue in the lowest 24 bits, by material name;
+ *     those without a colour are left out
  * @param warnings what looked odd but did not stop the reading, one line each
  */
-public record LoadedModel(String name, TriangleMesh mesh, int dropped, List<String> warnings) {
+public record LoadedModel(String name, TriangleMesh mesh, int dropped, Map<String, Integer> colours, List<String> warnings) {
 
-    /** Keeps its own list of warnings. */
+    /** Keeps its own lists. */
     public LoadedModel {
+        colours = Map.copyOf(colours);
         warnings = List.copyOf(warnings);
     }
 

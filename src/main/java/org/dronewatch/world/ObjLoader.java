@@ -1,5 +1,7 @@
 package org.dronewatch.world;
 
+import de.javagl.obj.FloatTuple;
+import de.javagl.obj.Mtl;
 import de.javagl.obj.MtlReader;
 import de.javagl.obj.ObjReader;
 import java.io.IOException;
@@ -8,14 +10,16 @@ import java.io.Reader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.setting.InputException;
 
 /**
- * Reads triangle meshes from Wavefront OBJ files, with the material names of their MTL files. Polygons are cut into fans
+ * Reads triangle meshes from Wavefront OBJ files, with the materials of their MTL files. Polygons are cut into fans
  * in the order of their corners; triangles without area are dropped and counted; lines, curves, normals and texture
  * coordinates are ignored. What cannot be right is an {@link InputException} that names file and line.
  */
@@ -40,8 +44,9 @@ public final class ObjLoader {
         ModelFile file = ModelFile.find(directory, settings.file());
         ObjMeshCollector collector = read(file, new Placement(settings));
         List<String> warnings = new ArrayList<>(collector.warnings());
-        warnings.addAll(checkMaterials(file, collector));
-        return new LoadedModel(file.name(), collector.toMesh(file.name()), collector.dropped(), warnings);
+        Map<String, Integer> colours = new HashMap<>();
+        warnings.addAll(readMaterials(file, collector, colours));
+        return new LoadedModel(file.name(), collector.toMesh(file.name()), collector.dropped(), colours, warnings);
     }
 
     /**
@@ -81,7 +86,8 @@ public final class ObjLoader {
         return cause.getMessage() == null ? "is no line of an OBJ file" : cause.getMessage();
     }
 
-    private static List<String> checkMaterials(ModelFile file, ObjMeshCollector collector) {
+    private static List<String> readMaterials(
+            ModelFile file, ObjMeshCollector collector, Map<String, Integer> colours) {
         List<String> warnings = new ArrayList<>();
         Set<String> defined = new HashSet<>();
         for (String library : collector.libraries()) {
@@ -91,7 +97,7 @@ public final class ObjLoader {
                         + "' is not beside it; its materials are names only");
                 return warnings;
             }
-            readNames(found.get(), defined, warnings);
+            readMaterials(found.get(), defined, colours, warnings);
         }
         Set<String> undefined = new HashSet<>(collector.materialNames());
         undefined.removeAll(defined);
@@ -103,11 +109,27 @@ public final class ObjLoader {
         return warnings;
     }
 
-    private static void readNames(ModelFile library, Set<String> defined, List<String> warnings) {
+    private static void readMaterials(
+            ModelFile library, Set<String> defined, Map<String, Integer> colours, List<String> warnings) {
         try (Reader text = new InputStreamReader(library.open(), StandardCharsets.UTF_8)) {
-            MtlReader.read(text).forEach(material -> defined.add(material.getName()));
+            for (Mtl material : MtlReader.read(text)) {
+                defined.add(material.getName());
+                if (material.getKd() != null) {
+                    colours.put(material.getName(), colour(material.getKd()));
+                }
+            }
         } catch (IOException | RuntimeException e) {
             warnings.add(library.name() + ": not a material library: " + e.getMessage());
         }
+    }
+
+    /** A diffuse colour of an MTL file, each part between 0 and 1, as it is shown on a screen. */
+    private static int colour(FloatTuple diffuse) {
+        int rgb = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            // Not a number becomes 0, as a cast does.
+            rgb = rgb << 8 | (int) (255.0f * Math.max(0.0f, Math.min(1.0f, diffuse.get(channel))) + 0.5f);
+        }
+        return rgb;
     }
 }

@@ -1,6 +1,8 @@
 package org.dronewatch.sensor.acoustic;
 
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
@@ -78,6 +80,11 @@ public record AcousticSettings(
     /** The level from which on a sound is detected over a background: dB re 20 uPa. */
     public double detectionLevel(double background) {
         return background + threshold - arrayGain;
+    }
+
+    @Override
+    public Optional<Outline> outline() {
+        return Optional.of(new Outline.Ball(radius));
     }
 
     @Override

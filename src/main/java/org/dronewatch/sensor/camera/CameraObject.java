@@ -3,6 +3,7 @@ package org.dronewatch.sensor.camera;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.Ray;
+import org.dronewatch.sensor.Outline;
 import org.jogamp.vecmath.Point2d;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
@@ -101,7 +102,7 @@ public final class CameraObject {
      * row adds, three numbers each. They reach one unit along the camera's axis, so they are longer than unit directions
      * by {@link #obliqueness}.
      */
-    double[][] grid() {
+    public double[][] grid() {
         double x = (0.5 - 0.5 * width) / focalLength;
         double y = (0.5 * height - 0.5) / focalLength;
         return new double[][] {
@@ -120,7 +121,7 @@ public final class CameraObject {
     }
 
     /** Writes where a point of the world is in the camera's frame: metres to the right, up and ahead. */
-    void toView(double x, double y, double z, double[] target, int at) {
+    public void toView(double x, double y, double z, double[] target, int at) {
         double dx = x - position.x();
         double dy = y - position.y();
         double dz = z - position.z();
@@ -130,7 +131,7 @@ public final class CameraObject {
     }
 
     /** Whether a ball is wholly behind the camera or beside its picture: true only when it surely is. */
-    boolean isOutside(double x, double y, double z, double radius) {
+    public boolean isOutside(double x, double y, double z, double radius) {
         double dx = x - position.x();
         double dy = y - position.y();
         double dz = z - position.z();
@@ -163,6 +164,16 @@ public final class CameraObject {
     /** Row of a point in clip space, in pixels from the top edge. */
     double row(Vector4d clip) {
         return 0.5 * (1.0 - clip.y / clip.w) * height;
+    }
+
+    /** What the picture shows of the world. */
+    Outline.Pyramid outline() {
+        return new Outline.Pyramid(
+                Position.of(forward),
+                Position.of(right),
+                Position.of(up),
+                0.5 * width / focalLength,
+                0.5 * height / focalLength);
     }
 
     /** Where the camera is, m. */

@@ -59,6 +59,16 @@ public final class CameraSensor implements Sensor {
         return DepthImage.over(camera, distances, hits);
     }
 
+    /** The significant pixels of each drone, in the same order, and which of them show it. */
+    public List<DronePixels> pixels(World world, List<Drone> drones) {
+        draw(world, drones);
+        List<DronePixels> pixels = new ArrayList<>(drones.size());
+        for (int i = 0; i < drones.size(); i++) {
+            pixels.add(dynamicView.pixels(i, drones.get(i).id()));
+        }
+        return pixels;
+    }
+
     /** How many pixels show a drone when it is the only one. */
     public int pixels(World world, Drone drone) {
         draw(world, List.of(drone));

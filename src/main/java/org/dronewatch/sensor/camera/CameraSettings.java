@@ -1,7 +1,9 @@
 package org.dronewatch.sensor.camera;
 
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -98,6 +100,11 @@ public record CameraSettings(
     public double focalLength() {
         double side = fovAxis == FieldOfView.VERTICAL ? height : width;
         return 0.5 * side / Math.tan(0.5 * fov);
+    }
+
+    @Override
+    public Optional<Outline> outline() {
+        return Optional.of(new CameraObject(this).outline());
     }
 
     @Override

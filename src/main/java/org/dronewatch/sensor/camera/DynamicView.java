@@ -137,6 +137,11 @@ final class DynamicView {
         return silhouettes[number].pixels();
     }
 
+    /** A copy of what is known of the pixels of the drone of a number in the list that was drawn. */
+    DronePixels pixels(int number, String id) {
+        return new DronePixels(id, silhouettes[number]);
+    }
+
     /** Puts the drones over a picture's distances and marks their pixels. */
     void overlay(float[] distances, boolean[] hits) {
         for (Silhouette silhouette : silhouettes) {

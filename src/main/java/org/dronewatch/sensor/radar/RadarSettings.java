@@ -1,8 +1,10 @@
 package org.dronewatch.sensor.radar;
 
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -144,6 +146,18 @@ public record RadarSettings(
 
     private RadarSettings with(Map<String, Object> parts) {
         return (RadarSettings) SettingsForm.of(RadarSettings.class).with(this, parts);
+    }
+
+    @Override
+    public Optional<Outline> outline() {
+        Position axis = aim.from(position);
+        return Optional.of(new Outline.Sector(
+                Math.atan2(axis.x(), axis.y()),
+                Math.atan2(axis.z(), Math.hypot(axis.x(), axis.y())),
+                azimuthWidth,
+                elevationWidth,
+                minRange,
+                maxRange));
     }
 
     @Override

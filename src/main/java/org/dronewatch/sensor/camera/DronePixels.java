@@ -1,0 +1,70 @@
+package org.dronewatch.sensor.camera;
+
+/** The significant pixels of one drone in one frame, and those of them in which the camera sees it. Immutable. */
+public final class DronePixels {
+    private final String drone;
+    private final int left;
+    private final int top;
+    private final int columns;
+    private final int rows;
+    private final float[] distances;
+    private final int count;
+
+    /** From a silhouette as it is now. */
+    DronePixels(String drone, Silhouette silhouette) {
+        this.drone = drone;
+        PixelRectangle rectangle = silhouette.rectangle();
+        this.left = rectangle.left();
+        this.top = rectangle.top();
+        this.columns = rectangle.isEmpty() ? 0 : rectangle.right() - left + 1;
+        this.rows = rectangle.isEmpty() ? 0 : rectangle.bottom() - top + 1;
+        this.distances = new float[columns * rows];
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                distances[row * columns + column] = silhouette.distance(left + column, top + row);
+            }
+        }
+        this.count = silhouette.pixels();
+    }
+
+    /** The drone's name. */
+    public String drone() {
+        return drone;
+    }
+
+    /** The picture's column of the first significant pixels. */
+    public int left() {
+        return left;
+    }
+
+    /** The picture's row of the first significant pixels. */
+    public int top() {
+        return top;
+    }
+
+    /** How many columns may show it; 0 when it is out of the picture. */
+    public int columns() {
+        return columns;
+    }
+
+    /** How many rows may show it. */
+    public int rows() {
+        return rows;
+    }
+
+    /** Whether a pixel of the picture shows it. */
+    public boolean isHit(int column, int row) {
+        return distance(column, row) < Float.POSITIVE_INFINITY;
+    }
+
+    /** How far it is along a pixel's ray, m; infinity where the pixel does not show it. */
+    public float distance(int column, int row) {
+        boolean inside = column >= left && row >= top && column < left + columns && row < top + rows;
+        return inside ? distances[(row - top) * columns + column - left] : Float.POSITIVE_INFINITY;
+    }
+
+    /** How many pixels show it. */
+    public int count() {
+        return count;
+    }
+}
