@@ -25,6 +25,10 @@ class HouseRulesTest {
             .definedBy("org.dronewatch.models..")
             .layer("report")
             .definedBy("org.dronewatch.report..")
+            .layer("viewer")
+            .definedBy("org.dronewatch.viewer..")
+            .layer("picture")
+            .definedBy("org.dronewatch.picture..")
             .layer("scenes")
             .definedBy("org.dronewatch.scenes..")
             .layer("scene")
@@ -57,32 +61,60 @@ class HouseRulesTest {
             .mayOnlyBeAccessedByLayers("app", "report")
             .whereLayer("models")
             .mayOnlyBeAccessedByLayers("app")
-            .whereLayer("report")
+            .whereLayer("viewer")
             .mayOnlyBeAccessedByLayers("app")
+            .whereLayer("report")
+            .mayOnlyBeAccessedByLayers("app", "viewer")
+            .whereLayer("picture")
+            .mayOnlyBeAccessedByLayers("app", "viewer", "report")
             .whereLayer("scenes")
             .mayOnlyBeAccessedByLayers("app")
             .whereLayer("scene")
-            .mayOnlyBeAccessedByLayers("app", "report", "scenes")
+            .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "report", "scenes")
             .whereLayer("catalog")
             .mayOnlyBeAccessedByLayers("app", "scenes", "scene")
             .whereLayer("camera")
-            .mayOnlyBeAccessedByLayers("app", "bench", "scenes", "catalog")
+            .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "bench", "scenes", "catalog")
             .whereLayer("acoustic")
             .mayOnlyBeAccessedByLayers("app", "bench", "scenes", "catalog")
             .whereLayer("radar")
             .mayOnlyBeAccessedByLayers("app", "scenes", "catalog")
             .whereLayer("sensor")
             .mayOnlyBeAccessedByLayers(
-                    "app", "bench", "report", "scenes", "scene", "catalog", "camera", "acoustic", "radar")
+                    "viewer",
+                    "picture",
+                    "app",
+                    "bench",
+                    "report",
+                    "scenes",
+                    "scene",
+                    "catalog",
+                    "camera",
+                    "acoustic",
+                    "radar")
             .whereLayer("world")
             .mayOnlyBeAccessedByLayers(
-                    "app", "bench", "report", "scenes", "scene", "catalog", "camera", "acoustic", "radar", "sensor")
+                    "viewer",
+                    "picture",
+                    "app",
+                    "bench",
+                    "report",
+                    "scenes",
+                    "scene",
+                    "catalog",
+                    "camera",
+                    "acoustic",
+                    "radar",
+                    "sensor")
             .whereLayer("sound")
             .mayOnlyBeAccessedByLayers("scenes", "scene", "acoustic", "sensor", "world")
             .whereLayer("kdtree")
-            .mayOnlyBeAccessedByLayers("app", "bench", "report", "scene", "camera", "acoustic", "radar", "world")
+            .mayOnlyBeAccessedByLayers(
+                    "viewer", "picture", "app", "bench", "report", "scene", "camera", "acoustic", "radar", "world")
             .whereLayer("geometry")
             .mayOnlyBeAccessedByLayers(
+                    "viewer",
+                    "picture",
                     "app",
                     "bench",
                     "report",
@@ -95,7 +127,8 @@ class HouseRulesTest {
                     "world",
                     "kdtree")
             .whereLayer("parallel")
-            .mayOnlyBeAccessedByLayers("app", "bench", "report", "scene", "camera", "acoustic", "world", "kdtree");
+            .mayOnlyBeAccessedByLayers(
+                    "viewer", "picture", "app", "bench", "report", "scene", "camera", "acoustic", "world", "kdtree");
 
     @ArchTest
     static final ArchRule NO_CIRCLES =

@@ -1,8 +1,10 @@
 package org.dronewatch.app;
 
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import javax.imageio.ImageIO;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
@@ -13,27 +15,56 @@ import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.camera.DepthImage;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Draws what one camera sees at one time. */
+/** Draws what one camera sees at one time, or the site with all that is in it. */
 @Command(
         name = "render",
         mixinStandardHelpOptions = true,
-        description =
-                "Draws what one camera of a scene sees at one time: .png in blues, or .pfm with distances in metres.",
-        footer = {"", "Example: dronewatch render camera-range --camera camera --time 25 --out view.png"})
+        description = {
+            "Draws a picture of a scene at one time, without a window: what one camera sees (.png in blues, or .pfm with"
+                    + " distances in metres), or the whole site in 3D with its sensors, drones and rays of sound (.png)."
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  dronewatch render camera-range --camera camera --time 25 --out view.png",
+            "  dronewatch render multi-sensor --view orbit --time 12 --out site.png",
+            "  dronewatch render closed-space --view top --rays --size 2560x1440 --scale 2 --out rays.png"
+        })
 final class RenderCommand implements Callable<Integer> {
     @Mixin
     private SceneChoice choice;
 
-    @Option(names = "--camera", required = true, paramLabel = "ID", description = "Id of the camera in the scene.")
-    private String cameraId;
+    @ArgGroup(multiplicity = "1")
+    private Subject subject;
 
-    @Option(names = "--time", required = true, paramLabel = "T", description = "Time since the start of the run, s.")
+    /** What the picture is of. */
+    static final class Subject {
+        @Option(names = "--camera", required = true, paramLabel = "ID", description = "Id of the camera in the scene.")
+        private String camera;
+
+        @Option(
+                names = "--view",
+                required = true,
+                paramLabel = "top|side|orbit",
+                description = "The whole site: a plan, from the side, or in perspective.")
+        private SiteView.From view;
+    }
+
+    @Mixin
+    private SiteView site = new SiteView();
+
+    @Option(
+            names = "--time",
+            defaultValue = "0",
+            paramLabel = "T",
+            description = "Time since the start of the run, s; 0 unless given.")
     private String time;
 
     @Option(names = "--out", required = true, paramLabel = "FILE", description = "File to write: .png or .pfm.")
@@ -59,8 +90,17 @@ final class RenderCommand implements Callable<Integer> {
         SceneRunner runner = choice.runner(scene);
         runner.notes(spec.commandLine().getErr()::println);
         SceneSettings settings = settingsOfRun(runner);
-        CameraSettings camera = camera(settings);
         double seconds = seconds(settings);
+        if (subject.view != null) {
+            drawSite(scene.name(), runner, settings, seconds, target);
+        } else {
+            drawCamera(runner, settings, seconds, target);
+        }
+        return 0;
+    }
+
+    private void drawCamera(SceneRunner runner, SceneSettings settings, double seconds, WholeFile target) {
+        CameraSettings camera = camera(settings);
         DepthImage image = threads.call(() -> {
             Stage stage = runner.stage(settings);
             return camera.create().depthImage(stage.world(), stage.dronesAt(seconds));
@@ -71,7 +111,17 @@ final class RenderCommand implements Callable<Integer> {
                 .printf(
                         "%s: %d x %d pixels, %d of them show drones%n",
                         out, image.width(), image.height(), image.hitCount());
-        return 0;
+    }
+
+    private void drawSite(String title, SceneRunner runner, SceneSettings settings, double seconds, WholeFile target) {
+        if (!isPng()) {
+            throw new InputException("--out " + out + ": a picture of the site must end in .png");
+        }
+        site.check(settings);
+        BufferedImage image =
+                threads.call(() -> site.draw(title, settings, runner.stage(settings), subject.view, seconds));
+        target.write(stream -> ImageIO.write(image, "png", stream));
+        spec.commandLine().getOut().printf("%s: %d x %d pixels%n", out, image.getWidth(), image.getHeight());
     }
 
     private SceneSettings settingsOfRun(SceneRunner runner) {
@@ -83,11 +133,11 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private CameraSettings camera(SceneSettings settings) {
-        SensorSettings<?> sensor = settings.sensors().get(cameraId);
+        SensorSettings<?> sensor = settings.sensors().get(subject.camera);
         if (sensor instanceof CameraSettings camera) {
             return camera;
         }
-        throw new InputException("--camera " + cameraId + ": no such camera; the scene's sensors are "
+        throw new InputException("--camera " + subject.camera + ": no such camera; the scene's sensors are "
                 + String.join(", ", settings.sensors().keySet()));
     }
 

@@ -11,17 +11,15 @@ import java.io.OutputStream;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.picture.KindColours;
 import org.dronewatch.scene.Coverage;
 import org.dronewatch.scene.CoverageGrid;
-import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.World;
 
 /** A plan of a site, north up: shaded ground, what the sensors of each kind reach, the sensors themselves. */
@@ -30,23 +28,18 @@ public final class CoveragePicture {
     private static final int SIDE = 380;
     private static final int MARGIN = 24;
     private static final int LINE = 26;
-    private static final Color[] KINDS = {
-        new Color(0x1f5fbf), new Color(0xff6a00), new Color(0x2a9d5c), new Color(0x9b3fb5), new Color(0xb58900),
-    };
     private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 19);
     private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
 
     private final Coverage coverage;
     private final CoverageGrid grid;
-    private final Map<String, Color> colours = new LinkedHashMap<>();
+    private final KindColours colours;
     private final BufferedImage image = new BufferedImage(MAP + SIDE, MAP, BufferedImage.TYPE_INT_RGB);
 
     private CoveragePicture(Coverage coverage) {
         this.coverage = coverage;
         this.grid = coverage.grid();
-        for (SensorSettings<?> sensor : coverage.sensors().values()) {
-            colours.computeIfAbsent(sensor.kind(), kind -> KINDS[colours.size() % KINDS.length]);
-        }
+        this.colours = KindColours.of(coverage.sensors().values());
     }
 
     /**
@@ -98,9 +91,9 @@ public final class CoveragePicture {
         int column = u * grid.cells() / MAP;
         int row = v * grid.cells() / MAP;
         Color colour = ground;
-        for (Map.Entry<String, Color> kind : colours.entrySet()) {
-            if (coverage.count(kind.getKey(), column, row) > 0) {
-                colour = mixed(colour, kind.getValue(), isEdge(kind.getKey(), u, v) ? 0.9 : 0.33);
+        for (String kind : colours.kinds()) {
+            if (coverage.count(kind, column, row) > 0) {
+                colour = mixed(colour, colours.of(kind), isEdge(kind, u, v) ? 0.9 : 0.33);
             }
         }
         return colour;
@@ -133,7 +126,7 @@ public final class CoveragePicture {
             int v = (int) Math.round(0.5 * MAP - (at.y() - grid.north()) / grid.side() * MAP);
             g.setColor(Color.WHITE);
             g.fillOval(u - 6, v - 6, 12, 12);
-            g.setColor(colours.get(sensor.kind()));
+            g.setColor(colours.of(sensor.kind()));
             g.fillOval(u - 4, v - 4, 8, 8);
         });
     }
@@ -178,25 +171,22 @@ public final class CoveragePicture {
             g.drawString(line, x, y);
         }
         y += LINE;
-        for (Map.Entry<String, Color> kind : colours.entrySet()) {
+        for (String kind : colours.kinds()) {
             y += LINE;
-            g.setColor(mixed(new Color(0xd8d4cc), kind.getValue(), 0.33));
+            g.setColor(mixed(new Color(0xd8d4cc), colours.of(kind), 0.33));
             g.fillRect(x, y - 14, 22, 16);
-            g.setColor(kind.getValue());
+            g.setColor(colours.of(kind));
             g.setStroke(new BasicStroke(2f));
             g.drawRect(x, y - 14, 22, 16);
             g.setColor(Color.BLACK);
-            g.drawString(
-                    String.format(Locale.ROOT, "%s: %s", kind.getKey(), hectares(coverage.areaOfKind(kind.getKey()))),
-                    x + 34,
-                    y);
+            g.drawString(String.format(Locale.ROOT, "%s: %s", kind, hectares(coverage.areaOfKind(kind))), x + 34, y);
         }
         y += LINE;
         List<String> ids = new ArrayList<>(coverage.sensors().keySet());
         int room = (MAP - y - MARGIN) / LINE - 1;
         for (String id : ids.subList(0, Math.min(room, ids.size()))) {
             y += LINE;
-            g.setColor(colours.get(coverage.sensors().get(id).kind()));
+            g.setColor(colours.of(coverage.sensors().get(id).kind()));
             g.fillOval(x + 7, y - 9, 8, 8);
             g.setColor(Color.BLACK);
             g.drawString(shortened(id) + ": " + hectares(coverage.area(id)), x + 34, y);

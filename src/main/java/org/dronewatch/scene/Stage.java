@@ -93,11 +93,44 @@ public final class Stage {
         for (Looker looker : lookers) {
             if (looker.sensor instanceof RaySensor sensor) {
                 for (Drone drone : dronesAt(time)) {
-                    Sample sample = Sample.of(runSeed, looker.number, looker.id, 0, time);
-                    sensor.traceRays(world, drone, sample.random(), target.apply(looker.id, drone.id()));
+                    trace(looker, sensor, drone, time, target.apply(looker.id, drone.id()));
                 }
             }
         }
+    }
+
+    /**
+     * Lets one sensor tell of all rays that lead from one drone to it, as its first look would trace them if it did not stop
+     * early. The sensor is a new one: the run may go on meanwhile on another thread.
+     *
+     * @param time where the drone is, seconds since the start of the run
+     * @return whether there are such a drone and such a sensor, and it follows rays
+     */
+    public boolean traceRays(double time, String sensor, String drone, RayRecorder target) {
+        for (Looker looker : lookers) {
+            if (looker.id.equals(sensor) && looker.settings.create() instanceof RaySensor fresh) {
+                for (Drone one : dronesAt(time)) {
+                    if (one.id().equals(drone)) {
+                        trace(looker, fresh, one, time, target);
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    private void trace(Looker looker, RaySensor sensor, Drone drone, double time, RayRecorder target) {
+        Sample sample = Sample.of(runSeed, looker.number, looker.id, 0, time);
+        sensor.traceRays(world, drone, sample.random(), target);
+    }
+
+    /** Names of the sensors that follow rays. */
+    public List<String> raySensors() {
+        return lookers.stream()
+                .filter(looker -> looker.sensor instanceof RaySensor)
+                .map(looker -> looker.id)
+                .toList();
     }
 
     /**

@@ -16,7 +16,8 @@ import org.dronewatch.geometry.TriangleMesh;
  *     those without a colour are left out
  * @param warnings what looked odd but did not stop the reading, one line each
  */
-public record LoadedModel(String name, TriangleMesh mesh, int dropped, Map<String, Integer> colours, List<String> warnings) {
+public record LoadedModel(
+        String name, TriangleMesh mesh, int dropped, Map<String, Integer> colours, List<String> warnings) {
 
     /** Keeps its own lists. */
     public LoadedModel {

@@ -114,7 +114,7 @@ public final class CameraObject {
     }
 
     /** Distance along a pixel's ray over that along the camera's axis, 1 or more. */
-    double obliqueness(int column, int row) {
+    public double obliqueness(int column, int row) {
         double x = (column + 0.5 - 0.5 * width) / focalLength;
         double y = (0.5 * height - row - 0.5) / focalLength;
         return Math.sqrt(1.0 + x * x + y * y);

@@ -4,7 +4,6 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.TileTraversal;
 import org.dronewatch.world.Drone;
@@ -22,9 +21,7 @@ final class DynamicView {
     private final CameraObject camera;
     private final SignificantPixels significantPixels;
     private final Matrix4d toModel = new Matrix4d();
-    private final double[][] grid;
-    private final double[] origin = new double[3];
-    private final double[][] modelGrid = new double[3][3];
+    private final ModelGrid grid;
 
     private final Map<KDTree, TileTraversal> traversals = new IdentityHashMap<>();
 
@@ -39,7 +36,7 @@ final class DynamicView {
     DynamicView(CameraObject camera) {
         this.camera = camera;
         this.significantPixels = new SignificantPixels(camera);
-        this.grid = camera.grid();
+        this.grid = new ModelGrid(camera);
     }
 
     /** Draws the drones of a new frame and forgets those of the last. */
@@ -72,7 +69,7 @@ final class DynamicView {
         PixelRectangle rectangle = silhouettes[number].rectangle();
         TileTraversal traversal = traversals.computeIfAbsent(drone.tree(), TileTraversal::new);
         drone.worldToModel(toModel);
-        setPicture(traversal, toModel);
+        grid.setPicture(traversal, toModel);
         boolean coarse = drone.tree().mesh().triangleCount() < TRIANGLES_PER_PIXEL * rectangle.pixels();
         for (int top = rectangle.top(); top <= rectangle.bottom(); top += TileTraversal.HEIGHT) {
             int rows = Math.min(TileTraversal.HEIGHT, rectangle.bottom() + 1 - top);
@@ -86,21 +83,6 @@ final class DynamicView {
                 claimTile(traversal, left, top, columns, rows, staticView, number);
             }
         }
-    }
-
-    /** The grid of the pixels' rays in a drone's model space; lengths along them stay those of the world. */
-    private void setPicture(TileTraversal traversal, Matrix4d m) {
-        Position from = camera.position();
-        origin[0] = m.m00 * from.x() + m.m01 * from.y() + m.m02 * from.z() + m.m03;
-        origin[1] = m.m10 * from.x() + m.m11 * from.y() + m.m12 * from.z() + m.m13;
-        origin[2] = m.m20 * from.x() + m.m21 * from.y() + m.m22 * from.z() + m.m23;
-        for (int i = 0; i < grid.length; i++) {
-            double[] d = grid[i];
-            modelGrid[i][0] = m.m00 * d[0] + m.m01 * d[1] + m.m02 * d[2];
-            modelGrid[i][1] = m.m10 * d[0] + m.m11 * d[1] + m.m12 * d[2];
-            modelGrid[i][2] = m.m20 * d[0] + m.m21 * d[1] + m.m22 * d[2];
-        }
-        traversal.setPicture(origin, modelGrid[0], modelGrid[1], modelGrid[2]);
     }
 
     private void claimTile(

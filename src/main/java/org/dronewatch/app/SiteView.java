@@ -1,0 +1,211 @@
+package org.dronewatch.app;
+
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.picture.Backdrop;
+import org.dronewatch.picture.Cut;
+import org.dronewatch.picture.DroneMark;
+import org.dronewatch.picture.Fineness;
+import org.dronewatch.picture.Orbit;
+import org.dronewatch.picture.RayFilter;
+import org.dronewatch.picture.RaySet;
+import org.dronewatch.picture.SensorMark;
+import org.dronewatch.picture.SitePicture;
+import org.dronewatch.picture.SiteState;
+import org.dronewatch.picture.SiteStyle;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Drone;
+import picocli.CommandLine.Option;
+
+/** The options of {@code render} for pictures of the whole site. */
+final class SiteView {
+    /** Where such a picture is taken from. */
+    enum From {
+        TOP,
+        SIDE,
+        ORBIT
+    }
+
+    private static final String AUTO = "auto";
+    private static final String NONE = "none";
+    private static final int LARGEST = 8192;
+
+    @Option(
+            names = "--size",
+            defaultValue = "1280x800",
+            paramLabel = "WxH",
+            description = "Pixels of a picture of the site; ${DEFAULT-VALUE} unless given.")
+    private String size;
+
+    @Option(
+            names = "--focus",
+            paramLabel = "ID",
+            description = "Sensor or drone to look at from near, in a picture of the site.")
+    private String focus;
+
+    @Option(
+            names = "--bearing",
+            paramLabel = "ANGLE",
+            description = "Where the eye of --view side or orbit stands, clockwise from north.")
+    private String bearing;
+
+    @Option(
+            names = "--cut",
+            defaultValue = AUTO,
+            paramLabel = "HEIGHT",
+            description =
+                    "Takes away all above this height; 'none' for nothing. Unless given, a roof over most sensors and"
+                            + " drones is taken away.")
+    private String cut;
+
+    @Option(
+            names = "--rays",
+            description =
+                    "Draws the rays that a microphone follows in a picture of the site: the one of --focus, or the"
+                            + " first.")
+    private boolean rays;
+
+    @Option(names = "--max-order", paramLabel = "N", description = "Draws only rays that have met at most N surfaces.")
+    private Integer maxOrder;
+
+    @Option(names = "--heard-only", description = "Draws only rays that reached the sensor.")
+    private boolean heardOnly;
+
+    @Option(
+            names = "--scale",
+            defaultValue = "1",
+            paramLabel = "FACTOR",
+            description = "How large text and symbols are, 0.5 to 8; ${DEFAULT-VALUE} unless given.")
+    private double scale;
+
+    /** How many columns and rows. */
+    private int[] pixels() {
+        String[] parts = size.split("x", -1);
+        try {
+            int width = Integer.parseInt(parts[0].strip());
+            int height = Integer.parseInt(parts[parts.length - 1].strip());
+            if (parts.length == 2 && width >= 64 && height >= 64 && width <= LARGEST && height <= LARGEST) {
+                return new int[] {width, height};
+            }
+        } catch (NumberFormatException e) {
+            throw new InputException("--size " + size + ": must be like 1280x800", e);
+        }
+        throw new InputException("--size " + size + ": must be like 1280x800, each from 64 to " + LARGEST);
+    }
+
+    /** Checks what can be checked before anything is loaded. */
+    void check(SceneSettings settings) {
+        pixels();
+        if (!(scale >= 0.5 && scale <= 8.0)) {
+            throw new InputException("--scale " + scale + ": must be 0.5 to 8");
+        }
+        if (maxOrder != null && maxOrder < 0) {
+            throw new InputException("--max-order " + maxOrder + ": must be 0 or more");
+        }
+        if (focus != null
+                && !settings.sensors().containsKey(focus)
+                && !settings.drones().containsKey(focus)) {
+            List<String> known = new ArrayList<>(settings.sensors().keySet());
+            known.addAll(settings.drones().keySet());
+            throw new InputException(
+                    "--focus " + focus + ": no such sensor or drone; the scene has " + String.join(", ", known));
+        }
+        if (rays && settings.drones().isEmpty()) {
+            throw new InputException("--rays: the scene has no drone");
+        }
+        bearing(0.0);
+        givenCut();
+    }
+
+    private double bearing(double otherwise) {
+        try {
+            return bearing == null ? otherwise : Quantity.ANGLE.parse(bearing);
+        } catch (IllegalArgumentException e) {
+            throw new InputException("--bearing " + bearing + ": " + e.getMessage(), e);
+        }
+    }
+
+    private Optional<Cut> givenCut() {
+        try {
+            return cut.equals(AUTO) || cut.equals(NONE)
+                    ? Optional.empty()
+                    : Optional.of(Cut.above(Quantity.LENGTH.parse(cut)));
+        } catch (IllegalArgumentException e) {
+            throw new InputException("--cut " + cut + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** Draws the picture. */
+    BufferedImage draw(String title, SceneSettings settings, Stage stage, From from, double time) {
+        int[] pixels = pixels();
+        SitePicture picture = new SitePicture(settings, stage);
+        List<Drone> drones = stage.dronesAt(time);
+        Optional<Cut> taken = cut.equals(AUTO) ? picture.openRoof(settings, drones) : givenCut();
+        Backdrop backdrop = picture.backdrop(
+                orbit(picture.interest(), settings, drones, from, pixels[0] / (double) pixels[1]),
+                pixels[0],
+                pixels[1],
+                taken,
+                Fineness.FINE,
+                () -> false);
+        List<SensorMark> sensors = new ArrayList<>();
+        settings.sensors()
+                .forEach((id, sensor) ->
+                        sensors.add(new SensorMark(id, sensor.kind(), sensor.position(), sensor.outline(), false)));
+        List<DroneMark> marks = drones.stream()
+                .map(drone -> picture.flights().mark(drone, time, false))
+                .toList();
+        RayFilter filter = new RayFilter(0, maxOrder == null ? Integer.MAX_VALUE : maxOrder, heardOnly);
+        SiteState state =
+                new SiteState(title, time, sensors, marks, Optional.ofNullable(focus), traced(settings, stage, time));
+        return picture.draw(backdrop, state, SiteStyle.DEFAULT.withScale(scale).withFilter(filter));
+    }
+
+    private Orbit orbit(AABB box, SceneSettings settings, List<Drone> drones, From from, double aspect) {
+        boolean deep = box.maxY() - box.minY() > box.maxX() - box.minX();
+        Orbit orbit =
+                switch (from) {
+                    case TOP -> Orbit.top(box, aspect);
+                    case SIDE -> Orbit.side(box, aspect, bearing(deep ? 0.5 * Math.PI : Math.PI));
+                    case ORBIT -> Orbit.about(box, aspect);
+                };
+        if (from == From.ORBIT && bearing != null) {
+            orbit = orbit.turned(bearing(0.0) - orbit.bearing(), 0.0);
+        }
+        if (focus == null) {
+            return orbit;
+        }
+        Position place = settings.sensors().containsKey(focus)
+                ? settings.sensors().get(focus).position()
+                : drones.stream()
+                        .filter(drone -> drone.id().equals(focus))
+                        .map(drone -> Position.of(drone.position()))
+                        .findFirst()
+                        .orElseThrow();
+        return orbit.at(place).showing(Math.max(4.0, 0.25 * box.diagonal()));
+    }
+
+    private Optional<RaySet> traced(SceneSettings settings, Stage stage, double time) {
+        if (!rays) {
+            return Optional.empty();
+        }
+        String sensor = stage.raySensors().stream()
+                .filter(id -> focus == null || !settings.sensors().containsKey(focus) || id.equals(focus))
+                .findFirst()
+                .orElseThrow(() -> new InputException("--rays: no sensor of the scene follows rays"
+                        + (focus == null ? "" : ", or --focus " + focus + " does not")));
+        String drone = settings.drones().containsKey(focus)
+                ? focus
+                : settings.drones().keySet().iterator().next();
+        RaySet set = new RaySet(sensor, drone);
+        stage.traceRays(time, sensor, drone, set);
+        return Optional.of(set);
+    }
+}

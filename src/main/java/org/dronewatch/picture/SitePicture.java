@@ -1,0 +1,218 @@
+package org.dronewatch.picture;
+
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
+import org.dronewatch.sensor.camera.CameraObject;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.World;
+
+/**
+ * Draws pictures of a run's site: first the site alone, which takes the longest and is the same at all times, then over a
+ * copy of it what is there at one time. Lines are hidden by what stands before them. One picture at a time.
+ */
+public final class SitePicture {
+    private static final int TRACK = 0xd62f1f;
+    private static final int WAY = 0x5a1a14;
+
+    /** How far pyramids of cameras are drawn, as a share of the box that matters. */
+    private static final double OUTLINE = 0.16;
+
+    private final SitePainter painter;
+    private final KindColours colours;
+    private final World world;
+    private final Flights flights;
+    private final AABB interest;
+
+    /** For one run of a scene. */
+    public SitePicture(SceneSettings settings, Stage stage) {
+        this.world = stage.world();
+        this.painter = new SitePainter(world.tree(), stage.colours());
+        this.colours = KindColours.of(settings.sensors().values());
+        this.flights = new Flights(settings, stage);
+        this.interest = flights.interest(settings);
+    }
+
+    /** The box that matters: all sensors, all flights, and some room about them, m. */
+    public AABB interest() {
+        return interest;
+    }
+
+    /** The ways of the drones. */
+    public Flights flights() {
+        return flights;
+    }
+
+    /** The colours of the kinds of sensors. */
+    public KindColours colours() {
+        return colours;
+    }
+
+    /**
+     * What has to be cut away to see sensors and drones from above: all above them, when there is a roof over most of
+     * them.
+     */
+    public Optional<Cut> openRoof(SceneSettings settings, List<Drone> drones) {
+        long roofed = settings.sensors().values().stream()
+                        .filter(sensor -> isUnderRoof(sensor.position()))
+                        .count()
+                + drones.stream()
+                        .filter(drone -> isUnderRoof(Position.of(drone.position())))
+                        .count();
+        int all = settings.sensors().size() + drones.size();
+        return 2 * roofed > all ? Optional.of(Cut.above(interest.maxZ() - 2.5)) : Optional.empty();
+    }
+
+    private boolean isUnderRoof(Position place) {
+        Position sky = new Position(
+                place.x(), place.y(), Math.max(place.z(), world.bounds().maxZ()) + 1.0);
+        return world.isOccluded(place.toPoint3d(), sky.toPoint3d());
+    }
+
+    /**
+     * Paints the site alone.
+     *
+     * @param width columns of the picture
+     * @param height rows of the picture
+     * @param cut what is cut away
+     * @param abandoned asked again and again: once it says true, the result is of no use
+     */
+    public Backdrop backdrop(
+            Orbit orbit, int width, int height, Optional<Cut> cut, Fineness fineness, BooleanSupplier abandoned) {
+        CameraObject camera = orbit.camera(fineness.raysIn(width), fineness.raysIn(height));
+        Canvas canvas = new Canvas(camera.width(), camera.height());
+        painter.paint(camera, cut.orElse(null), fineness.shadows, canvas, abandoned);
+        if (fineness != Fineness.DRAFT && !abandoned.getAsBoolean()) {
+            painter.outline(canvas, camera.focalLength());
+        }
+        return new Backdrop(orbit, width, height, cut, fineness, camera, canvas);
+    }
+
+    /** Draws what is there at one time over a backdrop, which stays as it is. */
+    public BufferedImage draw(Backdrop backdrop, SiteState state, SiteStyle style) {
+        Canvas canvas = backdrop.canvas().copy();
+        Cut cut = backdrop.cut().orElse(null);
+        CameraObject camera = backdrop.camera();
+        painter.paint(camera, cut, state.drones().stream().map(DroneMark::drone).toList(), canvas);
+        LinePainter lines = new LinePainter(camera, cut, canvas);
+        double pixel = style.scale() * camera.height() / backdrop.height();
+        Optional<LevelScale> levels = state.rays().map(LevelScale::of);
+        state.rays().ifPresent(rays -> drawRays(lines, rays, levels.orElseThrow(), style.filter(), pixel));
+        if (style.outlines()) {
+            drawOutlines(lines, state, pixel);
+        }
+        if (style.flights()) {
+            state.drones().forEach(drone -> drawFlight(lines, drone, pixel));
+        }
+        BufferedImage image = picture(backdrop, canvas);
+        Graphics2D g = image.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        Furniture furniture = new Furniture(g, image.getWidth(), image.getHeight(), style.scale());
+        furniture.legend(state, colours, view(backdrop.orbit()));
+        furniture.scaleBar(backdrop.orbit().metresPerPixel(backdrop.height()), isFlat(backdrop.orbit()));
+        furniture.northArrow(backdrop.orbit());
+        state.rays().ifPresent(rays -> furniture.levels(levels.orElseThrow(), rays, style.filter()));
+        drawSymbols(
+                new Symbols(g, camera, lines, image.getHeight() / (double) camera.height(), style.scale()),
+                state,
+                style,
+                furniture.places());
+        g.dispose();
+        return image;
+    }
+
+    private static boolean isFlat(Orbit orbit) {
+        return orbit.fov() < Math.toRadians(5.0);
+    }
+
+    private static String view(Orbit orbit) {
+        if (!isFlat(orbit)) {
+            return "in perspective";
+        }
+        return orbit.elevation() > 1.5 ? "from above" : "from the side";
+    }
+
+    private static BufferedImage picture(Backdrop backdrop, Canvas canvas) {
+        if (canvas.width >= backdrop.width()) {
+            return canvas.toImage(canvas.width / backdrop.width());
+        }
+        BufferedImage image = new BufferedImage(backdrop.width(), backdrop.height(), BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        g.drawImage(canvas.toImage(1), 0, 0, backdrop.width(), backdrop.height(), null);
+        g.dispose();
+        return image;
+    }
+
+    private static void drawRays(LinePainter lines, RaySet rays, LevelScale levels, RayFilter filter, double pixel) {
+        // The more there are, the finer each is drawn; those that are heard last, over the others.
+        double share = rays.count() > 20_000 ? 0.35 : rays.count() > 2_000 ? 0.55 : 0.85;
+        for (int pass = 0; pass < 2; pass++) {
+            for (int i = 0; i < rays.count(); i++) {
+                boolean heard = rays.isHeard(i);
+                if (heard == (pass == 1) && filter.shows(rays, i)) {
+                    lines.line(
+                            rays.end(i, 0),
+                            rays.end(i, 1),
+                            rays.end(i, 2),
+                            rays.end(i, 3),
+                            rays.end(i, 4),
+                            rays.end(i, 5),
+                            (heard ? 1.6 : 1.0) * pixel,
+                            levels.colour(rays.level(i)),
+                            heard ? 0.95 : share);
+                }
+            }
+        }
+    }
+
+    private void drawOutlines(LinePainter lines, SiteState state, double pixel) {
+        double length = OUTLINE * interest.diagonal();
+        for (SensorMark sensor : state.sensors()) {
+            boolean selected = state.selected().filter(sensor.id()::equals).isPresent();
+            OutlinePainter painting = new OutlinePainter(lines, selected ? 3.0 * length : length);
+            int colour = colours.of(sensor.kind()).getRGB() & 0xffffff;
+            sensor.outline()
+                    .ifPresent(outline -> painting.draw(
+                            sensor.position(), outline, (selected ? 2.2 : 1.3) * pixel, colour, selected ? 0.95 : 0.6));
+        }
+    }
+
+    /** Where it has been as a line, where it will be as dashes. */
+    private static void drawFlight(LinePainter lines, DroneMark drone, double pixel) {
+        List<Position> flown = drone.flown();
+        for (int i = 1; i < flown.size(); i++) {
+            lines.line(flown.get(i - 1), flown.get(i), 2.6 * pixel, TRACK, 0.9);
+        }
+        List<Position> toCome = drone.toCome();
+        for (int i = 1; i < toCome.size(); i++) {
+            if (i / 5 % 2 == 0) {
+                lines.line(toCome.get(i - 1), toCome.get(i), 2.0 * pixel, WAY, 0.75);
+            }
+        }
+    }
+
+    private void drawSymbols(Symbols symbols, SiteState state, SiteStyle style, List<Rectangle> furniture) {
+        furniture.forEach(symbols::reserve);
+        for (SensorMark sensor : state.sensors()) {
+            boolean selected = state.selected().filter(sensor.id()::equals).isPresent();
+            symbols.sensor(sensor, colours.of(sensor.kind()), selected);
+        }
+        for (DroneMark drone : state.drones()) {
+            symbols.drone(
+                    drone, state.selected().filter(drone.drone().id()::equals).isPresent());
+        }
+        if (style.labels()) {
+            symbols.writeNames();
+        }
+    }
+}

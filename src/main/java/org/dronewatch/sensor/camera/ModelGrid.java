@@ -1,0 +1,40 @@
+package org.dronewatch.sensor.camera;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.TileTraversal;
+import org.jogamp.vecmath.Matrix4d;
+
+/**
+ * The rays of a camera's pixels in the space of a model that stands somewhere in the world. Lengths along them stay those
+ * of the world. Reused from model to model; one per thread.
+ */
+public final class ModelGrid {
+    private final double[][] grid;
+    private final Position from;
+    private final double[] origin = new double[3];
+    private final double[][] modelGrid = new double[3][3];
+
+    /** For the pixels of a camera. */
+    public ModelGrid(CameraObject camera) {
+        this.grid = camera.grid();
+        this.from = camera.position();
+    }
+
+    /**
+     * Sets a traversal of a model's tree to the camera's picture.
+     *
+     * @param m from the world to the model's space
+     */
+    public void setPicture(TileTraversal traversal, Matrix4d m) {
+        origin[0] = m.m00 * from.x() + m.m01 * from.y() + m.m02 * from.z() + m.m03;
+        origin[1] = m.m10 * from.x() + m.m11 * from.y() + m.m12 * from.z() + m.m13;
+        origin[2] = m.m20 * from.x() + m.m21 * from.y() + m.m22 * from.z() + m.m23;
+        for (int i = 0; i < grid.length; i++) {
+            double[] d = grid[i];
+            modelGrid[i][0] = m.m00 * d[0] + m.m01 * d[1] + m.m02 * d[2];
+            modelGrid[i][1] = m.m10 * d[0] + m.m11 * d[1] + m.m12 * d[2];
+            modelGrid[i][2] = m.m20 * d[0] + m.m21 * d[1] + m.m22 * d[2];
+        }
+        traversal.setPicture(origin, modelGrid[0], modelGrid[1], modelGrid[2]);
+    }
+}
