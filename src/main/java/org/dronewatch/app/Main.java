@@ -18,6 +18,7 @@ import picocli.CommandLine.Spec;
         subcommands = {
             ListCommand.class,
             RunCommand.class,
+            ViewCommand.class,
             CheckCommand.class,
             RenderCommand.class,
             CoverageCommand.class,
@@ -29,6 +30,8 @@ import picocli.CommandLine.Spec;
 public final class Main implements Runnable {
     /** Exit code of wrong usage and bad input. */
     static final int BAD_INPUT = 2;
+    /** Exit code of a command that needs a display where there is none. */
+    static final int NO_DISPLAY = 3;
     /** Exit code of anything else that went wrong. */
     static final int FAILED = 1;
 

@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.dronewatch.report.RayPaths;
@@ -19,6 +20,7 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.viewer.Viewer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -63,6 +65,11 @@ final class RunCommand implements Callable<Integer> {
                     "Writes the rays of the acoustic sensors at the start of the first run as lines of an OBJ file.")
     private String rays;
 
+    @Option(
+            names = "--view",
+            description = "Opens a window in which the run can be looked at; results are written as ever.")
+    private boolean view;
+
     @Spec
     private CommandSpec spec;
 
@@ -75,9 +82,41 @@ final class RunCommand implements Callable<Integer> {
         configure(runner);
         SceneSettings first = runner.settingsOfRuns().get(0);
         Path directory = directory(scene);
+        Optional<String> obstacle = view ? Viewer.obstacle() : Optional.empty();
+        if (obstacle.isPresent()) {
+            err.println(ViewCommand.noWindow(obstacle.get()));
+            return Main.NO_DISPLAY;
+        }
         if (rays != null) {
             writeRays(new WholeFile("--rays", rays), runner.stage(first), err);
         }
+        if (!view) {
+            run(scene, runner, first, directory);
+            return 0;
+        }
+        try (Viewer viewer = Viewer.open(scene, runner, threads.number())) {
+            runner.listener(viewer.listener()).notes(line -> {
+                err.println(line);
+                viewer.note(line);
+            });
+            try {
+                run(scene, runner, first, directory);
+                viewer.finished(true);
+            } catch (RuntimeException e) {
+                if (viewer.isClosed()) {
+                    throw e;
+                }
+                viewer.failed(e);
+                viewer.awaitClosed();
+                throw e;
+            }
+            viewer.awaitClosed();
+        }
+        return 0;
+    }
+
+    private void run(Scene scene, SceneRunner runner, SceneSettings first, Path directory) throws IOException {
+        PrintWriter err = spec.commandLine().getErr();
         // The interruption comes first, so that it ends last: the process waits for it.
         try (Interruption interruption = new Interruption();
                 RunReport report = new RunReport(scene, directory, observations);
@@ -94,7 +133,6 @@ final class RunCommand implements Callable<Integer> {
             print(result, spec.commandLine().getOut());
             err.println("results in " + directory);
         }
-        return 0;
     }
 
     private static void writeRays(WholeFile file, Stage stage, PrintWriter err) {

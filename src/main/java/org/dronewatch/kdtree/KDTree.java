@@ -1,5 +1,6 @@
 package org.dronewatch.kdtree;
 
+import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 
@@ -34,7 +35,11 @@ public final class KDTree {
         this.depth = depth;
     }
 
-    /** Builds the tree of a mesh; a mesh without triangles gives a tree that no ray hits. */
+    /**
+     * Builds the tree of a mesh; a mesh without triangles gives a tree that no ray hits.
+     *
+     * @throws CancellationException when the thread is interrupted meanwhile
+     */
     public static KDTree of(TriangleMesh mesh) {
         return new KDTreeBuilder(mesh).build();
     }

@@ -1,6 +1,7 @@
 package org.dronewatch.kdtree;
 
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.parallel.Workers;
 
@@ -80,6 +81,9 @@ final class KDTreeBuilder {
 
         /** Appends the part of a voxel: its root, all that is left of the split, all that is right of it. */
         private void append(Subtree tree, NodeTriangles content, int[] voxel, int level) {
+            if (content.count > WORTH_A_THREAD && Thread.currentThread().isInterrupted()) {
+                throw new CancellationException("interrupted while a tree was built");
+            }
             Optional<Split> found =
                     level < depthLimit ? splitFinder.find(content.boxes, content.count, voxel) : Optional.empty();
             if (found.isEmpty() || found.get().cost() > SahCost.leaf(content.count)) {

@@ -85,4 +85,23 @@ final class Canvas {
         }
         return image;
     }
+
+    /** This canvas at a smaller size: colours are means, depths those of the nearest. */
+    Canvas shrunk(int columns, int rows) {
+        int samples = width / columns;
+        Canvas small = new Canvas(columns, rows);
+        int[] colours = ((DataBufferInt) toImage(samples).getRaster().getDataBuffer()).getData();
+        System.arraycopy(colours, 0, small.rgb, 0, small.rgb.length);
+        for (int i = 0; i < small.depth.length; i++) {
+            int first = i / columns * samples * width + i % columns * samples;
+            for (int k = 0; k < samples * samples; k++) {
+                int pixel = first + k / samples * width + k % samples;
+                if (depth[pixel] < small.depth[i]) {
+                    small.depth[i] = depth[pixel];
+                    small.triangle[i] = triangle[pixel];
+                }
+            }
+        }
+        return small;
+    }
 }

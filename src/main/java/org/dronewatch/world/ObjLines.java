@@ -3,6 +3,7 @@ package org.dronewatch.world;
 import java.io.IOException;
 import java.io.LineNumberReader;
 import java.io.Reader;
+import java.util.concurrent.CancellationException;
 
 /**
  * Hands out the lines of an OBJ file as its parser likes them: continued lines joined, tabs and trailing comments of
@@ -11,6 +12,9 @@ import java.io.Reader;
 final class ObjLines extends LineNumberReader {
     private static final int LONGEST_LINE = 1 << 20;
     private static final int LONGEST_INDEX = 9;
+
+    /** After so many lines it looks whether its thread has been interrupted. */
+    private static final int LINES_A_LOOK = 1000;
 
     private int firstLine;
 
@@ -32,6 +36,9 @@ final class ObjLines extends LineNumberReader {
     public String readLine() throws IOException {
         String line = super.readLine();
         firstLine = getLineNumber();
+        if (firstLine % LINES_A_LOOK == 0 && Thread.currentThread().isInterrupted()) {
+            throw new CancellationException("interrupted while a model was read");
+        }
         if (line == null) {
             return null;
         }

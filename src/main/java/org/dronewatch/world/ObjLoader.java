@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import org.dronewatch.setting.InputException;
 
 /**
@@ -38,6 +39,7 @@ public final class ObjLoader {
     /**
      * Reads a model and places it.
      *
+     * @throws CancellationException when the thread is interrupted meanwhile
      * @throws InputException when the file is missing, too large, or no mesh
      */
     public LoadedModel load(ModelSettings settings) {
@@ -65,7 +67,7 @@ public final class ObjLoader {
             ObjMeshCollector collector = new ObjMeshCollector(file.name(), lines, placement);
             try {
                 ObjReader.read(lines, collector);
-            } catch (InputException e) {
+            } catch (InputException | CancellationException e) {
                 throw e;
             } catch (IOException | RuntimeException e) {
                 // The parser throws whatever its string handling happens to throw on a line it did not expect.

@@ -1,0 +1,176 @@
+package org.dronewatch.viewer;
+
+import java.awt.BorderLayout;
+import java.awt.GridLayout;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingConstants;
+import javax.swing.SwingUtilities;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
+import org.dronewatch.sensor.camera.CameraSettings;
+
+/** All cameras of a run side by side; a click enlarges one, another shows all again. */
+final class CameraPanel extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final int GAP = 3;
+
+    private final transient List<CameraVisual> visuals = new ArrayList<>();
+    private final transient Latest looks;
+    private final transient Consumer<String> hint;
+    private final transient Consumer<String> selection;
+    private transient CameraVisual enlarged;
+    private double time;
+
+    /**
+     * An empty panel.
+     *
+     * @param threads how many trace
+     * @param hint is told what is under the pointer
+     * @param selection is told which camera was clicked on
+     * @param failed is told what went wrong
+     */
+    CameraPanel(int threads, Consumer<String> hint, Consumer<String> selection, Consumer<Throwable> failed) {
+        super(new BorderLayout());
+        this.hint = hint;
+        this.selection = selection;
+        this.looks = new Latest("dronewatch-cameras", threads, failed);
+        getAccessibleContext().setAccessibleName("cameras");
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                arrange();
+                validate();
+                show(time);
+            }
+        });
+    }
+
+    /** Shows the cameras of another run. */
+    void show(SceneSettings settings, Stage stage) {
+        visuals.clear();
+        enlarged = null;
+        settings.sensors().forEach((id, sensor) -> {
+            if (sensor instanceof CameraSettings camera) {
+                visuals.add(visual(new CameraEye(id, camera, stage)));
+            }
+        });
+        arrange();
+    }
+
+    private CameraVisual visual(CameraEye eye) {
+        CameraVisual visual = new CameraVisual(eye);
+        visual.onHint(hint);
+        visual.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent e) {
+                enlarge(enlarged == visual ? null : visual);
+                selection.accept(visual.eye().id());
+            }
+        });
+        return visual;
+    }
+
+    /** Enlarges the camera of a name, or shows all when there is none. */
+    void enlarge(String id) {
+        enlarge(visuals.stream()
+                .filter(visual -> visual.eye().id().equals(id))
+                .findFirst()
+                .orElse(null));
+    }
+
+    private void enlarge(CameraVisual visual) {
+        enlarged = visual;
+        arrange();
+        validate();
+        show(time);
+    }
+
+    private void arrange() {
+        removeAll();
+        if (visuals.isEmpty()) {
+            add(new JLabel("The scene has no camera.", SwingConstants.CENTER), BorderLayout.CENTER);
+        } else if (enlarged != null) {
+            add(enlarged, BorderLayout.CENTER);
+        } else {
+            JPanel grid = new JPanel(new GridLayout(0, columns(), GAP, GAP));
+            visuals.forEach(grid::add);
+            add(grid, BorderLayout.CENTER);
+        }
+        revalidate();
+        repaint();
+    }
+
+    /** So many columns that the pictures become as large as they can. */
+    private int columns() {
+        int best = 1;
+        double largest = 0.0;
+        for (int columns = 1; columns <= visuals.size(); columns++) {
+            int rows = (visuals.size() + columns - 1) / columns;
+            double width = getWidth() / (double) columns;
+            double height = getHeight() / (double) rows;
+            double shown = 0.0;
+            for (CameraVisual visual : visuals) {
+                double aspect = visual.eye().settings().width()
+                        / (double) visual.eye().settings().height();
+                shown += Math.min(width, height * aspect);
+            }
+            if (shown > largest) {
+                largest = shown;
+                best = columns;
+            }
+        }
+        return best;
+    }
+
+    /** The cameras that are shown now. */
+    List<CameraVisual> shown() {
+        return enlarged == null ? List.copyOf(visuals) : List.of(enlarged);
+    }
+
+    /** Shows another time. */
+    void show(double next) {
+        time = next;
+        List<CameraVisual> wanted = shown();
+        double density = getGraphicsConfiguration() == null
+                ? 1.0
+                : getGraphicsConfiguration().getDefaultTransform().getScaleX();
+        List<int[]> sizes = wanted.stream()
+                .map(visual ->
+                        new int[] {(int) (visual.frame().width * density), (int) (visual.frame().height * density)})
+                .toList();
+        // Not abandoned: while time goes on, a time just past is better than none.
+        looks.ask(outdated -> {
+            for (int i = 0; i < wanted.size(); i++) {
+                CameraVisual visual = wanted.get(i);
+                CameraShot shot = visual.eye().look(next, sizes.get(i)[0], sizes.get(i)[1]);
+                SwingUtilities.invokeLater(() -> visual.show(shot));
+            }
+        });
+    }
+
+    /** Shows which cameras detect something, and which one is selected. */
+    void mark(Predicate<String> detecting, String selected) {
+        for (CameraVisual visual : visuals) {
+            visual.mark(detecting.test(visual.eye().id()), visual.eye().id().equals(selected));
+        }
+    }
+
+    /** Whether all that was asked for is drawn. */
+    boolean isIdle() {
+        return looks.isIdle();
+    }
+
+    /** Ends the thread that looks. */
+    void close() {
+        looks.close();
+    }
+}

@@ -1,0 +1,14 @@
+package org.dronewatch.viewer;
+
+import java.awt.image.BufferedImage;
+import java.util.List;
+import org.dronewatch.sensor.camera.DronePixels;
+
+/**
+ * What a camera shows at one time. Nobody changes it any more.
+ *
+ * @param background the site in blues, at no more pixels than the panel has
+ * @param time seconds since the start of the run
+ * @param drones the pixels of each drone, at the camera's own resolution
+ */
+record CameraShot(BufferedImage background, double time, List<DronePixels> drones) {}

@@ -1,0 +1,223 @@
+package org.dronewatch.viewer;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import org.dronewatch.sensor.camera.DronePixels;
+
+/**
+ * What one camera sees: distances in blues, nearer darker, the sky pale, the drone's pixels in orange, its significant pixels
+ * framed, and how many there are against how many it takes. A frame of a drone far away is drawn larger than it is; a large
+ * view magnifies it in a corner.
+ */
+final class CameraVisual extends JPanel {
+    static final Color HIT = new Color(0xff6a00);
+    static final Color DETECTED = new Color(0xffd23f);
+    private static final long serialVersionUID = 1L;
+    private static final Color UNDETECTED = new Color(0xffffff);
+    private static final Color PLATE = new Color(24, 28, 34, 190);
+    private static final Color BORDER = new Color(0x10141a);
+
+    /** The smallest frame about a drone's pixels, in pixels of the panel. */
+    private static final double SMALLEST = 14.0;
+
+    /** From this width on there is room for the magnifier. */
+    private static final int LARGE = 420;
+
+    private final transient CameraEye eye;
+    private transient CameraShot shot;
+    private boolean detecting;
+    private boolean selected;
+    private transient Consumer<String> hint = text -> {};
+
+    CameraVisual(CameraEye eye) {
+        this.eye = eye;
+        setPreferredSize(new Dimension(240, 150));
+        setMinimumSize(new Dimension(80, 50));
+        setToolTipText(eye.id() + ": click to enlarge, click again for all cameras");
+        getAccessibleContext().setAccessibleName("camera " + eye.id());
+        addMouseMotionListener(new MouseAdapter() {
+            @Override
+            public void mouseMoved(MouseEvent e) {
+                tell(e.getX(), e.getY());
+            }
+        });
+    }
+
+    CameraEye eye() {
+        return eye;
+    }
+
+    /** Is told what the pixel under the pointer shows. */
+    void onHint(Consumer<String> target) {
+        hint = target;
+    }
+
+    /** Shows another time. */
+    void show(CameraShot next) {
+        shot = next;
+        repaint();
+    }
+
+    /** Shows whether the camera detects something, and whether it is selected. */
+    void mark(boolean isDetecting, boolean isSelected) {
+        if (detecting != isDetecting || selected != isSelected) {
+            detecting = isDetecting;
+            selected = isSelected;
+            repaint();
+        }
+    }
+
+    /** Where the picture lies in this panel: as large as fits, its sides in the camera's proportion. */
+    Rectangle frame() {
+        double aspect = eye.settings().width() / (double) eye.settings().height();
+        int width = Math.max(1, Math.min(getWidth(), (int) Math.round(getHeight() * aspect)));
+        int height = Math.max(1, Math.min(getHeight(), (int) Math.round(width / aspect)));
+        return new Rectangle((getWidth() - width) / 2, (getHeight() - height) / 2, width, height);
+    }
+
+    private void tell(int x, int y) {
+        Rectangle frame = frame();
+        if (shot != null && frame.contains(x, y)) {
+            int column = (int) ((x - frame.x + 0.5) * eye.settings().width() / frame.width);
+            int row = (int) ((y - frame.y + 0.5) * eye.settings().height() / frame.height);
+            hint.accept(String.format(
+                    Locale.ROOT, "%s, pixel (%d, %d): %s", eye.id(), column, row, eye.tell(shot, column, row)));
+        }
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setColor(BORDER);
+        g.fillRect(0, 0, getWidth(), getHeight());
+        Rectangle frame = frame();
+        if (shot != null) {
+            g.setRenderingHint(
+                    RenderingHints.KEY_INTERPOLATION,
+                    frame.width > shot.background().getWidth()
+                            ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR
+                            : RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+            g.drawImage(shot.background(), frame.x, frame.y, frame.width, frame.height, null);
+            for (DronePixels drone : shot.drones()) {
+                drawDrone(g, frame, drone);
+            }
+            if (frame.width >= LARGE) {
+                shot.drones().stream()
+                        .filter(drone -> drone.count() > 0)
+                        .findFirst()
+                        .ifPresent(drone -> magnify(g, frame, drone));
+            }
+        }
+        drawName(g, frame);
+        if (detecting || selected) {
+            g.setColor(detecting ? DETECTED : Color.WHITE);
+            g.setStroke(new BasicStroke(selected ? 4f : 2.5f));
+            g.drawRect(frame.x + 1, frame.y + 1, frame.width - 3, frame.height - 3);
+        }
+        g.dispose();
+    }
+
+    private void drawDrone(Graphics2D g, Rectangle frame, DronePixels drone) {
+        if (drone.columns() == 0) {
+            return;
+        }
+        double sx = frame.width / (double) eye.settings().width();
+        double sy = frame.height / (double) eye.settings().height();
+        g.setColor(HIT);
+        for (int row = drone.top(); row < drone.top() + drone.rows(); row++) {
+            for (int column = drone.left(); column < drone.left() + drone.columns(); column++) {
+                if (drone.isHit(column, row)) {
+                    g.fill(new Rectangle2D.Double(frame.x + column * sx, frame.y + row * sy, sx, sy));
+                }
+            }
+        }
+        double width = Math.max(SMALLEST, (drone.columns() + 2) * sx);
+        double height = Math.max(SMALLEST, (drone.rows() + 2) * sy);
+        double x = frame.x + (drone.left() + 0.5 * drone.columns()) * sx - 0.5 * width;
+        double y = frame.y + (drone.top() + 0.5 * drone.rows()) * sy - 0.5 * height;
+        boolean enough = drone.count() >= eye.settings().detection().threshold();
+        g.setColor(enough ? DETECTED : UNDETECTED);
+        g.setStroke(new BasicStroke(1.5f));
+        g.draw(new Rectangle2D.Double(x, y, width, height));
+        plate(g, frame, (int) (x + width + 4), (int) y, frame.width < LARGE ? shortCount(drone) : count(drone));
+    }
+
+    private String shortCount(DronePixels drone) {
+        return drone.count() + " of " + Texts.value(eye.settings().detection().threshold()) + " px";
+    }
+
+    private String count(DronePixels drone) {
+        return String.format(
+                Locale.ROOT,
+                "%s: %d of %s px",
+                drone.drone(),
+                drone.count(),
+                Texts.value(eye.settings().detection().threshold()));
+    }
+
+    /** A text on a plate, kept inside the frame. */
+    private static void plate(Graphics2D g, Rectangle frame, int x, int y, String text) {
+        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 11));
+        FontMetrics metrics = g.getFontMetrics();
+        int width = metrics.stringWidth(text) + 8;
+        int height = metrics.getHeight() + 2;
+        int left = Math.max(frame.x, Math.min(frame.x + frame.width - width, x));
+        int top = Math.max(frame.y, Math.min(frame.y + frame.height - height, y));
+        g.setColor(PLATE);
+        g.fillRoundRect(left, top, width, height, 6, 6);
+        g.setColor(Color.WHITE);
+        g.drawString(text, left + 4, top + 1 + metrics.getAscent());
+    }
+
+    private void drawName(Graphics2D g, Rectangle frame) {
+        plate(g, frame, frame.x + 4, frame.y + frame.height - 22, eye.id());
+    }
+
+    /** The drone's pixels one by one, large, in the upper right corner. */
+    private void magnify(Graphics2D g, Rectangle frame, DronePixels drone) {
+        int columns = drone.columns() + 4;
+        int rows = drone.rows() + 4;
+        double side = Math.min(0.3 * frame.width / columns, 0.4 * frame.height / rows);
+        if (side < 1.5 * frame.width / eye.settings().width()) {
+            return;
+        }
+        int width = (int) (side * columns);
+        int height = (int) (side * rows);
+        int left = frame.x + frame.width - width - 10;
+        int top = frame.y + 10;
+        BufferedImage background = shot.background();
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                int pictureColumn = drone.left() - 2 + column;
+                int pictureRow = drone.top() - 2 + row;
+                int u = pictureColumn * background.getWidth() / eye.settings().width();
+                int v = pictureRow * background.getHeight() / eye.settings().height();
+                boolean inside = u >= 0 && v >= 0 && u < background.getWidth() && v < background.getHeight();
+                g.setColor(
+                        drone.isHit(pictureColumn, pictureRow)
+                                ? HIT
+                                : inside ? new Color(background.getRGB(u, v)) : BORDER);
+                g.fill(new Rectangle2D.Double(left + column * side, top + row * side, side + 0.5, side + 0.5));
+            }
+        }
+        g.setColor(Color.WHITE);
+        g.setStroke(new BasicStroke(1.5f));
+        g.drawRect(left, top, width, height);
+    }
+}

@@ -1,0 +1,39 @@
+package org.dronewatch.viewer;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Font;
+import javax.swing.JTable;
+import javax.swing.table.DefaultTableCellRenderer;
+
+/** Draws the rows of pairs that detect bold, on amber. */
+final class DetectionRenderer extends DefaultTableCellRenderer {
+    private static final long serialVersionUID = 1L;
+    private static final Color DETECTS = new Color(255, 190, 40, 90);
+
+    private final transient PairTable pairs;
+
+    DetectionRenderer(PairTable pairs) {
+        this.pairs = pairs;
+    }
+
+    @Override
+    public Component getTableCellRendererComponent(
+            JTable table, Object value, boolean isSelected, boolean hasFocus, int row, int column) {
+        Component cell = super.getTableCellRendererComponent(table, value, isSelected, false, row, column);
+        boolean detects = pairs.isDetected(table.convertRowIndexToModel(row));
+        if (!isSelected) {
+            cell.setBackground(detects ? mixed(table.getBackground()) : table.getBackground());
+        }
+        cell.setFont(table.getFont().deriveFont(detects ? Font.BOLD : Font.PLAIN));
+        return cell;
+    }
+
+    private static Color mixed(Color below) {
+        double share = DETECTS.getAlpha() / 255.0;
+        return new Color(
+                (int) (below.getRed() + share * (DETECTS.getRed() - below.getRed())),
+                (int) (below.getGreen() + share * (DETECTS.getGreen() - below.getGreen())),
+                (int) (below.getBlue() + share * (DETECTS.getBlue() - below.getBlue())));
+    }
+}

@@ -1,0 +1,69 @@
+package org.dronewatch.viewer;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.table.AbstractTableModel;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.world.Drone;
+
+/** Each drone: where it is, how fast, and who detects it. */
+final class DroneTable extends AbstractTableModel {
+    private static final long serialVersionUID = 1L;
+    private static final String[] COLUMNS = {"drone", "east, north, up [m]", "speed [m/s]", "detected by"};
+
+    private final transient List<Drone> drones = new ArrayList<>();
+    private final List<String> detectedBy = new ArrayList<>();
+
+    /** Shows a time of a run. */
+    void show(RecordedRun run, List<Drone> now, double time) {
+        boolean others = drones.size() != now.size();
+        drones.clear();
+        drones.addAll(now);
+        detectedBy.clear();
+        for (Drone drone : now) {
+            detectedBy.add(String.join(
+                    ", ",
+                    run.info().settings().sensors().keySet().stream()
+                            .filter(sensor -> run.isDetected(sensor, drone.id(), time))
+                            .toList()));
+        }
+        if (others) {
+            fireTableDataChanged();
+        } else if (!now.isEmpty()) {
+            fireTableRowsUpdated(0, now.size() - 1);
+        }
+    }
+
+    /** The name of the drone of a row. */
+    String drone(int row) {
+        return drones.get(row).id();
+    }
+
+    @Override
+    public int getRowCount() {
+        return drones.size();
+    }
+
+    @Override
+    public int getColumnCount() {
+        return COLUMNS.length;
+    }
+
+    @Override
+    public String getColumnName(int column) {
+        return COLUMNS[column];
+    }
+
+    @Override
+    public Object getValueAt(int row, int column) {
+        Drone drone = drones.get(row);
+        Position at = Position.of(drone.position());
+        return switch (column) {
+            case 0 -> drone.id();
+            case 1 -> String.format(Locale.ROOT, "%.1f, %.1f, %.1f", at.x(), at.y(), at.z());
+            case 2 -> String.format(Locale.ROOT, "%.1f", drone.velocity().length());
+            default -> detectedBy.get(row).isEmpty() ? "nobody" : detectedBy.get(row);
+        };
+    }
+}

@@ -1,0 +1,26 @@
+package org.dronewatch.viewer;
+
+import java.util.Locale;
+import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.sensor.Observation;
+
+/** Detections in words. */
+final class Events {
+    private Events() {}
+
+    /** One line: when, who, what, how far. */
+    static String text(DetectionEvent event) {
+        Observation o = event.observation();
+        return String.format(
+                Locale.ROOT,
+                "%s  %s %s %s at %.1f m (%s of %s %s)",
+                Texts.time(o.arrival()),
+                o.sensor(),
+                event.gained() ? "gains" : "loses",
+                o.drone(),
+                o.range(),
+                Texts.value(o.value()),
+                Texts.value(o.threshold()),
+                o.unit());
+    }
+}

@@ -1,0 +1,57 @@
+package org.dronewatch.viewer;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.function.BooleanSupplier;
+import java.util.function.DoubleFunction;
+import java.util.function.IntConsumer;
+import javax.imageio.ImageIO;
+import org.dronewatch.report.WholeFile;
+
+/** Writes a run as numbered pictures, which any video program makes a film of. */
+final class FrameExport {
+    private final Path directory;
+    private final double duration;
+    private final double rate;
+    private final DoubleFunction<BufferedImage> pictures;
+
+    /**
+     * An export.
+     *
+     * @param directory where the pictures go; it must be there
+     * @param duration of the run, s
+     * @param rate pictures for a second of the run
+     * @param pictures gives the picture of a time
+     */
+    FrameExport(Path directory, double duration, double rate, DoubleFunction<BufferedImage> pictures) {
+        this.directory = directory;
+        this.duration = duration;
+        this.rate = rate;
+        this.pictures = pictures;
+    }
+
+    /** How many pictures there are. */
+    int count() {
+        return (int) Math.floor(duration * rate + 1e-9) + 1;
+    }
+
+    /**
+     * Writes them.
+     *
+     * @param progress is told how many are written
+     * @param cancelled asked before each: once it says true, the rest is left out
+     * @return how many were written
+     */
+    int write(IntConsumer progress, BooleanSupplier cancelled) {
+        int written = 0;
+        while (written < count() && !cancelled.getAsBoolean()) {
+            BufferedImage picture = pictures.apply(written / rate);
+            Path file = directory.resolve(String.format(Locale.ROOT, "frame-%05d.png", written));
+            new WholeFile("picture", file.toString()).write(stream -> ImageIO.write(picture, "png", stream));
+            written++;
+            progress.accept(written);
+        }
+        return written;
+    }
+}

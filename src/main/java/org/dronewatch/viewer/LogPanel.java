@@ -1,0 +1,76 @@
+package org.dronewatch.viewer;
+
+import java.awt.BorderLayout;
+import java.awt.Font;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.text.BadLocationException;
+import org.dronewatch.scene.DetectionEvent;
+
+/** What has been read, what looked odd, who was gained and lost, in the order in which it was told. */
+final class LogPanel extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    /** Older lines are dropped. */
+    private static final int MOST = 5000;
+
+    /** So many detections of one run are written at once: a long run must not hold up the window. */
+    private static final int AT_ONCE = 200;
+
+    private final JTextArea text = new JTextArea();
+    private transient RecordedRun run;
+    private int told;
+
+    LogPanel() {
+        super(new BorderLayout());
+        text.setEditable(false);
+        text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 12));
+        text.getAccessibleContext().setAccessibleName("log");
+        add(new JScrollPane(text));
+    }
+
+    /** Writes a line. */
+    void write(String line) {
+        write(List.of(line));
+    }
+
+    private void write(List<String> lines) {
+        if (lines.isEmpty()) {
+            return;
+        }
+        text.append(String.join("\n", lines) + "\n");
+        if (text.getLineCount() > MOST) {
+            try {
+                text.replaceRange("", 0, text.getLineStartOffset(text.getLineCount() - MOST));
+            } catch (BadLocationException e) {
+                throw new IllegalStateException(e);
+            }
+        }
+        text.setCaretPosition(text.getDocument().getLength());
+    }
+
+    /** Takes over what a run has newly gained and lost. */
+    void update(RecordedRun next) {
+        if (next != run) {
+            run = next;
+            told = 0;
+        }
+        List<String> lines = new ArrayList<>();
+        for (DetectionEvent event : run.eventsFrom(told)) {
+            if (lines.size() == AT_ONCE) {
+                break;
+            }
+            lines.add(Events.text(event));
+        }
+        told += lines.size();
+        write(lines);
+    }
+
+    /** All that is shown. */
+    String text() {
+        return text.getText();
+    }
+}

@@ -1,0 +1,46 @@
+package org.dronewatch.viewer;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Insets;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+
+/** A strip that tells what went wrong, until the user has read it. */
+final class Notice extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final JTextArea text = new JTextArea();
+
+    Notice() {
+        super(new BorderLayout(8, 0));
+        setVisible(false);
+        setBackground(new Color(0xb3261e));
+        setBorder(BorderFactory.createEmptyBorder(6, 12, 6, 8));
+        text.setEditable(false);
+        text.setOpaque(false);
+        text.setLineWrap(true);
+        text.setWrapStyleWord(true);
+        text.setForeground(Color.WHITE);
+        text.setMargin(new Insets(0, 0, 0, 0));
+        text.getAccessibleContext().setAccessibleName("error");
+        add(text, BorderLayout.CENTER);
+        JButton dismiss = new JButton("Dismiss");
+        dismiss.addActionListener(e -> setVisible(false));
+        add(dismiss, BorderLayout.LINE_END);
+    }
+
+    /** Tells something. */
+    void tell(String problem) {
+        text.setText(problem);
+        setVisible(true);
+        revalidate();
+    }
+
+    /** What is told. */
+    String text() {
+        return text.getText();
+    }
+}

@@ -1,0 +1,101 @@
+package org.dronewatch.viewer;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.table.AbstractTableModel;
+
+/** Each sensor with each drone: whether it detects it, from how far, and its value against the threshold. */
+final class PairTable extends AbstractTableModel {
+    private static final long serialVersionUID = 1L;
+    private static final String[] COLUMNS = {"sensor", "kind", "drone", "state", "range [m]", "value", "threshold"};
+
+    /** Of a great site the first are shown. */
+    private static final int MOST = 2000;
+
+    private final transient List<Row> rows = new ArrayList<>();
+    private transient RecordedRun run;
+
+    private static final class Row {
+        private final String sensor;
+        private final String kind;
+        private final String drone;
+        private boolean detected;
+        private Optional<Reading> reading = Optional.empty();
+
+        Row(String sensor, String kind, String drone) {
+            this.sensor = sensor;
+            this.kind = kind;
+            this.drone = drone;
+        }
+    }
+
+    /** Shows a time of a run. */
+    void show(RecordedRun next, double time) {
+        if (next != run) {
+            run = next;
+            rows.clear();
+            run.info().settings().sensors().forEach((id, sensor) -> {
+                for (String drone : run.info().settings().drones().keySet()) {
+                    if (rows.size() < MOST) {
+                        rows.add(new Row(id, sensor.kind(), drone));
+                    }
+                }
+            });
+            fireTableDataChanged();
+        }
+        for (int i = 0; i < rows.size(); i++) {
+            Row row = rows.get(i);
+            boolean detected = run.isDetected(row.sensor, row.drone, time);
+            Optional<Reading> reading = run.reading(row.sensor, row.drone, time);
+            if (detected != row.detected || !reading.equals(row.reading)) {
+                row.detected = detected;
+                row.reading = reading;
+                fireTableRowsUpdated(i, i);
+            }
+        }
+    }
+
+    /** The sensor of a row. */
+    String sensor(int row) {
+        return rows.get(row).sensor;
+    }
+
+    /** Whether the sensor of a row detects its drone. */
+    boolean isDetected(int row) {
+        return rows.get(row).detected;
+    }
+
+    @Override
+    public int getRowCount() {
+        return rows.size();
+    }
+
+    @Override
+    public int getColumnCount() {
+        return COLUMNS.length;
+    }
+
+    @Override
+    public String getColumnName(int column) {
+        return COLUMNS[column];
+    }
+
+    @Override
+    public Object getValueAt(int index, int column) {
+        Row row = rows.get(index);
+        return switch (column) {
+            case 0 -> row.sensor;
+            case 1 -> row.kind;
+            case 2 -> row.drone;
+            case 3 -> row.detected ? "detects" : "-";
+            case 4 -> row.reading.map(r -> Texts.value(r.range())).orElse("");
+            case 5 ->
+                row.reading.map(r -> Texts.value(r.value()) + " " + r.unit()).orElse("");
+            default ->
+                row.reading
+                        .map(r -> Texts.value(r.threshold()) + " " + r.unit())
+                        .orElse("");
+        };
+    }
+}

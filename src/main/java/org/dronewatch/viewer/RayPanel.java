@@ -1,0 +1,156 @@
+package org.dronewatch.viewer;
+
+import java.awt.FlowLayout;
+import java.awt.GridLayout;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.DefaultComboBoxModel;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSpinner;
+import javax.swing.SpinnerNumberModel;
+import javax.swing.SwingUtilities;
+import org.dronewatch.picture.RayFilter;
+import org.dronewatch.picture.RaySet;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
+
+/** Lets a microphone tell of its rays at the time shown, and chooses which of them are drawn. */
+final class RayPanel extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final int HIGHEST_ORDER = 1000;
+
+    private final JComboBox<String> sensors = new JComboBox<>();
+    private final JComboBox<String> drones = new JComboBox<>();
+    private final JButton trace = new JButton("Trace at this time");
+    private final JButton clear = new JButton("Hide");
+    private final JSpinner fewest = new JSpinner(new SpinnerNumberModel(0, 0, HIGHEST_ORDER, 1));
+    private final JSpinner most = new JSpinner(new SpinnerNumberModel(HIGHEST_ORDER, 0, HIGHEST_ORDER, 1));
+    private final JCheckBox heardOnly = new JCheckBox("only paths that reached the sensor");
+    private final JLabel count = new JLabel(" ");
+    private final transient Latest tracing;
+    private final transient Playback playback;
+    private final transient Consumer<RayFilter> filtered;
+    private transient Consumer<Optional<RaySet>> traced = rays -> {};
+    private transient Stage stage;
+    private transient RaySet rays;
+
+    /**
+     * An empty panel.
+     *
+     * @param threads how many trace
+     * @param filtered is told which rays are to be drawn
+     * @param failed is told what went wrong
+     */
+    RayPanel(int threads, Playback playback, Consumer<RayFilter> filtered, Consumer<Throwable> failed) {
+        super(new GridLayout(0, 1));
+        this.playback = playback;
+        this.filtered = filtered;
+        this.tracing = new Latest("dronewatch-rays", threads, failed);
+        trace.setToolTipText("Follows all rays of sound from the drone to the sensor as they are at the time shown");
+        heardOnly.setToolTipText("Leaves out the rays that end elsewhere");
+        fewest.setToolTipText("Surfaces that a ray has met before, at least");
+        most.setToolTipText("Surfaces that a ray has met before, at most");
+        add(row(new JLabel("Sound of"), drones, new JLabel("for"), sensors, trace, clear));
+        add(row(new JLabel("Order from"), fewest, new JLabel("to"), most, heardOnly));
+        add(row(count));
+        trace.addActionListener(e -> trace());
+        clear.addActionListener(e -> take(null));
+        fewest.addChangeListener(e -> filter());
+        most.addChangeListener(e -> filter());
+        heardOnly.addActionListener(e -> filter());
+        getAccessibleContext().setAccessibleName("rays");
+    }
+
+    private static JPanel row(JComponent... parts) {
+        JPanel row = new JPanel(new FlowLayout(FlowLayout.LEADING, 6, 4));
+        List.of(parts).forEach(row::add);
+        return row;
+    }
+
+    /** Is given the rays to draw. */
+    void onTraced(Consumer<Optional<RaySet>> target) {
+        traced = target;
+    }
+
+    /** Takes the sensors and drones of another run. */
+    void show(SceneSettings settings, Stage next) {
+        stage = next;
+        sensors.setModel(new DefaultComboBoxModel<>(next.raySensors().toArray(String[]::new)));
+        drones.setModel(new DefaultComboBoxModel<>(settings.drones().keySet().toArray(String[]::new)));
+        boolean possible = sensors.getItemCount() > 0 && drones.getItemCount() > 0;
+        trace.setEnabled(possible);
+        take(null);
+        count.setText(possible ? "Nothing is traced yet." : "No sensor of the scene follows rays.");
+    }
+
+    /** Traces the rays of the chosen pair at the time shown. */
+    void trace() {
+        String sensor = (String) sensors.getSelectedItem();
+        String drone = (String) drones.getSelectedItem();
+        if (stage == null || sensor == null || drone == null) {
+            return;
+        }
+        Stage tracedStage = stage;
+        double time = playback.time();
+        count.setText("Tracing ...");
+        tracing.ask(outdated -> {
+            RaySet set = new RaySet(sensor, drone);
+            tracedStage.traceRays(time, sensor, drone, set);
+            set.isHeard(0);
+            SwingUtilities.invokeLater(() -> take(set));
+        });
+    }
+
+    private void take(RaySet set) {
+        rays = set;
+        traced.accept(Optional.ofNullable(set));
+        filter();
+    }
+
+    private void filter() {
+        RayFilter filter = filter((int) fewest.getValue(), (int) most.getValue());
+        if (rays == null) {
+            count.setText("Nothing is traced.");
+        } else {
+            count.setText(String.format(
+                    Locale.ROOT,
+                    "%,d of %,d pieces are drawn; the highest order is %d%s",
+                    filter.count(rays),
+                    rays.count(),
+                    rays.maxOrder(),
+                    rays.leftOut() == 0 ? "" : String.format(Locale.ROOT, "; %,d more were not kept", rays.leftOut())));
+        }
+        filtered.accept(filter);
+    }
+
+    private RayFilter filter(int from, int to) {
+        return new RayFilter(from, to, heardOnly.isSelected());
+    }
+
+    /** Chooses whether only paths that reached the sensor are drawn. */
+    void setHeardOnly(boolean only) {
+        heardOnly.setSelected(only);
+        filter();
+    }
+
+    /** What is traced and drawn, in words. */
+    String count() {
+        return count.getText();
+    }
+
+    boolean isIdle() {
+        return tracing.isIdle();
+    }
+
+    /** Ends the thread that traces. */
+    void close() {
+        tracing.close();
+    }
+}

@@ -1,0 +1,12 @@
+package org.dronewatch.viewer;
+
+/**
+ * What a sensor last told of a drone at some time.
+ *
+ * @param time when it told, seconds since the start of the run
+ * @param value what it measured
+ * @param threshold what the value must reach
+ * @param unit of both
+ * @param range distance to the drone, m
+ */
+record Reading(double time, double value, double threshold, String unit, double range) {}

@@ -1,0 +1,88 @@
+package org.dronewatch.viewer;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.scene.Frame;
+import org.dronewatch.scene.RunInfo;
+import org.dronewatch.sensor.Observation;
+
+/** One run as far as it has been simulated. Written by the thread that simulates, read by any. */
+final class RecordedRun {
+    private final RunInfo info;
+    private final Map<List<String>, Readings> readings = new HashMap<>();
+    private final Map<List<String>, List<DetectionEvent>> eventsOfPair = new HashMap<>();
+    private final List<DetectionEvent> events = new ArrayList<>();
+    private double reached;
+    private boolean finished;
+
+    RecordedRun(RunInfo info) {
+        this.info = info;
+    }
+
+    synchronized void add(Frame frame) {
+        for (Observation observation : frame.observations()) {
+            readings.computeIfAbsent(List.of(observation.sensor(), observation.drone()), pair -> new Readings())
+                    .add(observation);
+        }
+        reached = frame.time();
+    }
+
+    synchronized void add(DetectionEvent event) {
+        Observation observation = event.observation();
+        events.add(event);
+        eventsOfPair
+                .computeIfAbsent(List.of(observation.sensor(), observation.drone()), pair -> new ArrayList<>())
+                .add(event);
+    }
+
+    synchronized void finish() {
+        finished = true;
+        reached = info.settings().run().duration();
+    }
+
+    RunInfo info() {
+        return info;
+    }
+
+    /** How long it lasts, s. */
+    double duration() {
+        return info.settings().run().duration();
+    }
+
+    /** Up to when it has been simulated, s. */
+    synchronized double reached() {
+        return reached;
+    }
+
+    /** Whether all of it has been simulated. */
+    synchronized boolean isFinished() {
+        return finished;
+    }
+
+    /** The detections gained and lost from a number on, in order of time. */
+    synchronized List<DetectionEvent> eventsFrom(int number) {
+        return number >= events.size() ? List.of() : List.copyOf(events.subList(number, events.size()));
+    }
+
+    /** What a sensor last told of a drone up to a time. */
+    synchronized Optional<Reading> reading(String sensor, String drone, double time) {
+        Readings known = readings.get(List.of(sensor, drone));
+        return known == null ? Optional.empty() : known.at(time);
+    }
+
+    /** Whether a sensor detects a drone at a time. */
+    synchronized boolean isDetected(String sensor, String drone, double time) {
+        boolean detected = false;
+        for (DetectionEvent event : eventsOfPair.getOrDefault(List.of(sensor, drone), List.of())) {
+            if (event.observation().arrival() > time) {
+                break;
+            }
+            detected = event.gained();
+        }
+        return detected;
+    }
+}

@@ -1,0 +1,63 @@
+package org.dronewatch.viewer;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.scene.Frame;
+import org.dronewatch.scene.RunInfo;
+import org.dronewatch.scene.SceneListener;
+
+/** The runs of a scene while they are simulated. Told by the thread that simulates, read by any. */
+final class Recording implements SceneListener {
+    private final List<RecordedRun> runs = new ArrayList<>();
+    private RecordedRun current;
+    private boolean finished;
+    private boolean frames;
+
+    @Override
+    public synchronized void runStarted(RunInfo info) {
+        finishCurrent();
+        current = new RecordedRun(info);
+        runs.add(current);
+    }
+
+    @Override
+    public synchronized void observed(Frame frame) {
+        frames = true;
+        current.add(frame);
+    }
+
+    @Override
+    public synchronized void detectionChanged(DetectionEvent event) {
+        current.add(event);
+    }
+
+    /** No more comes: all runs are over, or the last was cut short. */
+    synchronized void finish(boolean complete) {
+        if (complete) {
+            finishCurrent();
+        }
+        finished = true;
+    }
+
+    /** Whether a sensor has looked: all is loaded then. */
+    synchronized boolean hasFrames() {
+        return frames;
+    }
+
+    /** Whether all runs have been simulated, or no more will be. */
+    synchronized boolean isFinished() {
+        return finished;
+    }
+
+    private void finishCurrent() {
+        if (current != null) {
+            current.finish();
+        }
+    }
+
+    /** The runs that have begun. */
+    synchronized List<RecordedRun> runs() {
+        return List.copyOf(runs);
+    }
+}

@@ -1,0 +1,128 @@
+package org.dronewatch.viewer;
+
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.dronewatch.picture.Backdrop;
+import org.dronewatch.picture.Cut;
+import org.dronewatch.picture.Fineness;
+import org.dronewatch.picture.Orbit;
+import org.dronewatch.picture.SitePicture;
+import org.dronewatch.picture.SiteState;
+import org.dronewatch.picture.SiteStyle;
+
+/**
+ * Makes the pictures of the site for a window, on threads of its own: one paints the site itself, coarse at first and fine
+ * once nothing moves; the other draws over it what is there now.
+ */
+final class SiteRenderer implements AutoCloseable {
+    /** A picture at every pixel that takes longer than this is too slow for a site that moves, s. */
+    private static final double FLUID = 0.05;
+
+    /** What is to be seen from where. */
+    record Wish(Orbit orbit, int width, int height, Optional<Cut> cut) {}
+
+    private final Latest backdrops;
+    private final Latest overlays;
+    private final Consumer<BufferedImage> target;
+
+    // Written by the event thread, read by the others.
+    private volatile SitePicture picture;
+    private volatile SiteState state;
+    private volatile SiteStyle style = SiteStyle.DEFAULT;
+    private volatile Backdrop backdrop;
+    private volatile double plainSeconds;
+
+    /**
+     * Starts the threads.
+     *
+     * @param target is given each finished picture, on any thread
+     * @param failed is told what went wrong
+     */
+    SiteRenderer(int threads, Consumer<BufferedImage> target, Consumer<Throwable> failed) {
+        this.target = target;
+        this.backdrops = new Latest("dronewatch-site", threads, failed);
+        this.overlays = new Latest("dronewatch-picture", 1, failed);
+    }
+
+    /** Shows another run's site. */
+    void show(SitePicture other) {
+        picture = other;
+        backdrop = null;
+    }
+
+    /** Shows the site from elsewhere; while it moves, only as finely as is fluid. */
+    void look(Wish wish, boolean moving) {
+        SitePicture painting = picture;
+        if (painting != null) {
+            backdrops.ask(outdated -> paint(painting, wish, moving, outdated));
+        }
+    }
+
+    private void paint(SitePicture painting, Wish wish, boolean moving, BooleanSupplier outdated) {
+        Backdrop now = backdrop;
+        boolean known = now != null
+                && now.orbit().equals(wish.orbit())
+                && now.width() == wish.width()
+                && now.height() == wish.height()
+                && now.cut().equals(wish.cut());
+        if (!known) {
+            // In the middle of a movement a coarse picture in time is better than a fine one too late: it is not
+            // abandoned.
+            Fineness quick = plainSeconds > FLUID && moving ? Fineness.DRAFT : Fineness.PLAIN;
+            long start = System.nanoTime();
+            publish(painting, backdrop(painting, wish, quick, () -> false));
+            plainSeconds = (quick == Fineness.DRAFT ? 4.0 : 1.0) * 1e-9 * (System.nanoTime() - start);
+        }
+        if (!moving && !(known && now.fineness() == Fineness.FINE) && !outdated.getAsBoolean()) {
+            Backdrop fine = backdrop(painting, wish, Fineness.FINE, outdated);
+            if (!outdated.getAsBoolean()) {
+                publish(painting, fine.flat());
+            }
+        }
+    }
+
+    private static Backdrop backdrop(SitePicture painting, Wish wish, Fineness fineness, BooleanSupplier outdated) {
+        return painting.backdrop(wish.orbit(), wish.width(), wish.height(), wish.cut(), fineness, outdated);
+    }
+
+    private void publish(SitePicture painting, Backdrop next) {
+        if (painting == picture) {
+            backdrop = next;
+            redraw();
+        }
+    }
+
+    /** Shows another state of the site. */
+    void draw(SiteState next, SiteStyle in) {
+        state = next;
+        style = in;
+        redraw();
+    }
+
+    private void redraw() {
+        Backdrop behind = backdrop;
+        SiteState what = state;
+        SitePicture painting = picture;
+        if (behind != null && what != null && painting != null) {
+            overlays.ask(outdated -> target.accept(painting.draw(behind, what, style)));
+        }
+    }
+
+    /** The site as it is painted now, if it is. */
+    Optional<Backdrop> backdrop() {
+        return Optional.ofNullable(backdrop);
+    }
+
+    /** Whether all that was asked for has been drawn. */
+    boolean isIdle() {
+        return backdrops.isIdle() && overlays.isIdle();
+    }
+
+    @Override
+    public void close() {
+        backdrops.close();
+        overlays.close();
+    }
+}

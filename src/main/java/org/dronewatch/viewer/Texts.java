@@ -1,0 +1,39 @@
+package org.dronewatch.viewer;
+
+import java.util.Locale;
+import org.dronewatch.geometry.Position;
+
+/** Numbers as people read them. */
+final class Texts {
+    private Texts() {}
+
+    /** A place, m. */
+    static String place(Position place) {
+        return String.format(Locale.ROOT, "east %.1f m, north %.1f m, up %.1f m", place.x(), place.y(), place.z());
+    }
+
+    /** A time, s. */
+    static String time(double seconds) {
+        int minutes = (int) (seconds / 60.0);
+        return minutes == 0
+                ? String.format(Locale.ROOT, "%.2f s", seconds)
+                : String.format(Locale.ROOT, "%d:%05.2f", minutes, seconds - 60.0 * minutes);
+    }
+
+    /** A measured value; infinities in words. */
+    static String value(double value) {
+        if (value == Double.NEGATIVE_INFINITY) {
+            return "none";
+        }
+        return Math.abs(value) < 1000.0 && value != Math.rint(value)
+                ? String.format(Locale.ROOT, "%.1f", value)
+                : String.format(Locale.ROOT, "%.0f", value);
+    }
+
+    /** A speed of playing. */
+    static String speed(double factor) {
+        return factor == Double.POSITIVE_INFINITY
+                ? "as fast as possible"
+                : String.format(Locale.ROOT, factor < 1.0 ? "%.2g x" : "%.0f x", factor);
+    }
+}

@@ -1,0 +1,77 @@
+package org.dronewatch.viewer;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.picture.DroneMark;
+import org.dronewatch.picture.RaySet;
+import org.dronewatch.picture.SensorMark;
+import org.dronewatch.picture.SitePicture;
+import org.dronewatch.picture.SiteState;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
+
+/** A recorded run with its site, ready to be shown at any time. Any thread may ask. */
+final class ViewedRun {
+    private final String title;
+    private final RecordedRun run;
+    private final Stage stage;
+    private final SitePicture picture;
+
+    ViewedRun(String title, RecordedRun run, Stage stage) {
+        this.title = title;
+        this.run = run;
+        this.stage = stage;
+        this.picture = new SitePicture(settings(), stage);
+    }
+
+    RecordedRun run() {
+        return run;
+    }
+
+    SceneSettings settings() {
+        return run.info().settings();
+    }
+
+    Stage stage() {
+        return stage;
+    }
+
+    SitePicture picture() {
+        return picture;
+    }
+
+    /** What is in the site at a time. */
+    SiteState state(double time, Optional<String> selected, Optional<RaySet> rays) {
+        List<SensorMark> sensors = new ArrayList<>();
+        settings()
+                .sensors()
+                .forEach((id, sensor) -> sensors.add(
+                        new SensorMark(id, sensor.kind(), sensor.position(), sensor.outline(), isDetecting(id, time))));
+        List<DroneMark> drones = stage.dronesAt(time).stream()
+                .map(drone -> picture.flights().mark(drone, time, isDetected(drone.id(), time)))
+                .toList();
+        return new SiteState(title, time, sensors, drones, selected, rays);
+    }
+
+    /** Whether a sensor detects any drone at a time. */
+    boolean isDetecting(String sensor, double time) {
+        return settings().drones().keySet().stream().anyMatch(drone -> run.isDetected(sensor, drone, time));
+    }
+
+    private boolean isDetected(String drone, double time) {
+        return settings().sensors().keySet().stream().anyMatch(sensor -> run.isDetected(sensor, drone, time));
+    }
+
+    /** Where a sensor or a drone of a name is at a time, m. */
+    Optional<Position> placeOf(String id, double time) {
+        if (settings().sensors().containsKey(id)) {
+            return Optional.of(settings().sensors().get(id).position());
+        }
+        return stage.dronesAt(time).stream()
+                .filter(drone -> drone.id().equals(id))
+                .map(drone -> Position.of(drone.position()))
+                .findFirst();
+    }
+}

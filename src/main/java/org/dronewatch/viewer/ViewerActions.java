@@ -1,0 +1,108 @@
+package org.dronewatch.viewer;
+
+import java.awt.Toolkit;
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
+import javax.swing.KeyStroke;
+
+/** What the user can do with a run's time, with name, key and explanation: the same in bars and menus. */
+final class ViewerActions {
+    private final Action play;
+    private final Action stepOn;
+    private final Action stepBack;
+    private final Action toStart;
+    private final Action toEnd;
+    private final Action faster;
+    private final Action slower;
+
+    ViewerActions(Playback playback) {
+        play = action("Play", "Plays the run, or pauses it", key(KeyEvent.VK_SPACE), () -> {
+            if (playback.isPlaying()) {
+                playback.pause();
+            } else {
+                playback.play();
+            }
+        });
+        stepOn = action("Step on", "Pauses, and goes one look on", key(KeyEvent.VK_PERIOD), () -> playback.step(1));
+        stepBack =
+                action("Step back", "Pauses, and goes one look back", key(KeyEvent.VK_COMMA), () -> playback.step(-1));
+        toStart = action("To the start", "Jumps to the start", key(KeyEvent.VK_HOME), () -> playback.jump(0.0));
+        toEnd = action(
+                "To the end",
+                "Jumps as far as the run is simulated",
+                key(KeyEvent.VK_END),
+                () -> playback.jump(Double.MAX_VALUE));
+        faster = action("Faster", "Plays faster", key(KeyEvent.VK_PLUS), () -> change(playback, 1));
+        slower = action("Slower", "Plays slower", key(KeyEvent.VK_MINUS), () -> change(playback, -1));
+    }
+
+    private static void change(Playback playback, int by) {
+        int now = 0;
+        while (Playback.SPEEDS[now] < playback.speed()) {
+            now++;
+        }
+        playback.setSpeed(Playback.SPEEDS[Math.max(0, Math.min(Playback.SPEEDS.length - 1, now + by))]);
+    }
+
+    /** An action with a name, an explanation, and a key that menus show. */
+    static Action action(String name, String explanation, KeyStroke key, Runnable work) {
+        Action action = new AbstractAction(name) {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public void actionPerformed(ActionEvent e) {
+                work.run();
+            }
+        };
+        action.putValue(Action.SHORT_DESCRIPTION, explanation);
+        action.putValue(Action.ACCELERATOR_KEY, key);
+        return action;
+    }
+
+    /** A key alone. */
+    static KeyStroke key(int code) {
+        return KeyStroke.getKeyStroke(code, 0);
+    }
+
+    /** A key with the system's key for menus. */
+    static KeyStroke menuKey(int code) {
+        return KeyStroke.getKeyStroke(code, Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx());
+    }
+
+    /** A key with the system's key for menus and Shift. */
+    static KeyStroke shiftedMenuKey(int code) {
+        return KeyStroke.getKeyStroke(
+                code, Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx() | InputEvent.SHIFT_DOWN_MASK);
+    }
+
+    Action play() {
+        return play;
+    }
+
+    Action stepOn() {
+        return stepOn;
+    }
+
+    Action stepBack() {
+        return stepBack;
+    }
+
+    Action toStart() {
+        return toStart;
+    }
+
+    Action toEnd() {
+        return toEnd;
+    }
+
+    Action faster() {
+        return faster;
+    }
+
+    Action slower() {
+        return slower;
+    }
+}

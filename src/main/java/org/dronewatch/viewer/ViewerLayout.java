@@ -1,0 +1,94 @@
+package org.dronewatch.viewer;
+
+import java.awt.Rectangle;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.Properties;
+
+/**
+ * How the user has arranged the window, kept in a small file from one time to the next. A file that cannot be read or
+ * written is no reason to stop: the window is then as at first.
+ */
+final class ViewerLayout {
+    private static final int LARGEST_FILE = 10_000;
+
+    private final Path file;
+    private final Properties values = new Properties();
+
+    /** Reads the file, if it is there. */
+    ViewerLayout(Path file) {
+        this.file = file;
+        try {
+            if (Files.isRegularFile(file) && Files.size(file) <= LARGEST_FILE) {
+                try (InputStream stream = Files.newInputStream(file)) {
+                    values.load(stream);
+                }
+            }
+        } catch (IOException | IllegalArgumentException e) {
+            values.clear();
+        }
+    }
+
+    /** The file of this user. */
+    static Path ofUser() {
+        return Path.of(System.getProperty("user.home"), ".dronewatch", "viewer.properties");
+    }
+
+    Optional<Rectangle> bounds() {
+        return number("x").flatMap(x -> number("y").flatMap(y -> number("width")
+                .flatMap(width -> number("height").map(height -> new Rectangle(x, y, width, height)))));
+    }
+
+    void setBounds(Rectangle bounds) {
+        set("x", bounds.x);
+        set("y", bounds.y);
+        set("width", bounds.width);
+        set("height", bounds.height);
+    }
+
+    boolean isDark() {
+        return "dark".equals(values.getProperty("theme"));
+    }
+
+    void setDark(boolean dark) {
+        values.setProperty("theme", dark ? "dark" : "light");
+    }
+
+    /** Where a divider is, by its name, in pixels. */
+    Optional<Integer> divider(String name) {
+        return number("divider." + name);
+    }
+
+    void setDivider(String name, int place) {
+        set("divider." + name, place);
+    }
+
+    private Optional<Integer> number(String key) {
+        try {
+            return Optional.ofNullable(values.getProperty(key)).map(Integer::valueOf);
+        } catch (NumberFormatException e) {
+            return Optional.empty();
+        }
+    }
+
+    private void set(String key, int value) {
+        values.setProperty(key, Integer.toString(value));
+    }
+
+    /** Writes the file; tells whether that was possible. */
+    boolean save() {
+        try {
+            Files.createDirectories(file.toAbsolutePath().getParent());
+            try (OutputStream stream = Files.newOutputStream(file)) {
+                values.store(stream, "how the dronewatch viewer is arranged");
+            }
+            return true;
+        } catch (IOException e) {
+            return false;
+        }
+    }
+}

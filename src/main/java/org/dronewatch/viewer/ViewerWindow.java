@@ -1,0 +1,132 @@
+package org.dronewatch.viewer;
+
+import com.formdev.flatlaf.FlatDarkLaf;
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import javax.swing.JFrame;
+import javax.swing.JSplitPane;
+import javax.swing.Timer;
+import javax.swing.WindowConstants;
+
+/** The window about a pane: menus, look, clock, and where the user left it. All methods are for the event thread. */
+final class ViewerWindow {
+    /** The pane is asked for what is new so often, ms. */
+    private static final int TICK = 33;
+
+    /** A pause of the machine is no leap in time, s. */
+    private static final double LONGEST_TICK = 0.25;
+
+    private static final Dimension FIRST = new Dimension(1280, 800);
+    private static final String[] DIVIDERS = {"across", "down"};
+
+    private final ViewerPane pane;
+    private final ViewerLayout layout;
+    private final Runnable closing;
+    private final Runnable closed;
+    private final JFrame frame;
+    private final Timer timer;
+    private long lastTick = System.nanoTime();
+    private boolean open = true;
+
+    /**
+     * Opens the window.
+     *
+     * @param layout how the user left it
+     * @param closing is told when the user closes it
+     * @param closed is told when it is gone, with all threads of the pane
+     */
+    ViewerWindow(String title, ViewerPane pane, ViewerLayout layout, Runnable closing, Runnable closed) {
+        this.pane = pane;
+        this.layout = layout;
+        this.closing = closing;
+        this.closed = closed;
+        this.frame = new JFrame(title + " - dronewatch");
+        this.timer = new Timer(TICK, e -> tick());
+        frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent e) {
+                close();
+            }
+        });
+        Exports exports = new Exports(pane, pane::tell);
+        frame.setJMenuBar(new ViewerMenus(pane, exports, this::setDark, this::close).bar(layout.isDark()));
+        frame.setContentPane(pane);
+        frame.setMinimumSize(new Dimension(640, 420));
+        place();
+        frame.setVisible(true);
+        for (int i = 0; i < DIVIDERS.length; i++) {
+            JSplitPane divided = pane.dividers().get(i);
+            int first = i == 0 ? (int) (0.6 * divided.getWidth()) : (int) (0.58 * divided.getHeight());
+            divided.setDividerLocation((int) layout.divider(DIVIDERS[i]).orElse(first));
+        }
+        pane.world().requestFocusInWindow();
+        timer.start();
+    }
+
+    /** Sets the look of all windows to come. */
+    static void setLook(boolean dark) {
+        if (dark) {
+            FlatDarkLaf.setup();
+        } else {
+            FlatLightLaf.setup();
+        }
+    }
+
+    private void place() {
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        Rectangle wanted = layout.bounds()
+                .filter(screen::intersects)
+                .orElse(new Rectangle(
+                        screen.x + Math.max(0, (screen.width - FIRST.width) / 2),
+                        screen.y + Math.max(0, (screen.height - FIRST.height) / 2),
+                        FIRST.width,
+                        FIRST.height));
+        frame.setBounds(wanted.intersection(screen));
+    }
+
+    private void setDark(boolean dark) {
+        layout.setDark(dark);
+        setLook(dark);
+        FlatLaf.updateUI();
+    }
+
+    private void tick() {
+        long now = System.nanoTime();
+        pane.tick(Math.min(LONGEST_TICK, 1e-9 * (now - lastTick)));
+        lastTick = now;
+    }
+
+    JFrame frame() {
+        return frame;
+    }
+
+    /** Remembers where it was, and closes; twice is no harm. */
+    void close() {
+        if (!open) {
+            return;
+        }
+        open = false;
+        closing.run();
+        timer.stop();
+        layout.setBounds(frame.getBounds());
+        for (int i = 0; i < DIVIDERS.length; i++) {
+            layout.setDivider(DIVIDERS[i], pane.dividers().get(i).getDividerLocation());
+        }
+        layout.save();
+        frame.dispose();
+        // The threads may be in the middle of a picture: the event thread does not wait for them.
+        Thread closing = new Thread(
+                () -> {
+                    pane.close();
+                    closed.run();
+                },
+                "dronewatch-closing");
+        closing.start();
+    }
+}

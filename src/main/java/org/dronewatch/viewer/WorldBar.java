@@ -1,0 +1,72 @@
+package org.dronewatch.viewer;
+
+import java.awt.Dimension;
+import java.util.Locale;
+import java.util.Optional;
+import javax.swing.Action;
+import javax.swing.Box;
+import javax.swing.JLabel;
+import javax.swing.JSlider;
+import javax.swing.JToolBar;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.picture.Cut;
+
+/** From where the site is seen, and at which height it is cut open. */
+final class WorldBar extends JToolBar {
+    private static final long serialVersionUID = 1L;
+    private static final int STEPS = 500;
+
+    private final transient WorldPanel world;
+    private final JSlider slider = new JSlider(0, STEPS, STEPS);
+    private final JLabel height = new JLabel("not cut");
+    private double low;
+    private double high = 1.0;
+    private boolean updating;
+
+    WorldBar(WorldPanel world, Action... views) {
+        this.world = world;
+        setFloatable(false);
+        for (Action view : views) {
+            add(view).setFocusable(false);
+        }
+        add(Box.createHorizontalGlue());
+        add(new JLabel("Cut open at "));
+        slider.setMaximumSize(new Dimension(180, 40));
+        slider.setPreferredSize(new Dimension(130, 24));
+        slider.setToolTipText("Takes away all above a height, to look inside; nothing at the right end");
+        slider.getAccessibleContext().setAccessibleName("cut height");
+        slider.addChangeListener(e -> {
+            if (!updating) {
+                cut();
+            }
+        });
+        add(slider);
+        height.setPreferredSize(new Dimension(62, 20));
+        add(height);
+    }
+
+    /** Takes another site and how it is cut at first. */
+    void show(AABB bounds, Optional<Cut> cut) {
+        low = bounds.minZ();
+        high = bounds.maxZ();
+        updating = true;
+        slider.setValue(cut.map(c -> (int) Math.round(STEPS * (c.offset() - low) / (high - low)))
+                .orElse(STEPS));
+        updating = false;
+        tell();
+    }
+
+    private void cut() {
+        boolean whole = slider.getValue() == STEPS;
+        world.setCut(whole ? Optional.empty() : Optional.of(Cut.above(chosen())));
+        tell();
+    }
+
+    private double chosen() {
+        return low + slider.getValue() * (high - low) / STEPS;
+    }
+
+    private void tell() {
+        height.setText(slider.getValue() == STEPS ? "not cut" : String.format(Locale.ROOT, "%.1f m", chosen()));
+    }
+}

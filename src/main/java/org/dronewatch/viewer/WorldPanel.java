@@ -1,0 +1,223 @@
+package org.dronewatch.viewer;
+
+import java.awt.Color;
+import java.awt.Cursor;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.picture.Backdrop;
+import org.dronewatch.picture.Cut;
+import org.dronewatch.picture.Orbit;
+import org.dronewatch.picture.SitePicture;
+import org.dronewatch.picture.SiteState;
+import org.dronewatch.picture.SiteStyle;
+import org.jogamp.vecmath.Point2d;
+
+/**
+ * The site in 3D. Dragging turns it, with the right button or Shift it moves, the wheel zooms towards the pointer, a double
+ * click looks at what is there, a click on a symbol selects.
+ */
+final class WorldPanel extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    /** So long after the last movement the site is at rest, ms. */
+    private static final int REST = 180;
+
+    /** A symbol is hit this near, in pixels. */
+    private static final double NEAR = 16.0;
+
+    private final transient SiteRenderer renderer;
+    private final Timer rest = new Timer(REST, e -> look(false));
+    private transient BufferedImage image;
+    private transient Orbit orbit;
+    private transient Optional<Cut> cut = Optional.empty();
+    private transient SiteState state;
+    private SiteStyle style = SiteStyle.DEFAULT;
+    private transient Consumer<String> selection = id -> {};
+    private transient Consumer<String> hint = text -> {};
+
+    /**
+     * An empty view.
+     *
+     * @param threads how many paint the site
+     * @param failed is told what went wrong
+     */
+    WorldPanel(int threads, Consumer<Throwable> failed) {
+        this.renderer = new SiteRenderer(
+                threads,
+                picture -> SwingUtilities.invokeLater(() -> {
+                    image = picture;
+                    repaint();
+                }),
+                failed);
+        rest.setRepeats(false);
+        setPreferredSize(new Dimension(760, 560));
+        setMinimumSize(new Dimension(200, 150));
+        setFocusable(true);
+        setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
+        getAccessibleContext().setAccessibleName("site");
+        WorldMouse mouse = new WorldMouse(this);
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
+        addMouseWheelListener(mouse);
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                move(orbit);
+            }
+        });
+    }
+
+    /** Is told the sensor or drone that was clicked on. */
+    void onSelection(Consumer<String> target) {
+        selection = target;
+    }
+
+    /** Is told what is under the pointer. */
+    void onHint(Consumer<String> target) {
+        hint = target;
+    }
+
+    /** Shows another run's site. */
+    void show(SitePicture picture, Orbit from, Optional<Cut> without) {
+        renderer.show(picture);
+        cut = without;
+        move(from);
+        look(false);
+    }
+
+    /** Shows another state. */
+    void show(SiteState next) {
+        state = next;
+        renderer.draw(next, style.withScale(density()));
+    }
+
+    SiteStyle style() {
+        return style;
+    }
+
+    void setStyle(SiteStyle other) {
+        style = other;
+        if (state != null) {
+            show(state);
+        }
+    }
+
+    Orbit orbit() {
+        return orbit;
+    }
+
+    Optional<Cut> cut() {
+        return cut;
+    }
+
+    void setCut(Optional<Cut> other) {
+        cut = other;
+        move(orbit);
+    }
+
+    /** Looks from elsewhere: coarse at once, fine when nothing has moved for a moment. */
+    void move(Orbit to) {
+        orbit = to;
+        look(true);
+        rest.restart();
+    }
+
+    private void look(boolean moving) {
+        int width = (int) Math.round(getWidth() * density());
+        int height = (int) Math.round(getHeight() * density());
+        if (orbit != null && width > 0 && height > 0) {
+            renderer.look(new SiteRenderer.Wish(orbit, width, height, cut), moving);
+        }
+    }
+
+    /** Pixels of the screen for one of Swing's. */
+    double density() {
+        return getGraphicsConfiguration() == null
+                ? 1.0
+                : getGraphicsConfiguration().getDefaultTransform().getScaleX();
+    }
+
+    /** Width over height. */
+    double aspect() {
+        return getHeight() == 0 ? 1.5 : getWidth() / (double) getHeight();
+    }
+
+    /** Selects what stands at a place of this panel. */
+    void select(int x, int y) {
+        if (state == null || orbit == null) {
+            return;
+        }
+        List<String> ids = new ArrayList<>();
+        List<Position> places = new ArrayList<>();
+        state.drones().forEach(mark -> {
+            ids.add(mark.drone().id());
+            places.add(Position.of(mark.drone().position()));
+        });
+        state.sensors().forEach(mark -> {
+            ids.add(mark.id());
+            places.add(mark.position());
+        });
+        double nearest = NEAR;
+        String found = null;
+        for (int i = 0; i < ids.size(); i++) {
+            Point2d at = orbit.camera(getWidth(), getHeight())
+                    .pixelOf(places.get(i).toPoint3d())
+                    .orElse(new Point2d(1e9, 1e9));
+            double distance = at.distance(new Point2d(x, y));
+            if (distance < nearest) {
+                nearest = distance;
+                found = ids.get(i);
+            }
+        }
+        selection.accept(found);
+    }
+
+    /** The place of the world at a place of this panel. */
+    Optional<Position> placeAt(int x, int y) {
+        double density = density();
+        return renderer.backdrop()
+                .flatMap((Backdrop behind) -> behind.placeAt((int) (x * density), (int) (y * density)));
+    }
+
+    /** Tells what is under the pointer. */
+    void tell(int x, int y) {
+        hint.accept(placeAt(x, y).map(Texts::place).orElse("sky"));
+    }
+
+    /** The picture as it is shown, or null before the first. */
+    BufferedImage image() {
+        return image;
+    }
+
+    /** Whether all that was asked for is drawn. */
+    boolean isIdle() {
+        return !rest.isRunning() && renderer.isIdle();
+    }
+
+    @Override
+    protected void paintComponent(Graphics g) {
+        if (image == null) {
+            g.setColor(new Color(0xdbe1e6));
+            g.fillRect(0, 0, getWidth(), getHeight());
+        } else {
+            g.drawImage(image, 0, 0, getWidth(), getHeight(), null);
+        }
+    }
+
+    /** Ends the threads that paint. */
+    void close() {
+        rest.stop();
+        renderer.close();
+    }
+}
