@@ -36,8 +36,7 @@ final class ViewerMenus {
     }
 
     private static JMenuItem item(String name, String explanation, KeyStroke key, Runnable work) {
-        JMenuItem item = new JMenuItem(ViewerActions.action(name, explanation, key, work));
-        return item;
+        return new QuickItem(ViewerActions.action(name, explanation, key, work));
     }
 
     private JMenu file() {
@@ -77,14 +76,14 @@ final class ViewerMenus {
         JMenu menu = new JMenu("Run");
         menu.setMnemonic('R');
         ViewerActions actions = pane.actions();
-        menu.add(actions.play());
-        menu.add(actions.stepOn());
-        menu.add(actions.stepBack());
-        menu.add(actions.toStart());
-        menu.add(actions.toEnd());
+        menu.add(new QuickItem(actions.play()));
+        menu.add(new QuickItem(actions.stepOn()));
+        menu.add(new QuickItem(actions.stepBack()));
+        menu.add(new QuickItem(actions.toStart()));
+        menu.add(new QuickItem(actions.toEnd()));
         menu.addSeparator();
-        menu.add(actions.faster());
-        menu.add(actions.slower());
+        menu.add(new QuickItem(actions.faster()));
+        menu.add(new QuickItem(actions.slower()));
         menu.addSeparator();
         menu.add(item(
                 "Trace rays of sound",
@@ -97,7 +96,7 @@ final class ViewerMenus {
     private JMenu view() {
         JMenu menu = new JMenu("View");
         menu.setMnemonic('V');
-        pane.views().forEach(menu::add);
+        pane.views().forEach(view -> menu.add(new QuickItem(view)));
         menu.addSeparator();
         WorldPanel world = pane.world();
         menu.add(toggle("Names", 'N', shown -> world.setStyle(world.style().withLabels(shown))));
@@ -121,7 +120,7 @@ final class ViewerMenus {
     }
 
     private static JCheckBoxMenuItem toggle(String name, char key, Consumer<Boolean> chosen) {
-        JCheckBoxMenuItem item = new JCheckBoxMenuItem(name, true);
+        JCheckBoxMenuItem item = new QuickToggle(name, true);
         item.setAccelerator(ViewerActions.key(key));
         item.addActionListener(e -> chosen.accept(item.isSelected()));
         return item;
@@ -145,7 +144,7 @@ final class ViewerMenus {
     private JMenu window(boolean dark) {
         JMenu menu = new JMenu("Window");
         menu.setMnemonic('W');
-        JCheckBoxMenuItem item = new JCheckBoxMenuItem("Dark", dark);
+        JCheckBoxMenuItem item = new QuickToggle("Dark", dark);
         item.setAccelerator(ViewerActions.menuKey(KeyEvent.VK_D));
         item.addActionListener(e -> darkChosen.accept(item.isSelected()));
         menu.add(item);
@@ -158,5 +157,19 @@ final class ViewerMenus {
                     () -> pane.tabs().setSelectedIndex(tab)));
         }
         return menu;
+    }
+
+    /** An entry with a tick whose key works at once, as that of {@link QuickItem}. */
+    private static final class QuickToggle extends JCheckBoxMenuItem {
+        private static final long serialVersionUID = 1L;
+
+        QuickToggle(String name, boolean on) {
+            super(name, on);
+        }
+
+        @Override
+        public void doClick(int pressTime) {
+            super.doClick(0);
+        }
     }
 }
