@@ -2,6 +2,8 @@ package org.dronewatch.app;
 
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
+import java.util.Arrays;
+import java.util.Set;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -35,11 +37,20 @@ public final class Main implements Runnable {
     /** Exit code of anything else that went wrong. */
     static final int FAILED = 1;
 
+    private static final String HEADLESS = "java.awt.headless";
+
+    /** The words with which a window is asked for. */
+    private static final Set<String> WINDOWED = Set.of("view", "--view");
+
     @Spec
     private CommandSpec spec;
 
     /** Runs a command and ends the process with its exit code unless that is 0. */
     public static void main(String[] arguments) {
+        if (Arrays.stream(arguments).noneMatch(WINDOWED::contains) && System.getProperty(HEADLESS) == null) {
+            // Pictures and plots need no display; one that cannot be reached must not stop them.
+            System.setProperty(HEADLESS, "true");
+        }
         // The console's own character set, so that names and paths come out as they were typed.
         PrintWriter out = new PrintWriter(System.out, true, Charset.defaultCharset());
         PrintWriter err = new PrintWriter(System.err, true, Charset.defaultCharset());

@@ -195,7 +195,7 @@ final class Furniture {
         double step = levels.high() - levels.low() > 30.0 ? 20.0 : levels.high() - levels.low() > 12.0 ? 10.0 : 5.0;
         for (double level = step * Math.ceil(levels.low() / step); level <= levels.high(); level += step) {
             double at = x + px(12) + (level - levels.low()) / (levels.high() - levels.low()) * bar;
-            String text = String.format(Locale.ROOT, level + step > levels.high() ? "%.0f dB" : "%.0f", level);
+            String text = String.format(Locale.ROOT, level + step > levels.high() ? "%.0f dB" : "%.0f", level + 0.0);
             g.draw(new Line2D.Double(at, y + px(57), at, y + px(60)));
             int half = metrics.stringWidth(text) / 2;
             int left = (int) Math.max(x + px(8), Math.min(x + w - px(8) - 2.0 * half, at - half));

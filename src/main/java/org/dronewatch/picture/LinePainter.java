@@ -19,6 +19,8 @@ final class LinePainter {
     private final Canvas canvas;
     private final double[] from = new double[3];
     private final double[] to = new double[3];
+    private int top;
+    private int bottom;
 
     /**
      * A painter of one picture.
@@ -29,6 +31,13 @@ final class LinePainter {
         this.camera = camera;
         this.cut = cut;
         this.canvas = canvas;
+        this.bottom = canvas.height;
+    }
+
+    /** Draws from now on only into the rows from the first up to the last, which is left out. */
+    void keepTo(int first, int last) {
+        top = first;
+        bottom = last;
     }
 
     /** Draws a line between two places of the world, so many pixels wide. */
@@ -94,22 +103,32 @@ final class LinePainter {
             draw(x1, y1, w1, x0, y0, w0, width, colour, share);
             return;
         }
-        int length = steep ? canvas.height : canvas.width;
-        int breadth = steep ? canvas.width : canvas.height;
+        int firstAlong = steep ? top : 0;
+        int lastAlong = (steep ? bottom : canvas.width) - 1;
+        int firstAcross = steep ? 0 : top;
+        int lastAcross = (steep ? canvas.width : bottom) - 1;
         double span = Math.max(1e-9, a1 - a0);
         double slope = (b1 - b0) / span;
         double half = 0.5 * width * Math.sqrt(1.0 + slope * slope);
-        int start = (int) Math.max(0.0, Math.round(a0));
-        int end = (int) Math.min(length - 1.0, Math.round(a1 - 1.0));
-        for (int a = start; a <= end; a++) {
+        double start = Math.max(firstAlong, Math.round(a0));
+        double end = Math.min(lastAlong, Math.round(a1 - 1.0));
+        if (Math.abs(slope) > 1e-12) {
+            // Only where it is within the picture across its way, too.
+            double one = a0 + (firstAcross - half - 1.0 - b0) / slope;
+            double other = a0 + (lastAcross + half + 2.0 - b0) / slope;
+            start = Math.max(start, Math.floor(Math.min(one, other)));
+            end = Math.min(end, Math.ceil(Math.max(one, other)));
+        }
+        double forgiven = 1.0 - FORGIVEN / camera.focalLength();
+        int stepAcross = steep ? 1 : canvas.width;
+        for (int a = (int) start; a <= end; a++) {
             double along = Math.max(0.0, Math.min(1.0, (a + 0.5 - a0) / span));
             double b = b0 + along * (b1 - b0);
-            double depth = 1.0 / (w0 + along * (w1 - w0));
-            double limit = depth * (1.0 - FORGIVEN / camera.focalLength());
-            int low = (int) Math.max(0.0, Math.floor(b - half));
-            int high = (int) Math.min(breadth - 1.0, Math.floor(b + half));
-            for (int c = low; c <= high; c++) {
-                int pixel = steep ? a * canvas.width + c : c * canvas.width + a;
+            double limit = forgiven / (w0 + along * (w1 - w0));
+            int low = (int) Math.max(firstAcross, Math.floor(b - half));
+            int high = (int) Math.min(lastAcross, Math.floor(b + half));
+            int pixel = steep ? a * canvas.width + low : low * canvas.width + a;
+            for (int c = low; c <= high; c++, pixel += stepAcross) {
                 if (canvas.depth[pixel] >= limit) {
                     double covered = Math.min(c + 1.0, b + half) - Math.max(c, b - half);
                     canvas.blend(pixel, colour, share * Math.min(1.0, covered));

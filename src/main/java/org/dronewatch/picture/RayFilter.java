@@ -1,5 +1,7 @@
 package org.dronewatch.picture;
 
+import java.util.stream.IntStream;
+
 /**
  * Which pieces of rays are drawn.
  *
@@ -15,6 +17,19 @@ public record RayFilter(int fewest, int most, boolean heardOnly) {
     public boolean shows(RaySet rays, int piece) {
         int order = rays.order(piece);
         return order >= fewest && order <= most && (!heardOnly || rays.isHeard(piece));
+    }
+
+    /** The numbers of the pieces that are drawn; where those are more than a number, evenly chosen ones. */
+    int[] pieces(RaySet rays, int most) {
+        int[] all = IntStream.range(0, rays.count())
+                .filter(piece -> shows(rays, piece))
+                .toArray();
+        if (all.length <= most) {
+            return all;
+        }
+        return IntStream.range(0, most)
+                .map(i -> all[(int) ((long) i * all.length / most)])
+                .toArray();
     }
 
     /** How many pieces are drawn. */

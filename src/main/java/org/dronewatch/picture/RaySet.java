@@ -26,7 +26,7 @@ public final class RaySet implements RayRecorder {
     private float[] levels = new float[1024];
     private int[] orders = new int[1024];
     private final BitSet received = new BitSet();
-    private BitSet heard;
+    private volatile BitSet heard;
     private int count;
     private long leftOut;
 
@@ -121,11 +121,17 @@ public final class RaySet implements RayRecorder {
     }
 
     /** Whether a piece is part of a path that reached the sensor: its end, or what led there. */
-    public synchronized boolean isHeard(int piece) {
-        if (heard == null) {
-            heard = findHeard();
+    public boolean isHeard(int piece) {
+        return heard().get(piece);
+    }
+
+    private BitSet heard() {
+        BitSet known = heard;
+        if (known == null) {
+            known = findHeard();
+            heard = known;
         }
-        return heard.get(piece);
+        return known;
     }
 
     /** Goes back from each piece that reached the sensor: what led there ends where it begins. */

@@ -46,6 +46,9 @@ final class SitePainter {
         private final KDTraversal single = tree.newTraversal();
         private final double[] direction = new double[3];
 
+        /** Depth and triangle of what a single ray found. */
+        private final double[] found = new double[2];
+
         /** Whether the sun was seen in each block of the tile: 0 not asked, 1 seen, 2 not seen. */
         private final byte[] sun = new byte[TileTraversal.WIDTH / BLOCK * (TileTraversal.HEIGHT / BLOCK)];
     }
@@ -135,19 +138,18 @@ final class SitePainter {
             to = -beyond / rate;
         }
         Canvas canvas = shot.canvas();
-        boolean hit = from < to && firstFront(shot, brush, from, to);
-        canvas.depth[pixel] = hit ? (float) brush.single.distance() : Float.POSITIVE_INFINITY;
-        canvas.triangle[pixel] = hit ? brush.single.triangle() : Canvas.NOTHING;
-        if (from > 0.0 && from < to && isInsideSolid(shot, brush, from)) {
-            canvas.depth[pixel] = (float) from;
-            canvas.triangle[pixel] = Canvas.NOTHING;
-            return true;
-        }
+        double[] found = brush.found;
+        boolean hit = from < to && firstToShow(shot, brush, from, to);
+        canvas.depth[pixel] = hit ? (float) found[0] : Float.POSITIVE_INFINITY;
+        canvas.triangle[pixel] = hit ? (int) found[1] : Canvas.NOTHING;
         return hit;
     }
 
-    /** The first surface that shows its front: one looks into a building that is cut open through the backs of its walls. */
-    private boolean firstFront(Shot shot, Brush brush, double from, double to) {
+    /**
+     * The first surface that shows its front: one looks into a building that is cut open through the backs of its walls.
+     * Where the cut goes through something solid, the cut itself.
+     */
+    private boolean firstToShow(Shot shot, Brush brush, double from, double to) {
         double[] eye = shot.eye();
         double[] d = brush.direction;
         double next = from;
@@ -155,21 +157,25 @@ final class SitePainter {
             if (!brush.single.closestHit(eye[0], eye[1], eye[2], d[0], d[1], d[2], next, to)) {
                 return false;
             }
+            brush.found[0] = brush.single.distance();
+            brush.found[1] = brush.single.triangle();
             if (!showsItsBack(brush, 1.0)) {
                 return true;
             }
-            next = Math.nextUp(brush.single.distance() * (1.0 + 1e-9));
+            if (backs == 0 && from > 0.0 && isInsideSolid(eye, brush, from)) {
+                brush.found[0] = from;
+                brush.found[1] = Canvas.NOTHING;
+                return true;
+            }
+            next = Math.nextUp(brush.found[0] * (1.0 + 1e-9));
         }
         return true;
     }
 
-    /** Whether the cut goes through something solid: from inside it one sees backs, ahead and behind. */
-    private boolean isInsideSolid(Shot shot, Brush brush, double at) {
-        double[] eye = shot.eye();
+    /** Whether a place from which a back is seen ahead lies inside something solid: then one is seen behind it, too. */
+    private boolean isInsideSolid(double[] eye, Brush brush, double at) {
         double[] d = brush.direction;
-        return brush.single.closestHit(eye[0], eye[1], eye[2], d[0], d[1], d[2], at, Double.POSITIVE_INFINITY)
-                && showsItsBack(brush, 1.0)
-                && brush.single.closestHit(
+        return brush.single.closestHit(
                         eye[0] + at * d[0],
                         eye[1] + at * d[1],
                         eye[2] + at * d[2],

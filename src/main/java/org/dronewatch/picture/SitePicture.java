@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.camera.CameraObject;
@@ -31,6 +32,7 @@ public final class SitePicture {
     private final World world;
     private final Flights flights;
     private final AABB interest;
+    private volatile Rayed rayed;
 
     /** For one run of a scene. */
     public SitePicture(SceneSettings settings, Stage stage) {
@@ -90,7 +92,7 @@ public final class SitePicture {
         CameraObject camera = orbit.camera(fineness.raysIn(width), fineness.raysIn(height));
         Canvas canvas = new Canvas(camera.width(), camera.height());
         painter.paint(camera, cut.orElse(null), fineness.shadows, canvas, abandoned);
-        if (fineness != Fineness.DRAFT && !abandoned.getAsBoolean()) {
+        if (fineness.pixels == 1 && !abandoned.getAsBoolean()) {
             painter.outline(canvas, camera.focalLength());
         }
         return new Backdrop(orbit, width, height, cut, fineness, camera, canvas);
@@ -98,14 +100,16 @@ public final class SitePicture {
 
     /** Draws what is there at one time over a backdrop, which stays as it is. */
     public BufferedImage draw(Backdrop backdrop, SiteState state, SiteStyle style) {
-        Canvas canvas = backdrop.canvas().copy();
         Cut cut = backdrop.cut().orElse(null);
         CameraObject camera = backdrop.camera();
-        painter.paint(camera, cut, state.drones().stream().map(DroneMark::drone).toList(), canvas);
-        LinePainter lines = new LinePainter(camera, cut, canvas);
         double pixel = style.scale() * camera.height() / backdrop.height();
         Optional<LevelScale> levels = state.rays().map(LevelScale::of);
-        state.rays().ifPresent(rays -> drawRays(lines, rays, levels.orElseThrow(), style.filter(), pixel));
+        Canvas canvas = state.rays()
+                .map(rays -> withRays(backdrop, rays, levels.orElseThrow(), style.filter(), pixel))
+                .orElse(backdrop.canvas())
+                .copy();
+        painter.paint(camera, cut, state.drones().stream().map(DroneMark::drone).toList(), canvas);
+        LinePainter lines = new LinePainter(camera, cut, canvas);
         if (style.outlines()) {
             drawOutlines(lines, state, pixel);
         }
@@ -153,26 +157,59 @@ public final class SitePicture {
         return image;
     }
 
-    private static void drawRays(LinePainter lines, RaySet rays, LevelScale levels, RayFilter filter, double pixel) {
-        // The more there are, the finer each is drawn; those that are heard last, over the others.
-        double share = rays.count() > 20_000 ? 0.35 : rays.count() > 2_000 ? 0.55 : 0.85;
-        for (int pass = 0; pass < 2; pass++) {
-            for (int i = 0; i < rays.count(); i++) {
-                boolean heard = rays.isHeard(i);
-                if (heard == (pass == 1) && filter.shows(rays, i)) {
-                    lines.line(
-                            rays.end(i, 0),
-                            rays.end(i, 1),
-                            rays.end(i, 2),
-                            rays.end(i, 3),
-                            rays.end(i, 4),
-                            rays.end(i, 5),
-                            (heard ? 1.6 : 1.0) * pixel,
-                            levels.colour(rays.level(i)),
-                            heard ? 0.95 : share);
+    /** A backdrop with rays, kept until others are asked for: rays stay as they are while time goes on. */
+    private record Rayed(Backdrop backdrop, RaySet rays, RayFilter filter, double pixel, Canvas canvas) {
+        boolean is(Backdrop other, RaySet otherRays, RayFilter otherFilter, double otherPixel) {
+            return backdrop == other && rays == otherRays && filter.equals(otherFilter) && pixel == otherPixel;
+        }
+    }
+
+    private Canvas withRays(Backdrop backdrop, RaySet rays, LevelScale levels, RayFilter filter, double pixel) {
+        Rayed known = rayed;
+        if (known == null || !known.is(backdrop, rays, filter, pixel)) {
+            Canvas canvas = backdrop.canvas().copy();
+            int most = backdrop.fineness().pieces;
+            drawRays(backdrop.camera(), backdrop.cut().orElse(null), canvas, rays, levels, filter, pixel, most);
+            known = new Rayed(backdrop, rays, filter, pixel, canvas);
+            rayed = known;
+        }
+        return known.canvas();
+    }
+
+    /** The more rays there are, the paler each is drawn; those that are heard last, over the others. */
+    private static void drawRays(
+            CameraObject camera,
+            Cut cut,
+            Canvas canvas,
+            RaySet rays,
+            LevelScale levels,
+            RayFilter filter,
+            double pixel,
+            int most) {
+        int[] shown = filter.pieces(rays, most);
+        double share = shown.length > 20_000 ? 0.35 : shown.length > 2_000 ? 0.55 : 0.85;
+        int bands = Math.min(canvas.height, Workers.available());
+        Workers.forEach(bands, band -> {
+            LinePainter lines = new LinePainter(camera, cut, canvas);
+            lines.keepTo(band * canvas.height / bands, (band + 1) * canvas.height / bands);
+            for (int pass = 0; pass < 2; pass++) {
+                for (int piece : shown) {
+                    boolean heard = rays.isHeard(piece);
+                    if (heard == (pass == 1)) {
+                        lines.line(
+                                rays.end(piece, 0),
+                                rays.end(piece, 1),
+                                rays.end(piece, 2),
+                                rays.end(piece, 3),
+                                rays.end(piece, 4),
+                                rays.end(piece, 5),
+                                (heard ? 1.6 : 1.0) * pixel,
+                                levels.colour(rays.level(piece)),
+                                heard ? 0.95 : share);
+                    }
                 }
             }
-        }
+        });
     }
 
     private void drawOutlines(LinePainter lines, SiteState state, double pixel) {
@@ -202,7 +239,7 @@ public final class SitePicture {
     }
 
     private void drawSymbols(Symbols symbols, SiteState state, SiteStyle style, List<Rectangle> furniture) {
-        furniture.forEach(symbols::reserve);
+        symbols.keepOff(furniture);
         for (SensorMark sensor : state.sensors()) {
             boolean selected = state.selected().filter(sensor.id()::equals).isPresent();
             symbols.sensor(sensor, colours.of(sensor.kind()), selected);

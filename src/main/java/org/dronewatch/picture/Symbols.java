@@ -7,6 +7,7 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.AffineTransform;
+import java.awt.geom.Area;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
@@ -64,9 +65,13 @@ final class Symbols {
         this.scale = scale;
     }
 
-    /** Where nothing may be written. */
-    void reserve(Rectangle place) {
-        taken.add(place);
+    /** Nothing is drawn where these are. */
+    void keepOff(List<Rectangle> places) {
+        taken.addAll(places);
+        Area free = new Area(new Rectangle(
+                0, 0, (int) (toPicture * camera.width() + 0.5), (int) (toPicture * camera.height() + 0.5)));
+        places.forEach(place -> free.subtract(new Area(place)));
+        g.clip(free);
     }
 
     private boolean project(Position place) {
@@ -175,7 +180,7 @@ final class Symbols {
             }
         }
         int room = (int) Math.round(SIZE * scale);
-        reserve(new Rectangle((int) x - room, (int) y - room, 2 * room, 2 * room));
+        taken.add(new Rectangle((int) x - room, (int) y - room, 2 * room, 2 * room));
         names.add(new Name(x, y, List.of(id), hidden, selected));
     }
 

@@ -43,7 +43,7 @@ final class SiteRenderer implements AutoCloseable {
     SiteRenderer(int threads, Consumer<BufferedImage> target, Consumer<Throwable> failed) {
         this.target = target;
         this.backdrops = new Latest("dronewatch-site", threads, failed);
-        this.overlays = new Latest("dronewatch-picture", 1, failed);
+        this.overlays = new Latest("dronewatch-picture", threads, failed);
     }
 
     /** Shows another run's site. */
@@ -70,10 +70,12 @@ final class SiteRenderer implements AutoCloseable {
         if (!known) {
             // In the middle of a movement a coarse picture in time is better than a fine one too late: it is not
             // abandoned.
-            Fineness quick = plainSeconds > FLUID && moving ? Fineness.DRAFT : Fineness.PLAIN;
+            Fineness quick = moving ? fluid() : Fineness.PLAIN;
             long start = System.nanoTime();
             publish(painting, backdrop(painting, wish, quick, () -> false));
-            plainSeconds = (quick == Fineness.DRAFT ? 4.0 : 1.0) * 1e-9 * (System.nanoTime() - start);
+            double pixels = (double) wish.width() * wish.height();
+            double traced = (double) quick.raysIn(wish.width()) * quick.raysIn(wish.height());
+            plainSeconds = pixels / traced * 1e-9 * (System.nanoTime() - start);
         }
         if (!moving && !(known && now.fineness() == Fineness.FINE) && !outdated.getAsBoolean()) {
             Backdrop fine = backdrop(painting, wish, Fineness.FINE, outdated);
@@ -81,6 +83,14 @@ final class SiteRenderer implements AutoCloseable {
                 publish(painting, fine.flat());
             }
         }
+    }
+
+    /** The finest that is fast enough, by what the last picture took. */
+    private Fineness fluid() {
+        if (plainSeconds < FLUID) {
+            return Fineness.PLAIN;
+        }
+        return plainSeconds < 4.0 * FLUID ? Fineness.DRAFT : Fineness.COARSE;
     }
 
     private static Backdrop backdrop(SitePicture painting, Wish wish, Fineness fineness, BooleanSupplier outdated) {

@@ -35,7 +35,7 @@ final class ViewerPane extends JPanel {
     /** Tables and texts follow this often, s: more often nobody can read. */
     private static final double TABLES = 0.12;
 
-    private static final int[] PAIR_COLUMNS = {105, 68, 80, 70, 62, 62, 75};
+    private static final int[] PAIR_COLUMNS = {98, 64, 78, 64, 60, 76, 70};
 
     private final String title;
     private final transient Recording recording;
@@ -332,6 +332,10 @@ final class ViewerPane extends JPanel {
                 status.setText(line);
             }
         });
+    }
+
+    Recording recording() {
+        return recording;
     }
 
     Playback playback() {

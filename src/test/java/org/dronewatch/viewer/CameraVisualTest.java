@@ -1,0 +1,142 @@
+package org.dronewatch.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Color;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import org.dronewatch.picture.Yard;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.camera.DepthImage;
+import org.dronewatch.sensor.camera.DronePixels;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class CameraVisualTest {
+    @TempDir
+    private Path directory;
+
+    private Stage stage;
+    private CameraSettings settings;
+    private CameraEye eye;
+
+    @BeforeEach
+    void look() {
+        Yard yard = new Yard(directory);
+        stage = yard.stage();
+        SceneSettings all = yard.settings();
+        settings = (CameraSettings) all.sensors().get("camera");
+        eye = new CameraEye("camera", settings, stage);
+    }
+
+    private BufferedImage painted(CameraVisual visual, CameraShot shot, int width, int height) {
+        visual.setSize(width, height);
+        visual.show(shot);
+        return Exports.picture(visual);
+    }
+
+    @Test
+    void hitsAreHighlightedWhereTheCameraSeesTheDrone() {
+        CameraShot shot = eye.look(8.0, 640, 480);
+        DronePixels drone = shot.drones().get(0);
+        BufferedImage image = painted(new CameraVisual(eye), shot, 640, 480);
+        DepthImage picture = settings.create().depthImage(stage.world(), stage.dronesAt(8.0));
+
+        assertThat(drone.count()).isGreaterThan(40).isEqualTo(picture.hitCount());
+        int highlighted = 0;
+        // Without the frame, its text and the magnifier.
+        for (int row = drone.top() + 1; row < drone.top() + drone.rows() - 1; row++) {
+            for (int column = drone.left() + 1; column < drone.left() + drone.columns() - 1; column++) {
+                assertThat(drone.isHit(column, row)).isEqualTo(picture.isHit(column, row));
+                boolean orange = image.getRGB(2 * column + 1, 2 * row + 1) == CameraVisual.HIT.getRGB();
+                assertThat(orange).as("pixel %d, %d", column, row).isEqualTo(drone.isHit(column, row));
+                highlighted += orange ? 1 : 0;
+            }
+        }
+        assertThat(highlighted).isPositive();
+    }
+
+    @Test
+    void significantPixelsAreFramedInTheColourOfTheDecision() {
+        CameraShot near = eye.look(8.0, 320, 240);
+        BufferedImage image = painted(new CameraVisual(eye), near, 320, 240);
+        DronePixels drone = near.drones().get(0);
+        Color left = new Color(image.getRGB(drone.left() - 1, drone.top() + drone.rows() / 2));
+
+        assertThat(drone.count()).isGreaterThanOrEqualTo(12);
+        assertThat(left.getRed()).isGreaterThan(200);
+        assertThat(left.getBlue()).as("amber").isLessThan(170);
+    }
+
+    @Test
+    void nearerIsDarkerAndTheSkyIsDistinct() {
+        CameraShot shot = eye.look(0.0, 320, 240);
+        BufferedImage image = painted(new CameraVisual(eye), shot, 320, 240);
+
+        DepthImage picture = settings.create().depthImage(stage.world(), stage.dronesAt(0.0));
+        // Up the wall and away over the lawn beside it.
+        int[][] places = {{160, 180}, {160, 120}, {300, 236}, {300, 215}};
+        for (int[] a : places) {
+            for (int[] b : places) {
+                if (picture.distance(a[0], a[1]) < 0.98 * picture.distance(b[0], b[1])) {
+                    Color nearer = new Color(image.getRGB(a[0], a[1]));
+                    Color farther = new Color(image.getRGB(b[0], b[1]));
+                    assertThat(nearer.getRed()).isLessThan(farther.getRed());
+                    assertThat(nearer.getBlue()).isGreaterThan(nearer.getRed());
+                }
+            }
+        }
+        assertThat(picture.distance(300, 236)).isNotCloseTo(picture.distance(300, 215), within(0.5f));
+        Color sky = new Color(image.getRGB(20, 10));
+        assertThat(sky.getRed()).isGreaterThan(240);
+        assertThat(sky.getBlue()).isLessThan(sky.getRed());
+    }
+
+    @Test
+    void thePixelUnderThePointerTellsWhatItShows() {
+        CameraShot shot = eye.look(8.0, 320, 240);
+        DronePixels drone = shot.drones().get(0);
+        int hitColumn = 0;
+        int hitRow = 0;
+        for (int row = drone.top(); row < drone.top() + drone.rows(); row++) {
+            for (int column = drone.left(); column < drone.left() + drone.columns(); column++) {
+                if (drone.isHit(column, row)) {
+                    hitColumn = column;
+                    hitRow = row;
+                }
+            }
+        }
+        assertThat(eye.tell(shot, hitColumn, hitRow)).startsWith("quadrotor, ");
+        assertThat(eye.tell(shot, 160, 190)).startsWith("brick, 15.");
+        assertThat(eye.tell(shot, 300, 239)).startsWith("lawn, ");
+        assertThat(eye.tell(shot, 20, 10)).isEqualTo("sky");
+    }
+
+    @Test
+    void thePictureIsTheLastFrameOfTheCameraWithTheCountThatItTold() {
+        Recording recording = new Recording();
+        new SceneRunner(new Yard(directory)).listener(recording).run();
+        for (double time = 0.05; time < 9.0; time += 0.333) {
+            CameraShot shot = eye.look(time, 160, 120);
+            Reading told =
+                    recording.runs().get(0).reading("camera", "quadrotor", time).orElseThrow();
+            assertThat(shot.time()).isCloseTo(told.time(), within(1e-9));
+            assertThat(shot.drones().get(0).count()).isEqualTo((int) told.value());
+        }
+    }
+
+    @Test
+    void aPictureKeepsTheProportionOfItsCamera() {
+        CameraVisual visual = new CameraVisual(eye);
+        visual.setSize(1000, 240);
+        assertThat(visual.frame()).isEqualTo(new Rectangle(340, 0, 320, 240));
+        visual.setSize(320, 1000);
+        assertThat(visual.frame()).isEqualTo(new Rectangle(0, 380, 320, 240));
+    }
+}

@@ -1,0 +1,272 @@
+package org.dronewatch.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import javax.swing.JTable;
+import javax.swing.SwingUtilities;
+import org.dronewatch.picture.Yard;
+import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scenes.CameraRange;
+import org.dronewatch.setting.InputException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** All of the window's content, painted without a window. */
+class ViewerPaneTest {
+    private static final long PATIENCE_NANOS = 60_000_000_000L;
+
+    @TempDir
+    private Path directory;
+
+    private ViewerPane pane;
+
+    private void open(Scene scene, String... overrides) throws Exception {
+        SceneRunner runner = new SceneRunner(scene);
+        for (String override : overrides) {
+            runner.set(override.split("=")[0], override.split("=")[1]);
+        }
+        Recording recording = new Recording();
+        runner.listener(recording).run();
+        recording.finish(true);
+        pane = onEventThread(() -> new ViewerPane(scene.name(), recording, runner::stage, 2));
+        onEventThread(() -> {
+            pane.setSize(1280, 740);
+            layOut(pane);
+            return null;
+        });
+        settle(() -> pane.viewed().isPresent());
+    }
+
+    @AfterEach
+    void close() {
+        if (pane != null) {
+            pane.close();
+        }
+    }
+
+    private static <T> T onEventThread(Callable<T> work) throws Exception {
+        FutureTask<T> task = new FutureTask<>(work);
+        SwingUtilities.invokeAndWait(task);
+        return task.get();
+    }
+
+    /** Without a window nobody else lays out what is in it. */
+    private static void layOut(Container container) {
+        container.doLayout();
+        for (Component part : container.getComponents()) {
+            if (part instanceof Container inside) {
+                layOut(inside);
+            }
+        }
+    }
+
+    /** Lets the pane work until a condition holds and all is drawn. */
+    private void settle(BooleanSupplier condition) throws Exception {
+        long end = System.nanoTime() + PATIENCE_NANOS;
+        boolean done = false;
+        while (!done) {
+            assertThat(System.nanoTime()).as("end of patience").isLessThan(end);
+            Thread.sleep(30);
+            done = onEventThread(() -> {
+                pane.tick(0.2);
+                layOut(pane);
+                return condition.getAsBoolean() && pane.isIdle();
+            });
+        }
+        // What the threads have sent is taken in.
+        onEventThread(() -> null);
+    }
+
+    private void at(double time) throws Exception {
+        onEventThread(() -> {
+            pane.playback().pause();
+            pane.playback().jump(time);
+            return null;
+        });
+        settle(() -> true);
+    }
+
+    private BufferedImage picture(String name) throws Exception {
+        BufferedImage image = onEventThread(() -> Exports.picture(pane));
+        Path kept = Files.createDirectories(Path.of("target", "viewer"));
+        ImageIO.write(image, "png", kept.resolve(name + ".png").toFile());
+        return image;
+    }
+
+    @Test
+    void showsSiteCamerasTimeLineAndTables() throws Exception {
+        open(new Yard(directory));
+        at(8.0);
+        BufferedImage image = picture("pane");
+
+        assertThat(pane.notice().isVisible()).isFalse();
+        assertThat(pane.cameras().shown()).hasSize(1);
+        assertThat(colours(image)).as("a picture, not a grey area").isGreaterThan(500);
+        ViewedRun viewed = pane.viewed().orElseThrow();
+        assertThat(viewed.isDetecting("camera", 8.0)).isTrue();
+        JTable table = find(pane, JTable.class).get(0);
+        assertThat(table.getValueAt(0, 0)).isEqualTo("camera");
+        assertThat(table.getValueAt(0, 3)).isEqualTo("detects");
+        assertThat((String) table.getValueAt(0, 6)).isEqualTo("12 px");
+        assertThat(pane.log().text()).contains("camera gains quadrotor at");
+    }
+
+    private static long colours(BufferedImage image) {
+        return java.util.Arrays.stream(
+                        image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
+                .distinct()
+                .count();
+    }
+
+    private static <T> List<T> find(Container container, Class<T> type) {
+        return Stream.of(container.getComponents())
+                .flatMap(part -> Stream.concat(
+                        type.isInstance(part) ? Stream.of(type.cast(part)) : Stream.of(),
+                        part instanceof Container inside ? find(inside, type).stream() : Stream.of()))
+                .toList();
+    }
+
+    @Test
+    void theTimeLineMarksEveryDetectionGainedAndLost() throws Exception {
+        open(new Yard(directory));
+        at(0.0);
+        TimeLine line = pane.timeLine();
+        BufferedImage image = onEventThread(() -> Exports.picture(line));
+        List<DetectionEvent> events = pane.viewed().orElseThrow().run().eventsFrom(0);
+        List<String> sensors = List.of("camera", "microphone");
+
+        assertThat(events).isNotEmpty();
+        for (DetectionEvent event : events) {
+            int row = sensors.indexOf(event.observation().sensor());
+            double x = line.xOf(event.observation().arrival());
+            int y = (int) (0.5 * (line.yOf(row) + line.yOf(row + 1)));
+            Color mark = new Color(image.getRGB((int) Math.round(x) + (event.gained() ? 2 : 0), y));
+            Color empty = new Color(image.getRGB((int) line.xOf(0.05), y));
+            int difference = Math.abs(mark.getRed() - empty.getRed())
+                    + Math.abs(mark.getGreen() - empty.getGreen())
+                    + Math.abs(mark.getBlue() - empty.getBlue());
+            assertThat(difference).as("mark of %s", Events.text(event)).isGreaterThan(150);
+        }
+    }
+
+    @Test
+    void raysAreTracedCountedFilteredAndDrawn() throws Exception {
+        open(new Yard(directory));
+        at(8.0);
+        BufferedImage before = onEventThread(() -> pane.world().image());
+        onEventThread(() -> {
+            pane.rayPanel().trace();
+            return null;
+        });
+        settle(() -> pane.rays().isPresent());
+        int all = pane.rays().orElseThrow().count();
+        assertThat(pane.rayPanel().count()).startsWith(String.format("%,d of %,d pieces", all, all));
+        assertThat(different(before, onEventThread(() -> pane.world().image()))).isGreaterThan(2000);
+
+        onEventThread(() -> {
+            pane.rayPanel().setHeardOnly(true);
+            return null;
+        });
+        settle(() -> true);
+        assertThat(pane.rayPanel().count()).doesNotStartWith(String.format("%,d of", all));
+        picture("rays");
+    }
+
+    private static int different(BufferedImage one, BufferedImage other) {
+        int count = 0;
+        for (int row = 0; row < one.getHeight(); row++) {
+            for (int column = 0; column < one.getWidth(); column++) {
+                count += one.getRGB(column, row) == other.getRGB(column, row) ? 0 : 1;
+            }
+        }
+        return count;
+    }
+
+    @Test
+    void aSweepShowsEachOfItsRuns() throws Exception {
+        open(new CameraRange(), "run.duration=2");
+        assertThat(pane.viewed().orElseThrow().run().info().run()).isZero();
+        List<RecordedRun> runs = onEventThread(() -> {
+            pane.tick(0.2);
+            return pane.recording().runs();
+        });
+        assertThat(runs).hasSize(5);
+        onEventThread(() -> {
+            pane.show(runs.get(3));
+            return null;
+        });
+        settle(() -> pane.viewed().orElseThrow().run() == runs.get(3));
+        assertThat(pane.cameras().shown().get(0).eye().settings().fov()).isEqualTo(Math.PI / 3);
+    }
+
+    @Test
+    void whatGoesWrongIsToldInTheWindow() throws Exception {
+        open(new Yard(directory));
+        onEventThread(() -> {
+            pane.tell(new InputException("site.obj:7: not a number: x"));
+            return null;
+        });
+        onEventThread(() -> null);
+        assertThat(pane.notice().isVisible()).isTrue();
+        assertThat(pane.notice().text()).isEqualTo("site.obj:7: not a number: x");
+        assertThat(pane.log().text()).contains("site.obj:7");
+    }
+
+    @Test
+    void aRunIsKeptAsNumberedPictures() throws Exception {
+        open(new Yard(directory));
+        at(0.0);
+        Path target = Files.createDirectories(directory.resolve("frames"));
+        FrameExport export = onEventThread(
+                () -> new Exports(pane, pane::tell).export(pane.viewed().orElseThrow(), target, 2.0));
+        int[] told = {0};
+
+        assertThat(export.count()).isEqualTo(19);
+        assertThat(export.write(done -> told[0] = done, () -> told[0] == 7)).isEqualTo(7);
+
+        try (Stream<Path> files = Files.list(target)) {
+            assertThat(files.map(file -> file.getFileName().toString()).sorted())
+                    .hasSize(7)
+                    .startsWith("frame-00000.png")
+                    .endsWith("frame-00006.png");
+        }
+        BufferedImage first = ImageIO.read(target.resolve("frame-00000.png").toFile());
+        BufferedImage last = ImageIO.read(target.resolve("frame-00006.png").toFile());
+        assertThat(first.getWidth()).isEqualTo(pane.world().getWidth());
+        assertThat(different(first, last)).as("the drone has moved").isGreaterThan(100);
+    }
+
+    @Test
+    void theUsersLayoutIsRememberedAndABrokenFileIsNoHarm() throws Exception {
+        Path file = directory.resolve("deep").resolve("viewer.properties");
+        ViewerLayout layout = new ViewerLayout(file);
+        assertThat(layout.bounds()).isEmpty();
+        layout.setBounds(new java.awt.Rectangle(10, 20, 900, 700));
+        layout.setDark(true);
+        layout.setDivider("across", 432);
+        assertThat(layout.save()).isTrue();
+
+        ViewerLayout again = new ViewerLayout(file);
+        assertThat(again.bounds()).contains(new java.awt.Rectangle(10, 20, 900, 700));
+        assertThat(again.isDark()).isTrue();
+        assertThat(again.divider("across")).contains(432);
+
+        Files.writeString(file, "x=many\nwidth=\\u00zz\n");
+        assertThat(new ViewerLayout(file).bounds()).isEmpty();
+    }
+}
