@@ -37,7 +37,7 @@ public final class RaySet implements RayRecorder {
     }
 
     @Override
-    public void record(
+    public synchronized void record(
             double fromX,
             double fromY,
             double fromZ,

@@ -9,12 +9,15 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.Ray;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.camera.CameraObject;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Vector3d;
 
 /**
  * Draws pictures of a run's site: first the site alone, which takes the longest and is the same at all times, then over a
@@ -23,6 +26,7 @@ import org.dronewatch.world.World;
 public final class SitePicture {
     private static final int TRACK = 0xd62f1f;
     private static final int WAY = 0x5a1a14;
+    private static final int PLUMB = 0x20262e;
 
     /** How far pyramids of cameras are drawn, as a share of the box that matters. */
     private static final double OUTLINE = 0.16;
@@ -224,8 +228,13 @@ public final class SitePicture {
         }
     }
 
-    /** Where it has been as a line, where it will be as dashes. */
-    private static void drawFlight(LinePainter lines, DroneMark drone, double pixel) {
+    /** Where it has been as a line, where it will be as dashes, and a plumb line: how high it flies is else hard to see. */
+    private void drawFlight(LinePainter lines, DroneMark drone, double pixel) {
+        Point3d at = drone.drone().position();
+        world.closestHit(new Ray(at, new Vector3d(0, 0, -1))).ifPresent(ground -> {
+            Position foot = new Position(at.x, at.y, at.z - ground.distance());
+            lines.line(Position.of(at), foot, 1.4 * pixel, PLUMB, 0.8);
+        });
         List<Position> flown = drone.flown();
         for (int i = 1; i < flown.size(); i++) {
             lines.line(flown.get(i - 1), flown.get(i), 2.6 * pixel, TRACK, 0.9);

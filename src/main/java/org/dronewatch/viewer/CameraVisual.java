@@ -29,10 +29,14 @@ final class CameraVisual extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final Color UNDETECTED = new Color(0xffffff);
     private static final Color PLATE = new Color(24, 28, 34, 190);
+    private static final Font PLATES = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
     private static final Color BORDER = new Color(0x10141a);
 
     /** The smallest frame about a drone's pixels, in pixels of the panel. */
     private static final double SMALLEST = 14.0;
+
+    /** Pictures that are lower than this have room for the camera's name only. */
+    private static final int LEGIBLE = 70;
 
     /** From this width on there is room for the magnifier. */
     private static final int LARGE = 420;
@@ -155,7 +159,15 @@ final class CameraVisual extends JPanel {
         g.setColor(enough ? DETECTED : UNDETECTED);
         g.setStroke(new BasicStroke(1.5f));
         g.draw(new Rectangle2D.Double(x, y, width, height));
-        plate(g, frame, (int) (x + width + 4), (int) y, frame.width < LARGE ? shortCount(drone) : count(drone));
+        if (frame.height < LEGIBLE) {
+            return;
+        }
+        if (frame.width < LARGE) {
+            // Beside the drone there would be no room.
+            plate(g, frame, frame.x + 4, frame.y + 4, shortCount(drone));
+        } else {
+            plate(g, frame, (int) (x + width + 4), (int) y, count(drone));
+        }
     }
 
     private String shortCount(DronePixels drone) {
@@ -173,7 +185,7 @@ final class CameraVisual extends JPanel {
 
     /** A text on a plate, kept inside the frame. */
     private static void plate(Graphics2D g, Rectangle frame, int x, int y, String text) {
-        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 11));
+        g.setFont(PLATES);
         FontMetrics metrics = g.getFontMetrics();
         int width = metrics.stringWidth(text) + 8;
         int height = metrics.getHeight() + 2;

@@ -2,11 +2,10 @@ package org.dronewatch.viewer;
 
 import java.awt.Color;
 import java.awt.Component;
-import java.awt.Font;
 import javax.swing.JTable;
 import javax.swing.table.DefaultTableCellRenderer;
 
-/** Draws the rows of pairs that detect bold, on amber. */
+/** Draws the rows of pairs that detect on amber. */
 final class DetectionRenderer extends DefaultTableCellRenderer {
     private static final long serialVersionUID = 1L;
     private static final Color DETECTS = new Color(255, 190, 40, 90);
@@ -25,7 +24,6 @@ final class DetectionRenderer extends DefaultTableCellRenderer {
         if (!isSelected) {
             cell.setBackground(detects ? mixed(table.getBackground()) : table.getBackground());
         }
-        cell.setFont(table.getFont().deriveFont(detects ? Font.BOLD : Font.PLAIN));
         return cell;
     }
 

@@ -82,7 +82,10 @@ final class ViewerLayout {
     /** Writes the file; tells whether that was possible. */
     boolean save() {
         try {
-            Files.createDirectories(file.toAbsolutePath().getParent());
+            Path directory = file.toAbsolutePath().getParent();
+            if (directory != null) {
+                Files.createDirectories(directory);
+            }
             try (OutputStream stream = Files.newOutputStream(file)) {
                 values.store(stream, "how the dronewatch viewer is arranged");
             }

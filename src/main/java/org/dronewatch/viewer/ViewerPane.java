@@ -35,7 +35,7 @@ final class ViewerPane extends JPanel {
     /** Tables and texts follow this often, s: more often nobody can read. */
     private static final double TABLES = 0.12;
 
-    private static final int[] PAIR_COLUMNS = {98, 64, 78, 64, 60, 76, 70};
+    private static final int[] PAIR_COLUMNS = {100, 57, 79, 60, 58, 72, 70};
 
     private final String title;
     private final transient Recording recording;

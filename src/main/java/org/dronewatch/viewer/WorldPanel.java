@@ -42,7 +42,7 @@ final class WorldPanel extends JPanel {
     private transient Orbit orbit;
     private transient Optional<Cut> cut = Optional.empty();
     private transient SiteState state;
-    private SiteStyle style = SiteStyle.DEFAULT;
+    private transient SiteStyle style = SiteStyle.DEFAULT;
     private transient Consumer<String> selection = id -> {};
     private transient Consumer<String> hint = text -> {};
 

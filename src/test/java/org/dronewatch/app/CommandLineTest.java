@@ -1,7 +1,9 @@
 package org.dronewatch.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.awt.GraphicsEnvironment;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -391,5 +393,64 @@ class CommandLineTest {
                     .isEqualTo(Files.readAllBytes(Path.of("models", file.getKey())));
         }
         assertThat(files()).containsKeys("hill.obj", "quadrotor.obj", "house.obj", "house.mtl");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"view multi-sensor", "run multi-sensor --view --out DIR/results"})
+    void withoutADisplayAWindowIsRefusedInOneLine(String line) throws IOException {
+        assumeTrue(GraphicsEnvironment.isHeadless());
+        Outcome outcome = commandIn(line);
+
+        assertThat(outcome.code()).isEqualTo(3);
+        assertThat(outcome.out()).isEmpty();
+        assertThat(outcome.err().lines()).hasSize(1);
+        assertThat(outcome.err())
+                .startsWith("cannot open a window: there is no display")
+                .contains("'render'");
+        assertThat(files()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"top", "side", "orbit"})
+    void rendersTheSite(String view) throws IOException {
+        Outcome outcome =
+                commandIn("render closed-space --rays --max-order 1 --size 320x200 --out DIR/site.png --view " + view);
+
+        assertThat(outcome.code()).isZero();
+        assertThat(outcome.out()).contains("320 x 200 pixels");
+        BufferedImage image = ImageIO.read(directory.resolve("site.png").toFile());
+        assertThat(image.getWidth()).isEqualTo(320);
+        assertThat(image.getHeight()).isEqualTo(200);
+        assertThat(java.util.Arrays.stream(image.getRGB(0, 0, 320, 200, null, 0, 320))
+                        .distinct())
+                .hasSizeGreaterThan(1000);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--view orbit --camera camera | mutually exclusive",
+                "--time 1 | --view",
+                "--view below | below",
+                "--view top --size 10x10 | --size 10x10: must be like 1280x800",
+                "--view top --size wide | --size wide: must be like 1280x800",
+                "--view top --size 9000x9000 | from 64 to 8192",
+                "--view top --scale 0 | --scale 0.0: must be 0.5 to 8",
+                "--view top --focus nobody | --focus nobody: no such sensor or drone; the scene has camera, quadrotor",
+                "--view orbit --bearing north | --bearing north",
+                "--view orbit --cut roof | --cut roof",
+                "--view orbit --max-order -1 --rays | --max-order -1",
+                "--view orbit --rays | no sensor of the scene follows rays",
+                "--view orbit --time 99 | --time 99: must be 0 to 39",
+            })
+    void aPictureThatCannotBeIsRefusedInOneLine(String options, String said) throws IOException {
+        Outcome outcome = commandIn("render camera-range --out DIR/site.png " + options);
+
+        assertThat(outcome.code()).as(outcome.err()).isEqualTo(2);
+        assertThat(outcome.err()).contains(said);
+        assertThat(outcome.err().lines().filter(line -> !line.startsWith("read ")))
+                .hasSize(1);
+        assertThat(files()).isEmpty();
     }
 }

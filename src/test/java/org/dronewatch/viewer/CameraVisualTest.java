@@ -93,7 +93,7 @@ class CameraVisualTest {
             }
         }
         assertThat(picture.distance(300, 236)).isNotCloseTo(picture.distance(300, 215), within(0.5f));
-        Color sky = new Color(image.getRGB(20, 10));
+        Color sky = new Color(image.getRGB(300, 10));
         assertThat(sky.getRed()).isGreaterThan(240);
         assertThat(sky.getBlue()).isLessThan(sky.getRed());
     }
