@@ -11,6 +11,7 @@ import org.dronewatch.picture.Cut;
 import org.dronewatch.picture.DroneMark;
 import org.dronewatch.picture.Fineness;
 import org.dronewatch.picture.Orbit;
+import org.dronewatch.picture.RayCollector;
 import org.dronewatch.picture.RayFilter;
 import org.dronewatch.picture.RaySet;
 import org.dronewatch.picture.SensorMark;
@@ -204,8 +205,8 @@ final class SiteView {
         String drone = settings.drones().containsKey(focus)
                 ? focus
                 : settings.drones().keySet().iterator().next();
-        RaySet set = new RaySet(sensor, drone);
-        stage.traceRays(time, sensor, drone, set);
-        return Optional.of(set);
+        RayCollector collector = new RayCollector(sensor, drone);
+        stage.traceRays(time, sensor, drone, collector);
+        return Optional.of(collector.toRays());
     }
 }

@@ -171,7 +171,8 @@ final class Furniture {
     }
 
     /** The colours of levels, and how many pieces of rays are drawn of how many. */
-    void levels(LevelScale levels, RaySet rays, RayFilter filter) {
+    void levels(RaySet rays, RayFilter filter) {
+        LevelScale levels = rays.scale();
         g.setFont(font(Font.PLAIN, 12));
         FontMetrics metrics = g.getFontMetrics();
         String count = String.format(Locale.ROOT, "%,d of %,d pieces", filter.count(rays), rays.count());

@@ -18,14 +18,14 @@ public record LevelScale(double low, double high) {
         }
     }
 
-    /** The scale that has the levels of a set of rays in it, in steps of 5 dB. */
-    public static LevelScale of(RaySet rays) {
+    /** The scale that has all levels in it, dB, in steps of 5 dB. */
+    static LevelScale of(float[] levels) {
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < rays.count(); i++) {
-            if (Float.isFinite(rays.level(i))) {
-                low = Math.min(low, rays.level(i));
-                high = Math.max(high, rays.level(i));
+        for (float level : levels) {
+            if (Float.isFinite(level)) {
+                low = Math.min(low, level);
+                high = Math.max(high, level);
             }
         }
         if (!(low <= high)) {

@@ -5,70 +5,36 @@ import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.dronewatch.sensor.RayRecorder;
 
-/**
- * The straight pieces of the rays of sound that one sensor followed from one drone. Recorded by one thread; once that is
- * done, any thread may look. Beyond {@link #MOST} pieces, more are only counted.
- */
-public final class RaySet implements RayRecorder {
-    /** So many pieces are kept: 30 MB. */
-    public static final int MOST = 1_000_000;
-
-    private static final int ENDS = 6;
+/** The straight pieces of the rays of sound that one sensor followed from one drone. Immutable. */
+public final class RaySet {
+    /** Coordinates of the two ends of a piece. */
+    static final int ENDS = 6;
 
     /** Pieces that meet at a point differ there by rounding, m. */
     private static final double SAME = 1e-3;
 
     private final String sensor;
     private final String drone;
-    private float[] ends = new float[ENDS * 1024];
-    private float[] levels = new float[1024];
-    private int[] orders = new int[1024];
-    private final BitSet received = new BitSet();
-    private volatile BitSet heard;
-    private int count;
-    private long leftOut;
+    private final float[] ends;
+    private final float[] levels;
+    private final int[] orders;
+    private final BitSet heard;
+    private final long leftOut;
+    private final int maxOrder;
+    private final LevelScale scale;
 
-    /** An empty set for the rays of a sensor and a drone of these names. */
-    public RaySet(String sensor, String drone) {
+    /** From arrays that are handed over. */
+    RaySet(String sensor, String drone, float[] ends, float[] levels, int[] orders, BitSet received, long leftOut) {
         this.sensor = sensor;
         this.drone = drone;
-    }
-
-    @Override
-    public synchronized void record(
-            double fromX,
-            double fromY,
-            double fromZ,
-            double toX,
-            double toY,
-            double toZ,
-            double level,
-            int order,
-            boolean atSensor) {
-        if (count == MOST) {
-            leftOut++;
-            return;
-        }
-        if (count == levels.length) {
-            int size = Math.min(MOST, 2 * count);
-            ends = Arrays.copyOf(ends, ENDS * size);
-            levels = Arrays.copyOf(levels, size);
-            orders = Arrays.copyOf(orders, size);
-        }
-        int at = ENDS * count;
-        ends[at] = (float) fromX;
-        ends[at + 1] = (float) fromY;
-        ends[at + 2] = (float) fromZ;
-        ends[at + 3] = (float) toX;
-        ends[at + 4] = (float) toY;
-        ends[at + 5] = (float) toZ;
-        levels[count] = (float) level;
-        orders[count] = order;
-        received.set(count, atSensor);
-        count++;
-        heard = null;
+        this.ends = ends;
+        this.levels = levels;
+        this.orders = orders;
+        this.leftOut = leftOut;
+        this.maxOrder = Arrays.stream(orders).max().orElse(0);
+        this.heard = findHeard(received);
+        this.scale = LevelScale.of(levels);
     }
 
     /** Name of the sensor. */
@@ -83,7 +49,7 @@ public final class RaySet implements RayRecorder {
 
     /** How many pieces are kept. */
     public int count() {
-        return count;
+        return levels.length;
     }
 
     /** How many pieces were too many to keep. */
@@ -113,36 +79,28 @@ public final class RaySet implements RayRecorder {
 
     /** The largest order. */
     public int maxOrder() {
-        int most = 0;
-        for (int i = 0; i < count; i++) {
-            most = Math.max(most, orders[i]);
-        }
-        return most;
+        return maxOrder;
+    }
+
+    /** Colours for its levels. */
+    public LevelScale scale() {
+        return scale;
     }
 
     /** Whether a piece is part of a path that reached the sensor: its end, or what led there. */
     public boolean isHeard(int piece) {
-        return heard().get(piece);
-    }
-
-    private BitSet heard() {
-        BitSet known = heard;
-        if (known == null) {
-            known = findHeard();
-            heard = known;
-        }
-        return known;
+        return heard.get(piece);
     }
 
     /** Goes back from each piece that reached the sensor: what led there ends where it begins. */
-    private BitSet findHeard() {
+    private BitSet findHeard(BitSet received) {
         Map<List<Long>, Integer> endingAt = new HashMap<>();
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < count(); i++) {
             if (!received.get(i)) {
                 endingAt.putIfAbsent(place(i, 3, orders[i]), i);
             }
         }
-        BitSet found = new BitSet(count);
+        BitSet found = new BitSet(count());
         for (int i = received.nextSetBit(0); i >= 0; i = received.nextSetBit(i + 1)) {
             Integer piece = i;
             while (piece != null && !found.get(piece)) {

@@ -107,9 +107,8 @@ public final class SitePicture {
         Cut cut = backdrop.cut().orElse(null);
         CameraObject camera = backdrop.camera();
         double pixel = style.scale() * camera.height() / backdrop.height();
-        Optional<LevelScale> levels = state.rays().map(LevelScale::of);
         Canvas canvas = state.rays()
-                .map(rays -> withRays(backdrop, rays, levels.orElseThrow(), style.filter(), pixel))
+                .map(rays -> withRays(backdrop, rays, style.filter(), pixel))
                 .orElse(backdrop.canvas())
                 .copy();
         painter.paint(camera, cut, state.drones().stream().map(DroneMark::drone).toList(), canvas);
@@ -128,7 +127,7 @@ public final class SitePicture {
         furniture.legend(state, colours, view(backdrop.orbit()));
         furniture.scaleBar(backdrop.orbit().metresPerPixel(backdrop.height()), isFlat(backdrop.orbit()));
         furniture.northArrow(backdrop.orbit());
-        state.rays().ifPresent(rays -> furniture.levels(levels.orElseThrow(), rays, style.filter()));
+        state.rays().ifPresent(rays -> furniture.levels(rays, style.filter()));
         drawSymbols(
                 new Symbols(g, camera, lines, image.getHeight() / (double) camera.height(), style.scale()),
                 state,
@@ -168,12 +167,12 @@ public final class SitePicture {
         }
     }
 
-    private Canvas withRays(Backdrop backdrop, RaySet rays, LevelScale levels, RayFilter filter, double pixel) {
+    private Canvas withRays(Backdrop backdrop, RaySet rays, RayFilter filter, double pixel) {
         Rayed known = rayed;
         if (known == null || !known.is(backdrop, rays, filter, pixel)) {
             Canvas canvas = backdrop.canvas().copy();
             int most = backdrop.fineness().pieces;
-            drawRays(backdrop.camera(), backdrop.cut().orElse(null), canvas, rays, levels, filter, pixel, most);
+            drawRays(backdrop.camera(), backdrop.cut().orElse(null), canvas, rays, filter, pixel, most);
             known = new Rayed(backdrop, rays, filter, pixel, canvas);
             rayed = known;
         }
@@ -182,14 +181,7 @@ public final class SitePicture {
 
     /** The more rays there are, the paler each is drawn; those that are heard last, over the others. */
     private static void drawRays(
-            CameraObject camera,
-            Cut cut,
-            Canvas canvas,
-            RaySet rays,
-            LevelScale levels,
-            RayFilter filter,
-            double pixel,
-            int most) {
+            CameraObject camera, Cut cut, Canvas canvas, RaySet rays, RayFilter filter, double pixel, int most) {
         int[] shown = filter.pieces(rays, most);
         double share = shown.length > 20_000 ? 0.35 : shown.length > 2_000 ? 0.55 : 0.85;
         int bands = Math.min(canvas.height, Workers.available());
@@ -208,7 +200,7 @@ public final class SitePicture {
                                 rays.end(piece, 4),
                                 rays.end(piece, 5),
                                 (heard ? 1.6 : 1.0) * pixel,
-                                levels.colour(rays.level(piece)),
+                                rays.scale().colour(rays.level(piece)),
                                 heard ? 0.95 : share);
                     }
                 }

@@ -16,6 +16,7 @@ import javax.swing.JPanel;
 import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
 import javax.swing.SwingUtilities;
+import org.dronewatch.picture.RayCollector;
 import org.dronewatch.picture.RayFilter;
 import org.dronewatch.picture.RaySet;
 import org.dronewatch.scene.SceneSettings;
@@ -101,9 +102,9 @@ final class RayPanel extends JPanel {
         double time = playback.time();
         count.setText("Tracing ...");
         tracing.ask(outdated -> {
-            RaySet set = new RaySet(sensor, drone);
-            tracedStage.traceRays(time, sensor, drone, set);
-            set.isHeard(0);
+            RayCollector collector = new RayCollector(sensor, drone);
+            tracedStage.traceRays(time, sensor, drone, collector);
+            RaySet set = collector.toRays();
             SwingUtilities.invokeLater(() -> take(set));
         });
     }

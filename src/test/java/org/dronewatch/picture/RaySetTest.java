@@ -12,13 +12,14 @@ class RaySetTest {
 
     @Test
     void aPathThatReachedTheSensorIsHeardFromItsBeginningOn() {
-        RaySet rays = new RaySet("microphone", "drone");
-        rays.record(0, 0, 0, 10, 0, 0, 50, 0, false);
-        rays.record(0, 0, 0, 0, 10, 0, 50, 0, false);
-        rays.record(10, 0, 0, 10, 10, 0, 45, 1, false);
-        rays.record(10, 0, 0, 20, 10, 0, 44, 1, false);
-        rays.record(10, 10, 0, 0, 20, 0, 40, 2, true);
-        rays.record(0, 0, 0, 0, 20, 0, 48, 0, true);
+        RayCollector collector = new RayCollector("microphone", "drone");
+        collector.record(0, 0, 0, 10, 0, 0, 50, 0, false);
+        collector.record(0, 0, 0, 0, 10, 0, 50, 0, false);
+        collector.record(10, 0, 0, 10, 10, 0, 45, 1, false);
+        collector.record(10, 0, 0, 20, 10, 0, 44, 1, false);
+        collector.record(10, 10, 0, 0, 20, 0, 40, 2, true);
+        collector.record(0, 0, 0, 0, 20, 0, 48, 0, true);
+        RaySet rays = collector.toRays();
 
         boolean[] heard = new boolean[rays.count()];
         for (int i = 0; i < heard.length; i++) {
@@ -37,10 +38,11 @@ class RaySetTest {
     void everyHeardPathOfTheLevelModelLeadsBackToTheDrone() {
         Yard yard = new Yard(directory);
         var stage = yard.stage();
-        RaySet rays = new RaySet("microphone", "quadrotor");
-        assertThat(stage.traceRays(8.0, "microphone", "quadrotor", rays)).isTrue();
-        assertThat(stage.traceRays(8.0, "camera", "quadrotor", rays)).isFalse();
-        assertThat(stage.traceRays(8.0, "microphone", "nobody", rays)).isFalse();
+        RayCollector collector = new RayCollector("microphone", "quadrotor");
+        assertThat(stage.traceRays(8.0, "microphone", "quadrotor", collector)).isTrue();
+        assertThat(stage.traceRays(8.0, "camera", "quadrotor", collector)).isFalse();
+        assertThat(stage.traceRays(8.0, "microphone", "nobody", collector)).isFalse();
+        RaySet rays = collector.toRays();
 
         int heardOfOrderZero = 0;
         int heardLater = 0;
@@ -59,28 +61,29 @@ class RaySetTest {
 
     @Test
     void moreThanCanBeKeptIsCounted() {
-        RaySet rays = new RaySet("microphone", "drone");
-        for (int i = 0; i < RaySet.MOST + 5; i++) {
-            rays.record(0, 0, 0, 1, 1, i, 50, 0, false);
+        RayCollector collector = new RayCollector("microphone", "drone");
+        for (int i = 0; i < RayCollector.MOST + 5; i++) {
+            collector.record(0, 0, 0, 1, 1, i, 50, 0, false);
         }
-        assertThat(rays.count()).isEqualTo(RaySet.MOST);
+        RaySet rays = collector.toRays();
+        assertThat(rays.count()).isEqualTo(RayCollector.MOST);
         assertThat(rays.leftOut()).isEqualTo(5);
     }
 
     @Test
     void aScaleHoldsAllLevelsAndItsEndsDiffer() {
-        RaySet one = new RaySet("microphone", "drone");
+        RayCollector one = new RayCollector("microphone", "drone");
         one.record(0, 0, 0, 1, 0, 0, 40.0, 0, true);
-        LevelScale scale = LevelScale.of(one);
+        LevelScale scale = one.toRays().scale();
         assertThat(scale.low()).isLessThan(scale.high());
         assertThat(scale.high()).isGreaterThanOrEqualTo(40.0);
-        assertThat(LevelScale.of(new RaySet("a", "b")).high()).isEqualTo(60.0);
+        assertThat(new RayCollector("a", "b").toRays().scale().high()).isEqualTo(60.0);
 
-        RaySet wide = new RaySet("microphone", "drone");
+        RayCollector wide = new RayCollector("microphone", "drone");
         wide.record(0, 0, 0, 1, 0, 0, 61.0, 0, true);
         wide.record(0, 0, 0, 1, 0, 0, -80.0, 0, true);
         wide.record(0, 0, 0, 1, 0, 0, Double.NEGATIVE_INFINITY, 0, true);
-        LevelScale all = LevelScale.of(wide);
+        LevelScale all = wide.toRays().scale();
         assertThat(all.high()).isEqualTo(65.0);
         assertThat(all.low()).isEqualTo(5.0);
         assertThat(all.colour(-80)).isEqualTo(all.colour(5)).isNotEqualTo(all.colour(65));

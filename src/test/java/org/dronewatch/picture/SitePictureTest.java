@@ -236,12 +236,13 @@ class SitePictureTest {
 
     @Test
     void aRayOfSoundCrossesWhereItMustInTheColourOfTheLegend() {
-        RaySet rays = new RaySet("microphone", "quadrotor");
+        RayCollector collector = new RayCollector("microphone", "quadrotor");
         Position from = new Position(-8, -6, 1);
         Position to = new Position(8, -6, 6);
-        rays.record(from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), 42.0, 0, true);
-        rays.record(-8, -6, 6, 8, -6, 1, 31.0, 1, false);
-        LevelScale levels = LevelScale.of(rays);
+        collector.record(from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), 42.0, 0, true);
+        collector.record(-8, -6, 6, 8, -6, 1, 31.0, 1, false);
+        RaySet rays = collector.toRays();
+        LevelScale levels = rays.scale();
         BufferedImage image =
                 pictures.draw(backdrop(SOUTH, Optional.empty(), Fineness.FINE).flat(), state(List.of(), rays), BARE);
 
