@@ -8,21 +8,24 @@ import org.dronewatch.kdtree.StackTraversal;
 
 /** The ways through a tree that can be measured. */
 public enum TraversalKind {
-    /** The fastest for the set: tiles for a picture, single rays for others. */
+    /** The fastest for the set: tiles for a picture, vectors for others where there are any. */
     FASTEST,
     /** Tiles of a picture; rays that are none one by one. */
     TILES,
     /** One ray at a time, ordered, with a stack. */
     STACK,
+    /** One ray at a time, eight boxes a step by vector instructions; where there are none, as STACK. */
+    WIDE,
     /** One ray at a time, stackless, leaf by leaf from the root. */
     SEQUENTIAL;
 
     /** This kind, or what it means for a set of rays. */
     TraversalKind of(RaySet set) {
-        if (this == STACK || this == SEQUENTIAL) {
-            return this;
-        }
-        return set.width() > 0 ? TILES : STACK;
+        return switch (this) {
+            case FASTEST -> set.width() > 0 ? TILES : WIDE;
+            case TILES -> set.width() > 0 ? TILES : STACK;
+            default -> this;
+        };
     }
 
     /** What makes a tracer of this kind for each thread. */
@@ -34,6 +37,7 @@ public enum TraversalKind {
                 boolean[][] isTile = PictureTracer.tilesOf(picture);
                 yield () -> new PictureTracer(tree, set, picture, isTile);
             }
+            case WIDE -> () -> new RayTracer(tree.newScatteredTraversal(), set);
             default -> () -> new RayTracer(new StackTraversal(tree), set);
         };
     }

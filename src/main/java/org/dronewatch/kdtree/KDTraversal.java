@@ -22,13 +22,25 @@ public abstract class KDTraversal {
 
     final KDTree tree;
     final TriangleIntersection intersection;
-    final double[] origin = new double[3];
-    final double[] direction = new double[3];
-    final double[] inverse = new double[3];
+    final double[] origin;
+    final double[] direction;
+    final double[] inverse;
 
     KDTraversal(KDTree tree) {
         this.tree = tree;
         this.intersection = new TriangleIntersection(tree.corners());
+        this.origin = new double[3];
+        this.direction = new double[3];
+        this.inverse = new double[3];
+    }
+
+    /** A traversal that answers the questions of another: it works on that one's ray and hit. */
+    KDTraversal(KDTraversal asked) {
+        this.tree = asked.tree;
+        this.intersection = asked.intersection;
+        this.origin = asked.origin;
+        this.direction = asked.direction;
+        this.inverse = asked.inverse;
     }
 
     /**

@@ -16,6 +16,9 @@ public final class KDTree {
     private final float[] bounds;
     private final int depth;
 
+    /** For scattered rays; built when first asked for. */
+    private WideTree wide;
+
     /**
      * A finished tree; the builder's own arrays are handed over, not copied.
      *
@@ -62,6 +65,39 @@ public final class KDTree {
     /** A new stack-based traversal, the default one, for the use of one thread. */
     public KDTraversal newTraversal() {
         return new StackTraversal(this);
+    }
+
+    /**
+     * A new traversal for rays that have nothing to do with each other, as those of sound that was scattered, for the use of
+     * one thread. Where the processor's vectors can be used ({@code --add-modules jdk.incubator.vector}) it is three to four
+     * times as fast in large models, after building a second tree once, by several threads if there are; elsewhere it is
+     * the default one. Both hit the same; where triangles meet in the very point that a ray hits, their answers may differ
+     * in the triangle, and in the last bit of the distance.
+     *
+     * @throws CancellationException when the thread is interrupted while the second tree is built
+     */
+    public KDTraversal newScatteredTraversal() {
+        return hasWide() ? new WideTraversal(this, wide()) : newTraversal();
+    }
+
+    /** Whether scattered rays have a tree of their own. */
+    public boolean hasWide() {
+        return Vectors.areAvailable() && reach() < WideTree.FARTHEST && mesh.triangleCount() > 0;
+    }
+
+    private double reach() {
+        double reach = 0.0;
+        for (float bound : bounds) {
+            reach = Math.max(reach, Math.abs(bound));
+        }
+        return reach;
+    }
+
+    private synchronized WideTree wide() {
+        if (wide == null) {
+            wide = new WideTreeBuilder(corners).build();
+        }
+        return wide;
     }
 
     long[] nodes() {

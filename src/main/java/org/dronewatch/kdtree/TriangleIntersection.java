@@ -94,6 +94,15 @@ final class TriangleIntersection {
         }
     }
 
+    /** Takes a hit that was found elsewhere by the same arithmetic. */
+    void setHit(int hitTriangle, double hitDistance, double hitU, double hitV) {
+        triangle = hitTriangle;
+        distance = hitDistance;
+        u = hitU;
+        v = hitV;
+        found = true;
+    }
+
     boolean found() {
         return found;
     }

@@ -54,7 +54,8 @@ class BruteForceTest {
                 .toArray(BruteForce.Answer[]::new);
         double size = mesh.triangleCount() == 0 ? 0.0 : mesh.bounds().diagonal();
 
-        for (KDTraversal traversal : List.of(new StackTraversal(tree), new SequentialTraversal(tree))) {
+        for (KDTraversal traversal :
+                List.of(new StackTraversal(tree), new SequentialTraversal(tree), tree.newScatteredTraversal())) {
             List<String> excused = new ArrayList<>();
             List<String> wrong = new ArrayList<>();
             int hits = 0;

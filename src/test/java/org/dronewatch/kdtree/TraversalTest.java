@@ -26,7 +26,9 @@ class TraversalTest {
     /** The ways through a tree. */
     enum Way {
         STACK(StackTraversal::new),
-        SEQUENTIAL(SequentialTraversal::new);
+        SEQUENTIAL(SequentialTraversal::new),
+        /** By vectors where the machine has them, as in the build's own tests. */
+        SCATTERED(KDTree::newScatteredTraversal);
 
         private final Function<KDTree, KDTraversal> maker;
 

@@ -25,7 +25,7 @@ final class WallPassage {
 
     WallPassage(World world, BandSurfaces surfaces) {
         this.mesh = world.mesh();
-        this.traversal = world.newTraversal();
+        this.traversal = world.newScatteredTraversal();
         this.surfaces = surfaces;
     }
 

@@ -1,0 +1,340 @@
+package org.dronewatch.kdtree;
+
+import jdk.incubator.vector.ByteVector;
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.LongVector;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * Walks a {@link WideTree}: a step tests the boxes of eight children at once in single precision, widened by more than its
+ * roundings; a block tests four triangles at once, in double precision by the arithmetic of {@link TriangleIntersection}.
+ * What is hit is what the kd-tree hits; where triangles meet in the very point, it is the nearest by the last bit, then the
+ * one of the lowest number.
+ *
+ * <p>For rays without coherence: a kd-tree takes many narrow steps, and processors guess each of them wrong half the time.
+ * Rays whose numbers single precision cannot bound are left to the kd-tree.
+ *
+ * <p>The code keeps to what the just-in-time compiler turns into plain vector instructions: no masks, no vectors across
+ * calls, the leaf in a method of its own.
+ */
+final class WideTraversal extends KDTraversal {
+    private static final VectorSpecies<Integer> INTS_8 = IntVector.SPECIES_256;
+    private static final VectorSpecies<Integer> INTS_4 = IntVector.SPECIES_128;
+    private static final VectorSpecies<Float> FLOATS_8 = FloatVector.SPECIES_256;
+    private static final VectorSpecies<Double> DOUBLES_4 = DoubleVector.SPECIES_256;
+
+    /**
+     * What a box's planes are moved outwards by, as a share of the coordinates' size: four roundings of single precision,
+     * of the inverse direction, of the origin's product with it, of the fused product and sum, and one to spare.
+     */
+    private static final double MARGIN = 0x1p-22;
+
+    /** Components of a direction below this are taken for it: within the margin until the ray has left the tree. */
+    private static final double SMALLEST = 0x1p-60;
+
+    /** Directions whose largest component is smaller, or larger than the inverse, are left to the kd-tree. */
+    private static final double SHORTEST = 0x1p-20;
+
+    private final int[] pool;
+    private final double reach;
+    private final StackTraversal other;
+    private final int[] entries = new int[WideNode.WIDTH];
+    private final double[] parameters = new double[WideNode.TRIANGLES];
+    private final long[] outside = new long[WideNode.TRIANGLES];
+
+    /** Entry parameter as the bits of a float above, reference below: ordered as their parameters are. */
+    private final long[] stack;
+
+    // The ray as the triangle test wants it, and the best hit so far.
+    private int offsetX;
+    private int offsetY;
+    private int offsetZ;
+    private double originX;
+    private double originY;
+    private double originZ;
+    private double shearX;
+    private double shearY;
+    private double shearZ;
+    private double first;
+    private double nearest;
+    private int winner;
+    private int winnerPlace;
+    private int read;
+
+    WideTraversal(KDTree tree, WideTree wide) {
+        super(tree);
+        this.pool = wide.pool();
+        this.reach = wide.reach();
+        this.other = new StackTraversal(this);
+        this.stack = new long[(WideNode.WIDTH - 1) * wide.depth() + 1];
+    }
+
+    @Override
+    void trace(double tMin, double tMax, boolean anyHit) {
+        double size = Math.max(Math.abs(direction[0]), Math.max(Math.abs(direction[1]), Math.abs(direction[2])));
+        double away = Math.max(Math.abs(origin[0]), Math.max(Math.abs(origin[1]), Math.abs(origin[2])));
+        if (!(size > SHORTEST && size < 1.0 / SHORTEST && away < WideTree.FARTHEST)) {
+            other.trace(tMin, tMax, anyHit);
+            return;
+        }
+        setTriangleRay();
+        first = tMin;
+        nearest = tMax;
+        winner = -1;
+        walk(tMin, tMax, anyHit);
+        if (winner >= 0) {
+            setHit();
+        }
+    }
+
+    /** Tells the hit with its place in the triangle; the block was just read, the mesh's own corners are far away. */
+    private void setHit() {
+        double az = corner(0, offsetZ) - originZ;
+        double bz = corner(1, offsetZ) - originZ;
+        double cz = corner(2, offsetZ) - originZ;
+        double ax = corner(0, offsetX) - originX - shearX * az;
+        double ay = corner(0, offsetY) - originY - shearY * az;
+        double bx = corner(1, offsetX) - originX - shearX * bz;
+        double by = corner(1, offsetY) - originY - shearY * bz;
+        double cx = corner(2, offsetX) - originX - shearX * cz;
+        double cy = corner(2, offsetY) - originY - shearY * cz;
+        double a = cx * by - cy * bx;
+        double b = ax * cy - ay * cx;
+        double g = bx * ay - by * ax;
+        double determinant = a + b + g;
+        intersection.setHit(winner, nearest, b / determinant, g / determinant);
+    }
+
+    private float corner(int corner, int offset) {
+        return Float.intBitsToFloat(pool[winnerPlace + 3 * WideNode.TRIANGLES * corner + offset]);
+    }
+
+    private void setTriangleRay() {
+        double x = Math.abs(direction[0]);
+        double y = Math.abs(direction[1]);
+        double z = Math.abs(direction[2]);
+        int kz = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+        int kx = kz == 2 ? 0 : kz + 1;
+        int ky = kx == 2 ? 0 : kx + 1;
+        originX = origin[kx];
+        originY = origin[ky];
+        originZ = origin[kz];
+        shearX = direction[kx] / direction[kz];
+        shearY = direction[ky] / direction[kz];
+        shearZ = 1.0 / direction[kz];
+        offsetX = WideNode.TRIANGLES * kx;
+        offsetY = WideNode.TRIANGLES * ky;
+        offsetZ = WideNode.TRIANGLES * kz;
+    }
+
+    private double bounded(int axis) {
+        return Math.abs(direction[axis]) < SMALLEST ? Math.copySign(1.0 / SMALLEST, direction[axis]) : inverse[axis];
+    }
+
+    private static float roundedUp(double value) {
+        float rounded = (float) value;
+        return rounded < value ? Math.nextUp(rounded) : rounded;
+    }
+
+    private void walk(double tMin, double tMax, boolean anyHit) {
+        int[] nodes = pool;
+        long[] waiting = stack;
+        int[] keys = entries;
+
+        // A plane's parameter is plane * inverse + shift; the margins are folded into the shifts, apart for both sides.
+        double ix = bounded(0);
+        double iy = bounded(1);
+        double iz = bounded(2);
+        double mx = MARGIN * (reach + Math.abs(origin[0])) * Math.abs(ix);
+        double my = MARGIN * (reach + Math.abs(origin[1])) * Math.abs(iy);
+        double mz = MARGIN * (reach + Math.abs(origin[2])) * Math.abs(iz);
+        FloatVector inverseX = FloatVector.broadcast(FLOATS_8, (float) ix);
+        FloatVector inverseY = FloatVector.broadcast(FLOATS_8, (float) iy);
+        FloatVector inverseZ = FloatVector.broadcast(FLOATS_8, (float) iz);
+        FloatVector entryX = FloatVector.broadcast(FLOATS_8, (float) (-origin[0] * ix - mx));
+        FloatVector entryY = FloatVector.broadcast(FLOATS_8, (float) (-origin[1] * iy - my));
+        FloatVector entryZ = FloatVector.broadcast(FLOATS_8, (float) (-origin[2] * iz - mz));
+        FloatVector exitX = FloatVector.broadcast(FLOATS_8, (float) (-origin[0] * ix + mx));
+        FloatVector exitY = FloatVector.broadcast(FLOATS_8, (float) (-origin[1] * iy + my));
+        FloatVector exitZ = FloatVector.broadcast(FLOATS_8, (float) (-origin[2] * iz + mz));
+        int nearX = ix < 0.0 ? 24 : 0;
+        int nearY = iy < 0.0 ? 32 : 8;
+        int nearZ = iz < 0.0 ? 40 : 16;
+        int farX = 24 - nearX;
+        int farY = 40 - nearY;
+        int farZ = 56 - nearZ;
+
+        // Parameters are compared as the bits of floats: those of positive floats are ordered as the floats are.
+        IntVector start =
+                IntVector.broadcast(INTS_8, Float.floatToRawIntBits(Math.max(0.0f, Math.nextDown((float) tMin))));
+        int limit = Float.floatToRawIntBits(roundedUp(tMax));
+        int touched = 0;
+        int stacked = 0;
+        int reference = WideNode.ROOT;
+        while (true) {
+            if (!WideNode.isLeaf(reference)) {
+                // Where each child's box is entered and left. A negative parameter has a negative pattern of bits: it
+                // is
+                // behind the start, and more than that need not be known.
+                IntVector ax = IntVector.fromArray(INTS_8, nodes, reference + nearX)
+                        .reinterpretAsFloats()
+                        .fma(inverseX, entryX)
+                        .reinterpretAsInts();
+                IntVector ay = IntVector.fromArray(INTS_8, nodes, reference + nearY)
+                        .reinterpretAsFloats()
+                        .fma(inverseY, entryY)
+                        .reinterpretAsInts();
+                IntVector az = IntVector.fromArray(INTS_8, nodes, reference + nearZ)
+                        .reinterpretAsFloats()
+                        .fma(inverseZ, entryZ)
+                        .reinterpretAsInts();
+                IntVector bx = IntVector.fromArray(INTS_8, nodes, reference + farX)
+                        .reinterpretAsFloats()
+                        .fma(inverseX, exitX)
+                        .reinterpretAsInts();
+                IntVector by = IntVector.fromArray(INTS_8, nodes, reference + farY)
+                        .reinterpretAsFloats()
+                        .fma(inverseY, exitY)
+                        .reinterpretAsInts();
+                IntVector bz = IntVector.fromArray(INTS_8, nodes, reference + farZ)
+                        .reinterpretAsFloats()
+                        .fma(inverseZ, exitZ)
+                        .reinterpretAsInts();
+                IntVector entered = ax.max(ay).max(az.max(start));
+                IntVector left = bx.min(by)
+                        .min(bz.min(IntVector.broadcast(INTS_8, limit)))
+                        .max(IntVector.broadcast(INTS_8, -1));
+                // A byte for each child, all ones where it is missed.
+                IntVector missed = ((ByteVector) left.sub(entered)
+                                .lanewise(VectorOperators.ASHR, 31)
+                                .convertShape(VectorOperators.I2B, ByteVector.SPECIES_64, 0))
+                        .reinterpretAsInts();
+                long hits = ~((long) missed.lane(1) << 32 | missed.lane(0) & 0xffffffffL);
+                if (hits != 0) {
+                    // The nearest child is next; the others wait, the nearest of them on top.
+                    entered.intoArray(keys, 0);
+                    int child = Long.numberOfTrailingZeros(hits) >>> 3;
+                    hits &= ~(0xffL << (child << 3));
+                    int only = nodes[reference + WideNode.REFERENCES + child];
+                    if (hits == 0) {
+                        reference = only;
+                        continue;
+                    }
+                    long next = (long) keys[child] << 32 | only & 0xffffffffL;
+                    int bottom = stacked;
+                    do {
+                        child = Long.numberOfTrailingZeros(hits) >>> 3;
+                        hits &= ~(0xffL << (child << 3));
+                        long found =
+                                (long) keys[child] << 32 | nodes[reference + WideNode.REFERENCES + child] & 0xffffffffL;
+                        long farther = Math.max(next, found);
+                        next = Math.min(next, found);
+                        int place = stacked++;
+                        while (place > bottom && waiting[place - 1] < farther) {
+                            waiting[place] = waiting[place - 1];
+                            place--;
+                        }
+                        waiting[place] = farther;
+                        touched ^= nodes[WideNode.place((int) farther)];
+                    } while (hits != 0);
+                    reference = (int) next;
+                    continue;
+                }
+            } else {
+                limit = testBlocks(reference, limit);
+                if (anyHit && winner >= 0) {
+                    return;
+                }
+            }
+            // What is entered beyond the nearest hit need not be looked at.
+            do {
+                if (stacked == 0) {
+                    read ^= touched;
+                    return;
+                }
+                long top = waiting[--stacked];
+                reference = (int) (top >>> 32) <= limit ? (int) top : 0;
+            } while (reference == 0);
+        }
+    }
+
+    /** Tests the triangles of a leaf; gives the limit for boxes, which is the nearest hit rounded up. */
+    private int testBlocks(int leaf, int limitBefore) {
+        int[] blocks = pool;
+        double[] ts = parameters;
+        long[] signs = outside;
+        DoubleVector zero = DoubleVector.zero(DOUBLES_4);
+        DoubleVector below = DoubleVector.broadcast(DOUBLES_4, Math.nextDown(first));
+        DoubleVector ox = DoubleVector.broadcast(DOUBLES_4, originX);
+        DoubleVector oy = DoubleVector.broadcast(DOUBLES_4, originY);
+        DoubleVector oz = DoubleVector.broadcast(DOUBLES_4, originZ);
+        DoubleVector sx = DoubleVector.broadcast(DOUBLES_4, shearX);
+        DoubleVector sy = DoubleVector.broadcast(DOUBLES_4, shearY);
+        DoubleVector sz = DoubleVector.broadcast(DOUBLES_4, shearZ);
+        int x = offsetX;
+        int y = offsetY;
+        int z = offsetZ;
+        int limit = limitBefore;
+        int last = WideNode.lastBlock(leaf);
+        for (int block = WideNode.firstBlock(leaf); block <= last; block += WideNode.BLOCK) {
+            // The corners relative to the sheared ray, as in TriangleIntersection, of four triangles.
+            DoubleVector az = doubles(blocks, block + z).sub(oz);
+            DoubleVector bz = doubles(blocks, block + 12 + z).sub(oz);
+            DoubleVector cz = doubles(blocks, block + 24 + z).sub(oz);
+            DoubleVector ax = doubles(blocks, block + x).sub(ox).sub(az.mul(sx));
+            DoubleVector ay = doubles(blocks, block + y).sub(oy).sub(az.mul(sy));
+            DoubleVector bx = doubles(blocks, block + 12 + x).sub(ox).sub(bz.mul(sx));
+            DoubleVector by = doubles(blocks, block + 12 + y).sub(oy).sub(bz.mul(sy));
+            DoubleVector cx = doubles(blocks, block + 24 + x).sub(ox).sub(cz.mul(sx));
+            DoubleVector cy = doubles(blocks, block + 24 + y).sub(oy).sub(cz.mul(sy));
+
+            // The edge functions. Where two have opposite signs, their product has the sign bit: the triangle is
+            // missed.
+            // The zero that is added makes -0 to 0, which counts as inside.
+            DoubleVector a = cx.mul(by).sub(cy.mul(bx));
+            DoubleVector b = ax.mul(cy).sub(ay.mul(cx));
+            DoubleVector g = bx.mul(ay).sub(by.mul(ax));
+            LongVector missed = a.fma(b, zero)
+                    .reinterpretAsLongs()
+                    .or(b.fma(g, zero).reinterpretAsLongs())
+                    .or(g.fma(a, zero).reinterpretAsLongs());
+            DoubleVector t =
+                    a.mul(az).add(b.mul(bz)).add(g.mul(cz)).div(a.add(b).add(g)).mul(sz);
+            missed.or(t.sub(below).reinterpretAsLongs())
+                    .or(DoubleVector.broadcast(DOUBLES_4, nearest + Double.MIN_VALUE)
+                            .sub(t)
+                            .reinterpretAsLongs())
+                    .intoArray(signs, 0);
+            int hits =
+                    (int) (signs[0] >>> 63 | signs[1] >>> 63 << 1 | signs[2] >>> 63 << 2 | signs[3] >>> 63 << 3) ^ 15;
+            if (hits == 0) {
+                continue;
+            }
+            // Few come here. What is not a number, of triangles without area, fails both comparisons.
+            t.intoArray(ts, 0);
+            do {
+                int lane = Integer.numberOfTrailingZeros(hits);
+                hits &= hits - 1;
+                double parameter = ts[lane];
+                int triangle = blocks[block + WideNode.NUMBERS + lane];
+                if (parameter >= first
+                        && (parameter < nearest || parameter == nearest && (winner < 0 || triangle < winner))) {
+                    nearest = parameter;
+                    winner = triangle;
+                    winnerPlace = block + lane;
+                    limit = Float.floatToRawIntBits((float) parameter + 0.0f) + 1;
+                }
+            } while (hits != 0);
+        }
+        return limit;
+    }
+
+    private static DoubleVector doubles(int[] bits, int at) {
+        return (DoubleVector) IntVector.fromArray(INTS_4, bits, at)
+                .reinterpretAsFloats()
+                .convertShape(VectorOperators.F2D, DOUBLES_4, 0);
+    }
+}

@@ -1,0 +1,350 @@
+package org.dronewatch.kdtree;
+
+import java.util.Arrays;
+import java.util.concurrent.CancellationException;
+import org.dronewatch.parallel.Workers;
+
+/**
+ * Builds a {@link WideTree}: first a binary tree of boxes, each split where the surface area heuristic finds it cheapest
+ * among the borders of bins of the triangles' middles (Wald, "On fast construction of SAH-based bounding volume
+ * hierarchies", 2007), then nodes of eight children by opening the largest of them again and again. The tree is the same
+ * for any number of threads.
+ */
+final class WideTreeBuilder {
+    private static final int BOX = 6;
+    private static final int BINS = 32;
+
+    /** Cost of a box's test over that of a block's: measured. */
+    private static final float STEP = 0.5f;
+
+    /** So many triangles make a leaf at most, where splitting does not pay. */
+    private static final int MOST_IN_LEAF = 8;
+
+    /** Deeper, parts are halved by number: bounds what degenerate input can do. */
+    private static final int DEEPEST = 60;
+
+    /** Parts of fewer triangles are not worth another thread. */
+    private static final int WORTH_A_THREAD = 4096;
+
+    private final float[] corners;
+    private final int count;
+    private final float[] boxes;
+    private final int[] order;
+    private int[] pool;
+    private int used = WideNode.ROOT;
+    private int depth;
+
+    /** A box with two parts in it, or with triangles. */
+    private static final class Part {
+        private final float[] box;
+        private final int from;
+        private final int to;
+        private Part left;
+        private Part right;
+
+        Part(float[] box, int from, int to) {
+            this.box = box;
+            this.from = from;
+            this.to = to;
+        }
+
+        boolean isLeaf() {
+            return left == null;
+        }
+    }
+
+    /**
+     * For triangles.
+     *
+     * @param corners nine coordinates a triangle
+     */
+    WideTreeBuilder(float[] corners) {
+        this.corners = corners;
+        this.count = corners.length / 9;
+        this.boxes = new float[BOX * count];
+        this.order = new int[count];
+    }
+
+    WideTree build() {
+        double reach = 0.0;
+        for (int i = 0; i < count; i++) {
+            order[i] = i;
+            writeBox(i);
+            for (int k = 0; k < BOX; k++) {
+                reach = Math.max(reach, Math.abs(boxes[BOX * i + k]));
+            }
+        }
+        Part root = part(0, count);
+        split(root, 0);
+        pool = new int[WideNode.ROOT + WideNode.NODE + count * WideNode.BLOCK / 2];
+        emit(root, 1);
+        return new WideTree(Arrays.copyOf(pool, used), reach, depth);
+    }
+
+    private void writeBox(int triangle) {
+        for (int axis = 0; axis < 3; axis++) {
+            float a = corners[9 * triangle + axis];
+            float b = corners[9 * triangle + 3 + axis];
+            float c = corners[9 * triangle + 6 + axis];
+            boxes[BOX * triangle + axis] = Math.min(a, Math.min(b, c));
+            boxes[BOX * triangle + axis + 3] = Math.max(a, Math.max(b, c));
+        }
+    }
+
+    private Part part(int from, int to) {
+        float[] box = emptyBox();
+        for (int i = from; i < to; i++) {
+            grow(box, 0, boxes, BOX * order[i]);
+        }
+        return new Part(box, from, to);
+    }
+
+    private static float[] emptyBox() {
+        float[] box = new float[BOX];
+        clear(box, 0);
+        return box;
+    }
+
+    private static void clear(float[] box, int at) {
+        Arrays.fill(box, at, at + 3, Float.POSITIVE_INFINITY);
+        Arrays.fill(box, at + 3, at + BOX, Float.NEGATIVE_INFINITY);
+    }
+
+    private static void grow(float[] box, int at, float[] by, int from) {
+        for (int axis = 0; axis < 3; axis++) {
+            box[at + axis] = Math.min(box[at + axis], by[from + axis]);
+            box[at + 3 + axis] = Math.max(box[at + 3 + axis], by[from + 3 + axis]);
+        }
+    }
+
+    /** Half the surface of a box; 0 for an empty one. */
+    private static float area(float[] box, int at) {
+        float x = box[at + 3] - box[at];
+        float y = box[at + 4] - box[at + 1];
+        float z = box[at + 5] - box[at + 2];
+        return x < 0.0f ? 0.0f : x * y + y * z + z * x;
+    }
+
+    private void split(Part part, int level) {
+        int size = part.to - part.from;
+        if (size > WORTH_A_THREAD && Thread.currentThread().isInterrupted()) {
+            throw new CancellationException("interrupted while a tree was built");
+        }
+        if (size <= 1) {
+            return;
+        }
+        Bins bins = new Bins(part);
+        boolean splits = level < DEEPEST && bins.find();
+        if (size <= MOST_IN_LEAF
+                && (!splits || bins.bestCost + STEP * area(part.box, 0) >= area(part.box, 0) * blocks(size))) {
+            return;
+        }
+        int middle = splits ? bins.partition() : part.from + size / 2;
+        part.left = part(part.from, middle);
+        part.right = part(middle, part.to);
+        if (size < WORTH_A_THREAD || Workers.available() == 1) {
+            split(part.left, level + 1);
+            split(part.right, level + 1);
+        } else {
+            Workers.both(() -> split(part.left, level + 1), () -> split(part.right, level + 1));
+        }
+    }
+
+    private static int blocks(int triangles) {
+        return (triangles + WideNode.TRIANGLES - 1) / WideNode.TRIANGLES;
+    }
+
+    /** The triangles of a part, sorted into bins by their middles, and where to split them. */
+    private final class Bins {
+        private final Part part;
+        private final int number;
+        private final float[] low = new float[3];
+        private final float[] scale = new float[3];
+        private final int[] counts = new int[3 * BINS];
+        private final float[] binBoxes = new float[3 * BINS * BOX];
+        private float bestCost = Float.POSITIVE_INFINITY;
+        private int bestAxis;
+        private int bestBin;
+
+        Bins(Part part) {
+            this.part = part;
+            this.number = Math.min(BINS, 6 + (part.to - part.from) / 2);
+        }
+
+        /** Finds the cheapest border between bins; false when all middles fall into one bin. */
+        boolean find() {
+            setScale();
+            fill();
+            for (int axis = 0; axis < 3; axis++) {
+                if (scale[axis] > 0.0f) {
+                    sweep(axis);
+                }
+            }
+            return bestCost < Float.POSITIVE_INFINITY;
+        }
+
+        /** Twice the middle of a triangle's box. */
+        private float middle(int triangle, int axis) {
+            return boxes[BOX * triangle + axis] + boxes[BOX * triangle + axis + 3];
+        }
+
+        private void setScale() {
+            for (int axis = 0; axis < 3; axis++) {
+                float first = Float.POSITIVE_INFINITY;
+                float last = Float.NEGATIVE_INFINITY;
+                for (int i = part.from; i < part.to; i++) {
+                    first = Math.min(first, middle(order[i], axis));
+                    last = Math.max(last, middle(order[i], axis));
+                }
+                low[axis] = first;
+                float stretch = number * 0.9999f / (last - first);
+                // 0 when all are at one place, or so near that the quotient is of no use.
+                scale[axis] = last > first && stretch < 1e30f ? stretch : 0.0f;
+            }
+        }
+
+        private int bin(int triangle, int axis) {
+            return (int) ((middle(triangle, axis) - low[axis]) * scale[axis]);
+        }
+
+        private void fill() {
+            for (int i = 0; i < 3 * BINS; i++) {
+                clear(binBoxes, BOX * i);
+            }
+            for (int i = part.from; i < part.to; i++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    int bin = axis * BINS + bin(order[i], axis);
+                    counts[bin]++;
+                    grow(binBoxes, BOX * bin, boxes, BOX * order[i]);
+                }
+            }
+        }
+
+        /** Costs of all borders on an axis: right sides from the end, then left sides from the beginning. */
+        private void sweep(int axis) {
+            float[] rightAreas = new float[BINS];
+            int[] rightCounts = new int[BINS];
+            float[] side = emptyBox();
+            int size = 0;
+            for (int bin = number - 1; bin > 0; bin--) {
+                size += counts[axis * BINS + bin];
+                grow(side, 0, binBoxes, BOX * (axis * BINS + bin));
+                rightAreas[bin] = area(side, 0);
+                rightCounts[bin] = size;
+            }
+            clear(side, 0);
+            size = 0;
+            for (int bin = 1; bin < number; bin++) {
+                size += counts[axis * BINS + bin - 1];
+                grow(side, 0, binBoxes, BOX * (axis * BINS + bin - 1));
+                if (size > 0 && rightCounts[bin] > 0) {
+                    float cost = area(side, 0) * work(size) + rightAreas[bin] * work(rightCounts[bin]);
+                    if (cost < bestCost) {
+                        bestCost = cost;
+                        bestAxis = axis;
+                        bestBin = bin;
+                    }
+                }
+            }
+        }
+
+        /** Blocks that triangles fill: whole ones near the leaves, else on average. */
+        private float work(int triangles) {
+            boolean many = part.to - part.from > 4 * WideNode.TRIANGLES;
+            return many ? (float) triangles / WideNode.TRIANGLES : blocks(triangles);
+        }
+
+        /** Brings the triangles left of the best border before the others; gives where these begin. */
+        int partition() {
+            int left = part.from;
+            int right = part.to - 1;
+            while (left <= right) {
+                if (bin(order[left], bestAxis) < bestBin) {
+                    left++;
+                } else {
+                    int swap = order[left];
+                    order[left] = order[right];
+                    order[right--] = swap;
+                }
+            }
+            return left;
+        }
+    }
+
+    /** Appends a node with all that is below it; gives its place. Its leaves come first, then its other children. */
+    private int emit(Part part, int level) {
+        depth = Math.max(depth, level);
+        Part[] children = new Part[WideNode.WIDTH];
+        int number = open(part, children);
+        int place = reserve(WideNode.NODE);
+        for (int child = 0; child < WideNode.WIDTH; child++) {
+            for (int k = 0; k < BOX; k++) {
+                // A box that no ray meets, in the place of a child that is not there.
+                float nothing = k < 3 ? Float.MAX_VALUE : -Float.MAX_VALUE;
+                float bound = child < number ? children[child].box[k] : nothing;
+                pool[place + k * WideNode.WIDTH + child] = Float.floatToRawIntBits(bound);
+            }
+        }
+        for (int child = 0; child < number; child++) {
+            if (children[child].isLeaf()) {
+                int blocks = appendBlocks(children[child]);
+                pool[place + WideNode.REFERENCES + child] = blocks;
+            }
+        }
+        for (int child = 0; child < number; child++) {
+            if (!children[child].isLeaf()) {
+                int node = emit(children[child], level + 1);
+                pool[place + WideNode.REFERENCES + child] = node;
+            }
+        }
+        return place;
+    }
+
+    /** Opens the largest child again and again until there are eight, or only leaves. */
+    private static int open(Part part, Part[] children) {
+        children[0] = part;
+        int number = 1;
+        while (number < WideNode.WIDTH) {
+            int largest = -1;
+            for (int i = 0; i < number; i++) {
+                if (!children[i].isLeaf()
+                        && (largest < 0 || area(children[i].box, 0) > area(children[largest].box, 0))) {
+                    largest = i;
+                }
+            }
+            if (largest < 0) {
+                return number;
+            }
+            Part opened = children[largest];
+            children[largest] = opened.left;
+            children[number++] = opened.right;
+        }
+        return number;
+    }
+
+    private int reserve(int ints) {
+        int place = used;
+        used += ints;
+        if (used > pool.length) {
+            pool = Arrays.copyOf(pool, (int) Math.min(Integer.MAX_VALUE - 8L, Math.max(used, 1.5 * pool.length)));
+        }
+        return place;
+    }
+
+    /** Appends a leaf's triangles; places that stay free hold triangles without extent, which no ray hits. */
+    private int appendBlocks(Part leaf) {
+        int size = leaf.to - leaf.from;
+        int blocks = Math.max(1, blocks(size));
+        int first = reserve(blocks * WideNode.BLOCK);
+        for (int i = 0; i < size; i++) {
+            int block = first + i / WideNode.TRIANGLES * WideNode.BLOCK;
+            int lane = i % WideNode.TRIANGLES;
+            int triangle = order[leaf.from + i];
+            for (int k = 0; k < 9; k++) {
+                pool[block + k * WideNode.TRIANGLES + lane] = Float.floatToRawIntBits(corners[9 * triangle + k]);
+            }
+            pool[block + WideNode.NUMBERS + lane] = triangle;
+        }
+        return WideNode.leaf(first, blocks);
+    }
+}
