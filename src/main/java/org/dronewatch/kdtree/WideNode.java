@@ -50,11 +50,6 @@ final class WideNode {
         return reference < 0;
     }
 
-    /** Where a node, or the first block of a leaf, is. */
-    static int place(int reference) {
-        return reference & ~(LEAF | FOLLOWING);
-    }
-
     /** Where the first block of a leaf is. */
     static int firstBlock(int leaf) {
         return leaf & ~(LEAF | FOLLOWING);

@@ -62,7 +62,6 @@ final class WideTraversal extends KDTraversal {
     private double nearest;
     private int winner;
     private int winnerPlace;
-    private int read;
 
     WideTraversal(KDTree tree, WideTree wide) {
         super(tree);
@@ -171,7 +170,6 @@ final class WideTraversal extends KDTraversal {
         IntVector start =
                 IntVector.broadcast(INTS_8, Float.floatToRawIntBits(Math.max(0.0f, Math.nextDown((float) tMin))));
         int limit = Float.floatToRawIntBits(roundedUp(tMax));
-        int touched = 0;
         int stacked = 0;
         int reference = WideNode.ROOT;
         while (true) {
@@ -238,7 +236,6 @@ final class WideTraversal extends KDTraversal {
                             place--;
                         }
                         waiting[place] = farther;
-                        touched ^= nodes[WideNode.place((int) farther)];
                     } while (hits != 0);
                     reference = (int) next;
                     continue;
@@ -252,7 +249,6 @@ final class WideTraversal extends KDTraversal {
             // What is entered beyond the nearest hit need not be looked at.
             do {
                 if (stacked == 0) {
-                    read ^= touched;
                     return;
                 }
                 long top = waiting[--stacked];
