@@ -30,7 +30,7 @@ public class ClosestHit {
     private static final int BATCH = 16_384;
 
     /** The model to trace. */
-    @Param({"hill", "quadrotor"})
+    @Param({"hill", "quadrotor", "cathedral"})
     public String model;
 
     /** How alike neighbouring rays are. */
@@ -38,7 +38,7 @@ public class ClosestHit {
     public String rays;
 
     /** The way through the tree. */
-    @Param({"stack", "sequential"})
+    @Param({"stack", "sequential", "scattered"})
     public String kind;
 
     private KDTraversal traversal;
@@ -49,7 +49,11 @@ public class ClosestHit {
     @Setup
     public void load() {
         KDTree tree = KDTree.of(Bench.mesh(model));
-        traversal = kind.equals("stack") ? new StackTraversal(tree) : new SequentialTraversal(tree);
+        traversal = switch (kind) {
+            case "stack" -> new StackTraversal(tree);
+            case "sequential" -> new SequentialTraversal(tree);
+            default -> tree.newScatteredTraversal();
+        };
         set = Bench.rays(tree, rays);
     }
 

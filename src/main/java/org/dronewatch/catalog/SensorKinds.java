@@ -8,6 +8,7 @@ import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.camera.DetectionFunction;
 import org.dronewatch.sensor.camera.PixelThreshold;
+import org.dronewatch.sensor.camera.TargetTask;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.setting.file.Kinds;
 
@@ -21,7 +22,16 @@ public final class SensorKinds {
         SENSORS.put("radar", RadarSettings.class);
     }
 
+    /** Parts of sensors of which there are several kinds, where anyone may add one. */
+    private static final Map<Class<?>, Map<String, Class<? extends Record>>> PARTS = Map.of(
+            DetectionFunction.class, Map.of("pixel-threshold", PixelThreshold.class, "target-task", TargetTask.class));
+
     private SensorKinds() {}
+
+    /** The kinds of parts of sensors by their names, for each interface that anyone may implement. */
+    public static Map<Class<?>, Map<String, Class<? extends Record>>> parts() {
+        return PARTS;
+    }
 
     /** The settings of each kind by its name. */
     public static Map<String, Class<? extends Record>> all() {
@@ -34,9 +44,10 @@ public final class SensorKinds {
      * @param catalog where {@code use} finds them by name
      */
     public static Kinds kinds(Catalog catalog) {
-        return Kinds.SEALED
-                .with(SensorSettings.class, catalog)
-                .with(SensorSettings.class, SENSORS)
-                .with(DetectionFunction.class, Map.of("pixel-threshold", PixelThreshold.class));
+        Kinds kinds = Kinds.SEALED.with(SensorSettings.class, catalog).with(SensorSettings.class, SENSORS);
+        for (Map.Entry<Class<?>, Map<String, Class<? extends Record>>> part : PARTS.entrySet()) {
+            kinds = kinds.with(part.getKey(), part.getValue());
+        }
+        return kinds;
     }
 }

@@ -34,7 +34,7 @@ final class Overrides {
         String id = path.startsWith(SENSORS) ? path.substring(SENSORS.length()) : "";
         SensorSettings<?> old = scene.sensors().get(id);
         if (old == null) {
-            return new SettingsPath(path).write(scene, value);
+            return new SettingsPath(path, SensorKinds.parts()).write(scene, value);
         }
         try {
             return scene.withSensor(id, catalog.settings(value.strip(), poseOf(old, value.strip())));

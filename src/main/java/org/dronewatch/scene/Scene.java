@@ -19,6 +19,7 @@ import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.Light;
 import org.dronewatch.world.ModelSettings;
 
 /**
@@ -121,6 +122,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /** Lets it rain, mm/h; dry unless set. */
     protected final void setRain(double millimetresPerHour) {
         building().setRain(millimetresPerHour);
+    }
+
+    /** Sets how far and by which light one sees; a clear day unless set. */
+    protected final void setLight(Light light) {
+        building().setLight(light);
     }
 
     /**

@@ -7,6 +7,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.Light;
 import org.dronewatch.world.ModelSettings;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.WorldSettings;
@@ -19,6 +20,7 @@ final class SceneBuilder {
     private SurfaceSettings surfaces = SurfaceSettings.DEFAULT;
     private Atmosphere atmosphere = Atmosphere.STANDARD;
     private double rain;
+    private Light light = Light.DAY;
     private final Map<String, DroneSettings> drones = new LinkedHashMap<>();
     private final Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
     private RunSettings run = RunSettings.DEFAULT;
@@ -46,6 +48,10 @@ final class SceneBuilder {
 
     void setRain(double millimetresPerHour) {
         rain = millimetresPerHour;
+    }
+
+    void setLight(Light other) {
+        light = other;
     }
 
     void addDrone(String id, DroneSettings settings) {
@@ -79,7 +85,8 @@ final class SceneBuilder {
                 world.withBackgroundNoise(backgroundNoise)
                         .withSurfaces(surfaces)
                         .withAtmosphere(atmosphere)
-                        .withRain(rain),
+                        .withRain(rain)
+                        .withLight(light),
                 drones,
                 sensors,
                 run,

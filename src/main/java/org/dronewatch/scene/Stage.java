@@ -35,7 +35,8 @@ public final class Stage {
     Stage(SceneSettings settings, ModelCache models, long runSeed) {
         WorldSettings site = settings.world();
         this.world = new World(models.tree(site.models()), site.noise(), site.surfaces(), site.atmosphere())
-                .withRain(site.rain());
+                .withRain(site.rain())
+                .withLight(site.light());
         this.colours = Map.copyOf(models.colours(site.models()));
         warn(settings, models);
         this.runSeed = runSeed;

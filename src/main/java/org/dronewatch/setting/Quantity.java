@@ -45,6 +45,8 @@ public enum Quantity {
     ATTENUATION("dB/m", Quantity::unitOfItself),
     /** Rain, millimetres per hour. */
     PRECIPITATION("mm/h", Quantity::unitOfItself),
+    /** Lux. */
+    ILLUMINANCE("lx", Quantity::unitOfItself),
     /** Picture elements. */
     PIXELS("px", Quantity::unitOfItself),
     /** A plain number. */

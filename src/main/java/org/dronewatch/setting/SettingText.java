@@ -64,7 +64,7 @@ public final class SettingText {
             return record(SettingsForm.of(plain), text);
         }
         if (plain.isSealed()) {
-            return choice(plain, text);
+            return choice(Choices.of(plain), text);
         }
         throw several();
     }
@@ -123,8 +123,8 @@ public final class SettingText {
     }
 
     /** One of several kinds of settings by its name, with the values that it has by default. */
-    private static Object choice(Class<?> type, String text) {
-        Map<String, Class<?>> kinds = new LinkedHashMap<>(Choices.of(type));
+    static Object choice(Map<String, ? extends Class<?>> all, String text) {
+        Map<String, Class<?>> kinds = new LinkedHashMap<>(all);
         kinds.values().removeIf(kind -> !SettingsForm.of(kind).isCompleteByDefault());
         if (kinds.isEmpty()) {
             throw several();

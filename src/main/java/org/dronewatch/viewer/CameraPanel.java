@@ -8,8 +8,9 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
-import java.util.function.Predicate;
+import java.util.function.Function;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
@@ -157,10 +158,14 @@ final class CameraPanel extends JPanel {
         });
     }
 
-    /** Shows which cameras detect something, and which one is selected. */
-    void mark(Predicate<String> detecting, String selected) {
+    /**
+     * Shows what each camera told last, and which one is selected.
+     *
+     * @param told gives what a camera of a name told of each drone
+     */
+    void mark(Function<String, Map<String, Reading>> told, String selected) {
         for (CameraVisual visual : visuals) {
-            visual.mark(detecting.test(visual.eye().id()), visual.eye().id().equals(selected));
+            visual.mark(told.apply(visual.eye().id()), visual.eye().id().equals(selected));
         }
     }
 

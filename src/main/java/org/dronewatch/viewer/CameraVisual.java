@@ -14,6 +14,7 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
 import org.dronewatch.sensor.camera.DronePixels;
@@ -43,7 +44,7 @@ final class CameraVisual extends JPanel {
 
     private final transient CameraEye eye;
     private transient CameraShot shot;
-    private boolean detecting;
+    private transient Map<String, Reading> readings = Map.of();
     private boolean selected;
     private transient Consumer<String> hint = text -> {};
 
@@ -76,13 +77,17 @@ final class CameraVisual extends JPanel {
         repaint();
     }
 
-    /** Shows whether the camera detects something, and whether it is selected. */
-    void mark(boolean isDetecting, boolean isSelected) {
-        if (detecting != isDetecting || selected != isSelected) {
-            detecting = isDetecting;
+    /** Shows what the camera told last of each drone that it had in its picture, and whether it is selected. */
+    void mark(Map<String, Reading> told, boolean isSelected) {
+        if (!readings.equals(told) || selected != isSelected) {
+            readings = told;
             selected = isSelected;
             repaint();
         }
+    }
+
+    private boolean isDetecting() {
+        return readings.values().stream().anyMatch(Reading::isEnough);
     }
 
     /** Where the picture lies in this panel: as large as fits, its sides in the camera's proportion. */
@@ -129,8 +134,8 @@ final class CameraVisual extends JPanel {
             }
         }
         drawName(g, frame);
-        if (detecting || selected) {
-            g.setColor(detecting ? DETECTED : Color.WHITE);
+        if (isDetecting() || selected) {
+            g.setColor(isDetecting() ? DETECTED : Color.WHITE);
             g.setStroke(new BasicStroke(selected ? 4f : 2.5f));
             g.drawRect(frame.x + 1, frame.y + 1, frame.width - 3, frame.height - 3);
         }
@@ -155,8 +160,8 @@ final class CameraVisual extends JPanel {
         double height = Math.max(SMALLEST, (drone.rows() + 2) * sy);
         double x = frame.x + (drone.left() + 0.5 * drone.columns()) * sx - 0.5 * width;
         double y = frame.y + (drone.top() + 0.5 * drone.rows()) * sy - 0.5 * height;
-        boolean enough = drone.count() >= eye.settings().detection().threshold();
-        g.setColor(enough ? DETECTED : UNDETECTED);
+        Reading told = readings.get(drone.drone());
+        g.setColor(told != null && told.isEnough() ? DETECTED : UNDETECTED);
         g.setStroke(new BasicStroke(1.5f));
         g.draw(new Rectangle2D.Double(x, y, width, height));
         if (frame.height < LEGIBLE) {
@@ -171,16 +176,15 @@ final class CameraVisual extends JPanel {
     }
 
     private String shortCount(DronePixels drone) {
-        return drone.count() + " of " + Texts.value(eye.settings().detection().threshold()) + " px";
+        Reading told = readings.get(drone.drone());
+        return told == null ? drone.count() + " px" : told.text();
     }
 
     private String count(DronePixels drone) {
-        return String.format(
-                Locale.ROOT,
-                "%s: %d of %s px",
-                drone.drone(),
-                drone.count(),
-                Texts.value(eye.settings().detection().threshold()));
+        Reading told = readings.get(drone.drone());
+        boolean inPixels = told != null && told.unit().equals("px");
+        return drone.drone() + ": " + (inPixels ? "" : drone.count() + " px") + (told == null || inPixels ? "" : ", ")
+                + (told == null ? "" : told.text());
     }
 
     /** A text on a plate, kept inside the frame. */

@@ -9,4 +9,14 @@ package org.dronewatch.viewer;
  * @param unit of both
  * @param range distance to the drone, m
  */
-record Reading(double time, double value, double threshold, String unit, double range) {}
+record Reading(double time, double value, double threshold, String unit, double range) {
+    /** Whether the value reaches the threshold. */
+    boolean isEnough() {
+        return value >= threshold;
+    }
+
+    /** Value against threshold. */
+    String text() {
+        return (Texts.value(value) + " of " + Texts.value(threshold) + " " + unit).strip();
+    }
+}

@@ -20,14 +20,16 @@ final class Texts {
                 : String.format(Locale.ROOT, "%d:%05.2f", minutes, seconds - 60.0 * minutes);
     }
 
-    /** A measured value; infinities in words. */
+    /** A measured value with three digits, or as a whole number; infinities in words. */
     static String value(double value) {
         if (value == Double.NEGATIVE_INFINITY) {
             return "none";
         }
-        return Math.abs(value) < 1000.0 && value != Math.rint(value)
-                ? String.format(Locale.ROOT, "%.1f", value)
-                : String.format(Locale.ROOT, "%.0f", value);
+        double size = Math.abs(value);
+        if (size >= 1000.0 || value == Math.rint(value)) {
+            return String.format(Locale.ROOT, "%.0f", value);
+        }
+        return String.format(Locale.ROOT, size < 10.0 ? "%.2f" : "%.1f", value);
     }
 
     /** A speed of playing. */

@@ -1,7 +1,9 @@
 package org.dronewatch.viewer;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.picture.DroneMark;
@@ -58,6 +60,15 @@ final class ViewedRun {
     /** Whether a sensor detects any drone at a time. */
     boolean isDetecting(String sensor, double time) {
         return settings().drones().keySet().stream().anyMatch(drone -> run.isDetected(sensor, drone, time));
+    }
+
+    /** What a sensor told last of each drone. */
+    Map<String, Reading> readings(String sensor, double time) {
+        Map<String, Reading> told = new HashMap<>();
+        for (String drone : settings().drones().keySet()) {
+            run.reading(sensor, drone, time).ifPresent(reading -> told.put(drone, reading));
+        }
+        return told;
     }
 
     private boolean isDetected(String drone, double time) {

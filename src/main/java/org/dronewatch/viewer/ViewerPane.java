@@ -261,7 +261,7 @@ final class ViewerPane extends JPanel {
         pairs.show(run, time);
         drones.show(run, viewed.stage().dronesAt(time), time);
         log.update(run);
-        cameras.mark(sensor -> viewed.isDetecting(sensor, time), selected);
+        cameras.mark(sensor -> viewed.readings(sensor, time), selected);
         boolean all = recording.isFinished();
         progress.setVisible(!all);
         progress.setIndeterminate(false);

@@ -32,6 +32,7 @@ public final class World {
     private final List<SurfaceMaterial> surfaces;
     private final Atmosphere atmosphere;
     private final double rain;
+    private final Light light;
 
     /**
      * A world around a finished tree.
@@ -69,19 +70,26 @@ public final class World {
         this.surfaces = List.copyOf(surfaces);
         this.atmosphere = atmosphere;
         this.rain = 0.0;
+        this.light = Light.DAY;
     }
 
-    private World(World dry, double rain) {
-        this.tree = dry.tree;
-        this.backgroundNoise = dry.backgroundNoise;
-        this.surfaces = dry.surfaces;
-        this.atmosphere = dry.atmosphere;
+    private World(World other, double rain, Light light) {
+        this.tree = other.tree;
+        this.backgroundNoise = other.backgroundNoise;
+        this.surfaces = other.surfaces;
+        this.atmosphere = other.atmosphere;
         this.rain = rain;
+        this.light = light;
     }
 
     /** This world in rain, mm/h, 0 or more. */
     public World withRain(double millimetresPerHour) {
-        return new World(this, Check.notNegative("rain", millimetresPerHour, Quantity.PRECIPITATION));
+        return new World(this, Check.notNegative("rain", millimetresPerHour, Quantity.PRECIPITATION), light);
+    }
+
+    /** This world by another light. */
+    public World withLight(Light other) {
+        return new World(this, rain, other);
     }
 
     /** A world of a mesh without noise worth the name (0 dB). */
@@ -207,6 +215,11 @@ public final class World {
     /** The air. */
     public Atmosphere atmosphere() {
         return atmosphere;
+    }
+
+    /** How far and by which light one sees. */
+    public Light light() {
+        return light;
     }
 
     /** Rain, mm/h. */

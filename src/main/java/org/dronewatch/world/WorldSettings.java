@@ -20,6 +20,7 @@ import org.dronewatch.sound.BandLevels;
  * @param surfaces what the models' materials are to sound
  * @param atmosphere the air
  * @param rain rain, 0 to 500 mm/h; radars suffer from it, sound does not
+ * @param light how far and by which light one sees
  * @param origin where on earth the origin lies, or empty; it is written into the summary
  */
 public record WorldSettings(
@@ -29,6 +30,7 @@ public record WorldSettings(
         SurfaceSettings surfaces,
         Atmosphere atmosphere,
         @In(value = Quantity.PRECIPITATION, from = 0, to = 500) double rain,
+        Light light,
         Optional<Origin> origin) {
     /** Background of a quiet rural place, dB re 20 uPa. */
     public static final double QUIET = 30.0;
@@ -39,7 +41,8 @@ public record WorldSettings(
      * @throws IllegalArgumentException when one does not hold
      */
     public WorldSettings {
-        Limits.check(WorldSettings.class, models, backgroundNoise, noiseShape, surfaces, atmosphere, rain, origin);
+        Limits.check(
+                WorldSettings.class, models, backgroundNoise, noiseShape, surfaces, atmosphere, rain, light, origin);
         models = List.copyOf(models);
         if (models.isEmpty()) {
             throw new IllegalArgumentException("models is empty: a world needs at least one");
@@ -61,6 +64,7 @@ public record WorldSettings(
                 SurfaceSettings.DEFAULT,
                 Atmosphere.STANDARD,
                 0.0,
+                Light.DAY,
                 Optional.empty());
     }
 
@@ -68,17 +72,17 @@ public record WorldSettings(
     public WorldSettings withModel(ModelSettings model) {
         List<ModelSettings> more = new ArrayList<>(models);
         more.add(model);
-        return new WorldSettings(more, backgroundNoise, noiseShape, surfaces, atmosphere, rain, origin);
+        return new WorldSettings(more, backgroundNoise, noiseShape, surfaces, atmosphere, rain, light, origin);
     }
 
     /** These settings with another level of the background, A-weighted, dB re 20 uPa. */
     public WorldSettings withBackgroundNoise(double level) {
-        return new WorldSettings(models, level, noiseShape, surfaces, atmosphere, rain, origin);
+        return new WorldSettings(models, level, noiseShape, surfaces, atmosphere, rain, light, origin);
     }
 
     /** These settings with another background. */
     public WorldSettings withBackgroundNoise(BackgroundNoise noise) {
-        return new WorldSettings(models, noise.level(), noise.shape(), surfaces, atmosphere, rain, origin);
+        return new WorldSettings(models, noise.level(), noise.shape(), surfaces, atmosphere, rain, light, origin);
     }
 
     /** The background. */
@@ -88,21 +92,28 @@ public record WorldSettings(
 
     /** These settings with other surfaces. */
     public WorldSettings withSurfaces(SurfaceSettings other) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, other, atmosphere, rain, origin);
+        return new WorldSettings(models, backgroundNoise, noiseShape, other, atmosphere, rain, light, origin);
     }
 
     /** These settings with other air. */
     public WorldSettings withAtmosphere(Atmosphere air) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, air, rain, origin);
+        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, air, rain, light, origin);
     }
 
     /** These settings somewhere on earth. */
     public WorldSettings withOrigin(Origin place) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, atmosphere, rain, Optional.of(place));
+        return new WorldSettings(
+                models, backgroundNoise, noiseShape, surfaces, atmosphere, rain, light, Optional.of(place));
     }
 
     /** These settings with rain, mm/h. */
     public WorldSettings withRain(double millimetresPerHour) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, atmosphere, millimetresPerHour, origin);
+        return new WorldSettings(
+                models, backgroundNoise, noiseShape, surfaces, atmosphere, millimetresPerHour, light, origin);
+    }
+
+    /** These settings by another light. */
+    public WorldSettings withLight(Light other) {
+        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, atmosphere, rain, other, origin);
     }
 }

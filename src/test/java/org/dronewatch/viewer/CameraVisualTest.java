@@ -7,6 +7,7 @@ import java.awt.Color;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.Map;
 import org.dronewatch.picture.Yard;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
@@ -65,7 +66,9 @@ class CameraVisualTest {
     @Test
     void significantPixelsAreFramedInTheColourOfTheDecision() {
         CameraShot near = eye.look(8.0, 320, 240);
-        BufferedImage image = painted(new CameraVisual(eye), near, 320, 240);
+        CameraVisual visual = new CameraVisual(eye);
+        visual.mark(Map.of("quadrotor", new Reading(8.0, 295, 12, "px", 5.1)), false);
+        BufferedImage image = painted(visual, near, 320, 240);
         DronePixels drone = near.drones().get(0);
         Color left = new Color(image.getRGB(drone.left() - 1, drone.top() + drone.rows() / 2));
 

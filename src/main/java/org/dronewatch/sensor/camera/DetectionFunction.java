@@ -1,5 +1,7 @@
 package org.dronewatch.sensor.camera;
 
+import java.util.random.RandomGenerator;
+
 /** Decides whether a camera detects a drone: a value from the drone's view, and what it must reach. */
 public interface DetectionFunction {
 
@@ -8,6 +10,15 @@ public interface DetectionFunction {
 
     /** The value from which on the drone counts as detected. */
     double threshold();
+
+    /**
+     * What the value must reach in one frame; the same in all unless a function decides by chance.
+     *
+     * @param random the frame's random numbers
+     */
+    default double threshold(RandomGenerator random) {
+        return threshold();
+    }
 
     /** Unit of value and threshold. */
     String unit();

@@ -1,0 +1,145 @@
+package org.dronewatch.sensor.camera;
+
+import java.util.random.RandomGenerator;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * How likely a person, or a program as good as one, does something with a drone's picture: notices it, tells what it is, or
+ * which. Johnson's criteria say how many line pairs across the target that takes (Johnson 1958); the target transfer
+ * probability function says how likely it is with more or fewer (Howe, in "The Infrared and Electro-Optical Systems
+ * Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with {@code x = N / N50} and {@code E = 2.7 + 0.7 x}.
+ *
+ * <p>The line pairs resolved are half the square root of the drone's pixels, fewer the weaker its contrast and the faster it
+ * crosses the picture: {@code N = sqrt(pixels) / 2 * (1 - Ct / C) * (1 + b^2)^(-1/4)}. C is its contrast after the air has
+ * taken its part (Koschmieder). Ct is the least contrast that the camera tells from none; in poor light, where photons are
+ * few, it grows as the square root of the light that is missing. b is the blur in pixels, in one of two directions. The
+ * dependence on contrast is a straight line in place of a camera's measured curve of minimum resolvable contrast.
+ *
+ * @param task what is to be done with the picture
+ * @param probability from which on that counts as done, above 0 and below 1; without meaning by chance
+ * @param byChance whether each frame decides by drawing a random number instead
+ * @param contrast of the drone to what is behind it, from near, above 0 and at most 1
+ * @param leastContrast that the camera tells from none in good light, above 0 and below 1
+ * @param goodLight illuminance below which it takes more contrast, above 0, lx
+ * @param exposure for how long a frame gathers light, 0 to 1 s
+ * @param glare angle about the sun within which nothing is seen, 0 to pi/2, rad
+ */
+public record TargetTask(
+        Task task,
+        @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
+        boolean byChance,
+        @In(value = Quantity.RATIO, above = 0, to = 1) double contrast,
+        @In(value = Quantity.RATIO, above = 0, below = 1) double leastContrast,
+        @In(value = Quantity.ILLUMINANCE, above = 0, to = 200_000) double goodLight,
+        @In(value = Quantity.DURATION, from = 0, to = 1) double exposure,
+        @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 2) double glare)
+        implements DetectionFunction {
+    /**
+     * Detection at one half, of a drone of half contrast, by a camera that tells 2 % from none down to 100 lx, gathers light
+     * for a hundredth of a second and is blind within 5 degrees about the sun. All assumed but for the task.
+     */
+    @Defaults
+    public static final TargetTask DEFAULT =
+            new TargetTask(Task.DETECTION, 0.5, false, 0.5, 0.02, 100.0, 0.01, Math.toRadians(5.0));
+
+    /** What is to be done with a picture, by the line pairs across the target that give an even chance. */
+    public enum Task {
+        /** Something is there: 1 line pair. */
+        DETECTION(1.0),
+        /** It is a drone: 4 line pairs. */
+        RECOGNITION(4.0),
+        /** Which drone: 6.4 line pairs. */
+        IDENTIFICATION(6.4);
+
+        private final double linePairs;
+
+        Task(double linePairs) {
+            this.linePairs = linePairs;
+        }
+
+        /** Line pairs across the target that give an even chance (Johnson). */
+        public double linePairs() {
+            return linePairs;
+        }
+    }
+
+    /** Checks the limits. */
+    public TargetTask {
+        Limits.check(
+                TargetTask.class, task, probability, byChance, contrast, leastContrast, goodLight, exposure, glare);
+    }
+
+    /** These settings for another task. */
+    public TargetTask withTask(Task other) {
+        return new TargetTask(other, probability, byChance, contrast, leastContrast, goodLight, exposure, glare);
+    }
+
+    /** These settings with another probability from which on the task counts as done. */
+    public TargetTask withProbability(double least) {
+        return new TargetTask(task, least, byChance, contrast, leastContrast, goodLight, exposure, glare);
+    }
+
+    /** These settings, deciding by chance or not. */
+    public TargetTask withChance(boolean drawn) {
+        return new TargetTask(task, probability, drawn, contrast, leastContrast, goodLight, exposure, glare);
+    }
+
+    /** These settings for a drone of another contrast. */
+    public TargetTask withContrast(double ofDrone) {
+        return new TargetTask(task, probability, byChance, ofDrone, leastContrast, goodLight, exposure, glare);
+    }
+
+    /** These settings with another time for a frame to gather light, s. */
+    public TargetTask withExposure(double seconds) {
+        return new TargetTask(task, probability, byChance, contrast, leastContrast, goodLight, seconds, glare);
+    }
+
+    /** The target transfer probability function of resolved over needed line pairs. */
+    public static double transfer(double ratio) {
+        if (ratio <= 0.0) {
+            return 0.0;
+        }
+        double odds = Math.pow(ratio, 2.7 + 0.7 * ratio);
+        return odds == Double.POSITIVE_INFINITY ? 1.0 : odds / (1.0 + odds);
+    }
+
+    /** Line pairs that are resolved across a drone. */
+    public double resolved(DroneView view) {
+        if (view.sunAngle() < glare) {
+            return 0.0;
+        }
+        double seen = contrast * view.light().contrastLeft(view.range());
+        double needed =
+                leastContrast * Math.sqrt(Math.max(1.0, goodLight / view.light().illuminance()));
+        if (!(seen > needed)) {
+            return 0.0;
+        }
+        double blur = view.crossing() * exposure;
+        return 0.5 * Math.sqrt(view.pixels()) * (1.0 - needed / seen) / Math.sqrt(Math.sqrt(1.0 + blur * blur));
+    }
+
+    @Override
+    public double value(DroneView view) {
+        return transfer(resolved(view) / task.linePairs());
+    }
+
+    @Override
+    public double threshold() {
+        return probability;
+    }
+
+    /** By chance: what the frame draws, so that it succeeds as often as its probability says. */
+    @Override
+    public double threshold(RandomGenerator random) {
+        // Above 0: what cannot be seen is not detected by luck.
+        return byChance ? 1.0 - random.nextDouble() : probability;
+    }
+
+    @Override
+    public String unit() {
+        return Quantity.RATIO.unit();
+    }
+}

@@ -1,0 +1,233 @@
+package org.dronewatch.sensor.camera;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.camera.TargetTask.Task;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.FlightPathSettings.Hover;
+import org.dronewatch.world.FlightState;
+import org.dronewatch.world.Light;
+import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class TargetTaskTest {
+    private static final double NO_SUN = Double.POSITIVE_INFINITY;
+
+    /** Everything about the target but its size is perfect. */
+    private static final TargetTask PERFECT = new TargetTask(Task.DETECTION, 0.5, false, 1.0, 1e-9, 1e-3, 0.0, 0.0);
+
+    private static DroneView view(double pixels, double range, double crossing, Light light) {
+        return new DroneView((int) Math.round(pixels), range, 1000.0, crossing, light, NO_SUN);
+    }
+
+    /** Computed independently from P = x^E / (1 + x^E), E = 2.7 + 0.7 x. */
+    @ParameterizedTest
+    @CsvSource({"0.5, 0.1077", "0.75, 0.2834", "1, 0.5", "1.5, 0.8206", "1.75, 0.8999", "2, 0.9449", "3, 0.9949", "0, 0"
+    })
+    void theTransferFunctionHasItsPublishedForm(double ratio, double probability) {
+        assertThat(TargetTask.transfer(ratio)).isCloseTo(probability, within(5.1e-5));
+    }
+
+    @Test
+    void theTransferFunctionRisesFromNoneToCertain() {
+        double last = 0.0;
+        for (double ratio = 0.0; ratio < 1e4; ratio = 1.1 * ratio + 0.01) {
+            double now = TargetTask.transfer(ratio);
+            assertThat(now).isBetween(last, 1.0);
+            last = now;
+        }
+        assertThat(last).isEqualTo(1.0);
+    }
+
+    /** Pixels across the critical dimension for a probability of 0.9: 3.5, 14.0, 22.4 by Johnson's line pairs. */
+    @ParameterizedTest
+    @CsvSource({"DETECTION, 3.5", "RECOGNITION, 14.0", "IDENTIFICATION, 22.4"})
+    void nineInTenTakeJohnsonsPixels(Task task, double across) {
+        TargetTask function = PERFECT.withTask(task);
+        double below = function.value(view((across - 0.4) * (across - 0.4), 100, 0, Light.DAY));
+        double at = function.value(view(across * across, 100, 0, Light.DAY));
+        double above = function.value(view((across + 0.4) * (across + 0.4), 100, 0, Light.DAY));
+        assertThat(at).isCloseTo(0.9, within(0.02));
+        assertThat(below).isLessThan(0.9);
+        assertThat(above).isGreaterThan(0.9);
+    }
+
+    /** Contrast left by Koschmieder's law, computed independently. */
+    @ParameterizedTest
+    @CsvSource({
+        "5000, 0.02, 500, 0.6762",
+        "5000, 0.02, 1000, 0.4573",
+        "5000, 0.05, 500, 0.7411",
+        "1000, 0.02, 500, 0.1414",
+        "1000, 0.02, 1000, 0.02",
+        "1000, 0.05, 1000, 0.05"
+    })
+    void theAirTakesContrast(double visibility, double definition, double distance, double left) {
+        Light light = Light.DAY.withVisibility(visibility).withContrastAtVisibility(definition);
+        assertThat(light.contrastLeft(distance)).isCloseTo(left, within(5.1e-5));
+    }
+
+    @Test
+    void fogDarknessAndBlurTakeResolution() {
+        TargetTask function = TargetTask.DEFAULT;
+        Light fog = Light.DAY.withVisibility(500);
+        double clear = function.resolved(view(400, 300, 0, Light.DAY));
+        assertThat(clear).isBetween(9.0, 10.0);
+        assertThat(function.resolved(view(400, 300, 0, fog))).isBetween(0.3 * clear, 0.9 * clear);
+        assertThat(function.resolved(view(400, 600, 0, fog)))
+                .as("its contrast is below 2 %")
+                .isZero();
+        // A hundredth of the light takes ten times the contrast.
+        Light dusk = Light.DAY.withIlluminance(1.0);
+        double seen = 0.5 * Light.DAY.contrastLeft(300);
+        assertThat(function.resolved(view(400, 300, 0, dusk))).isCloseTo(10.0 * (1 - 0.2 / seen), within(1e-9));
+        assertThat(function.resolved(view(400, 300, 0, Light.DAY.withIlluminance(0.01))))
+                .isZero();
+        // 300 pixels a second for a hundredth of one: three pixels of blur, in one of two directions.
+        double blurred = function.resolved(view(400, 300, 300, Light.DAY));
+        assertThat(blurred).isCloseTo(clear / Math.pow(10.0, 0.25), within(1e-9));
+    }
+
+    @Test
+    void whatChanceDecidesHappensAsOftenAsTheClosedFormSays() {
+        long seed = 20261121;
+        int runs = 1000;
+        TargetTask function = TargetTask.DEFAULT.withChance(true);
+        for (int pixels : new int[] {2, 4, 6, 9, 16}) {
+            DroneView view = view(pixels, 200, 0, Light.DAY);
+            int detected = 0;
+            for (int run = 0; run < runs; run++) {
+                Sample sample = Sample.of(Sample.mix(seed, run), pixels, "camera", 0, 0.0);
+                detected += function.value(view) >= function.threshold(sample.random()) ? 1 : 0;
+            }
+            double expected = function.value(view);
+            double[] interval = wilson(detected, runs, 3.0);
+            assertThat(expected)
+                    .as("%d pixels, %d of %d detected, seed %d", pixels, detected, runs, seed)
+                    .isBetween(interval[0], interval[1]);
+        }
+        assertThat(function.value(view(0, 200, 0, Light.DAY))).isLessThan(function.threshold(new SplittableRandom(1)));
+    }
+
+    /** Wilson's interval of a share. */
+    private static double[] wilson(int hits, int of, double z) {
+        double p = (double) hits / of;
+        double centre = (p + z * z / (2 * of)) / (1 + z * z / of);
+        double half = z / (1 + z * z / of) * Math.sqrt(p * (1 - p) / of + z * z / (4.0 * of * of));
+        return new double[] {centre - half, centre + half};
+    }
+
+    /** Printed values: 90 of 100, 0 of 100 and all of 100 at 95 %. */
+    @ParameterizedTest
+    @CsvSource({"90, 0.8256, 0.9448", "0, 0, 0.0370", "100, 0.9630, 1"})
+    void theIntervalIsWilsons(int hits, double low, double high) {
+        double[] interval = wilson(hits, 100, 1.959964);
+        assertThat(interval[0]).isCloseTo(low, within(5.1e-5));
+        assertThat(interval[1]).isCloseTo(high, within(5.1e-5));
+    }
+
+    /** Remembers what it was shown. */
+    private record Witness(List<DroneView> views) implements DetectionFunction {
+        @Override
+        public double value(DroneView view) {
+            views.add(view);
+            return view.pixels();
+        }
+
+        @Override
+        public double threshold() {
+            return 12;
+        }
+
+        @Override
+        public String unit() {
+            return "px";
+        }
+    }
+
+    private static DroneView look(World world, Position drone, Position velocity) {
+        List<DroneView> views = new ArrayList<>();
+        CameraSettings settings = CameraSettings.at(new Position(0, 0, 2))
+                .withLookAt(new Position(0, 10, 2))
+                .withResolution(400, 300)
+                .withDetection(new Witness(views));
+        TriangleMesh box = Shapes.box(new Position(-0.3, -0.3, -0.3), new Position(0.3, 0.3, 0.3));
+        Drone flying = new Drone(
+                        "drone",
+                        DroneSettings.of(ModelSettings.of("drone.obj"), Hover.at(new Position(0, 0, 0))),
+                        KDTree.of(box))
+                .at(new FlightState(drone, velocity, 0.0));
+        List<Observation> observations =
+                settings.create().observe(world, List.of(flying), Sample.of(1, 0, "camera", 0, 0.0));
+        assertThat(observations).hasSize(1);
+        return views.get(0);
+    }
+
+    @Test
+    void aCameraTellsHowFastTheDroneCrossesItsPicture() {
+        World world = World.of(Shapes.ground(100, 0));
+        double focal =
+                new CameraObject(CameraSettings.at(new Position(0, 0, 2)).withResolution(400, 300)).focalLength();
+        Position ahead = new Position(0, 20, 2);
+
+        assertThat(look(world, ahead, new Position(0, -8, 0)).crossing()).isCloseTo(0.0, within(1e-9));
+        assertThat(look(world, ahead, new Position(6, 0, 0)).crossing()).isCloseTo(6.0 / 20 * focal, within(1e-6));
+        assertThat(look(world, ahead, new Position(3, -8, 4)).crossing()).isCloseTo(5.0 / 20 * focal, within(1e-6));
+        assertThat(look(world, new Position(0, -20, 2), new Position(6, 0, 0)).pixels())
+                .isZero();
+    }
+
+    @Test
+    void theSunBlindsUnlessSomethingStandsBeforeIt() {
+        Position ahead = new Position(0, 20, 2);
+        Light low = Light.DAY.withSun(new Light.Sun(Math.toRadians(3), Math.toRadians(1)));
+        World open = World.of(Shapes.ground(100, 0)).withLight(low);
+        DroneView blinding = look(open, ahead, new Position(0, 0, 0));
+        assertThat(blinding.sunAngle()).isCloseTo(Math.toRadians(Math.sqrt(10)), within(1e-4));
+        assertThat(TargetTask.DEFAULT.value(blinding)).isZero();
+        assertThat(TargetTask.DEFAULT.value(new DroneView(blinding.pixels(), 20, 1000, 0, low, Math.toRadians(8))))
+                .isGreaterThan(0.9);
+
+        TriangleMesh wall = World.merge(List.of(
+                Shapes.ground(100, 0),
+                Shapes.rectangle(new Position(-20, 40, 0), new Position(20, 40, 0), new Position(20, 40, 30))));
+        DroneView shaded = look(World.of(wall).withLight(low), ahead, new Position(0, 0, 0));
+        assertThat(shaded.sunAngle()).isEqualTo(Double.POSITIVE_INFINITY);
+
+        Light night = Light.DAY.withSun(new Light.Sun(0, -0.1));
+        assertThat(look(
+                                World.of(Shapes.rectangle(
+                                                new Position(-1, 200, 0),
+                                                new Position(1, 200, 0),
+                                                new Position(1, 200, 1)))
+                                        .withLight(night),
+                                ahead,
+                                new Position(0, 0, 0))
+                        .sunAngle())
+                .as("a sun below the horizon")
+                .isEqualTo(Double.POSITIVE_INFINITY);
+    }
+
+    @Test
+    void limitsAreChecked() {
+        assertThatIllegalArgumentException().isThrownBy(() -> TargetTask.DEFAULT.withProbability(1.0));
+        assertThatIllegalArgumentException().isThrownBy(() -> TargetTask.DEFAULT.withContrast(0.0));
+        assertThatIllegalArgumentException().isThrownBy(() -> TargetTask.DEFAULT.withExposure(2.0));
+        assertThatIllegalArgumentException().isThrownBy(() -> Light.DAY.withVisibility(0.0));
+        assertThatIllegalArgumentException().isThrownBy(() -> Light.DAY.withContrastAtVisibility(0.5));
+    }
+}
