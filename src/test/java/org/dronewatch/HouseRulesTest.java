@@ -41,6 +41,8 @@ class HouseRulesTest {
             .definedBy("org.dronewatch.sensor.acoustic..")
             .layer("radar")
             .definedBy("org.dronewatch.sensor.radar..")
+            .layer("rf")
+            .definedBy("org.dronewatch.sensor.rf..")
             .layer("sensor")
             .definedBy("org.dronewatch.sensor")
             .layer("world")
@@ -79,6 +81,8 @@ class HouseRulesTest {
             .mayOnlyBeAccessedByLayers("app", "bench", "scenes", "catalog")
             .whereLayer("radar")
             .mayOnlyBeAccessedByLayers("app", "scenes", "catalog")
+            .whereLayer("rf")
+            .mayOnlyBeAccessedByLayers("app", "scenes", "catalog")
             .whereLayer("sensor")
             .mayOnlyBeAccessedByLayers(
                     "viewer",
@@ -91,7 +95,8 @@ class HouseRulesTest {
                     "catalog",
                     "camera",
                     "acoustic",
-                    "radar")
+                    "radar",
+                    "rf")
             .whereLayer("world")
             .mayOnlyBeAccessedByLayers(
                     "viewer",
@@ -105,12 +110,23 @@ class HouseRulesTest {
                     "camera",
                     "acoustic",
                     "radar",
+                    "rf",
                     "sensor")
             .whereLayer("sound")
             .mayOnlyBeAccessedByLayers("scenes", "scene", "acoustic", "sensor", "world")
             .whereLayer("kdtree")
             .mayOnlyBeAccessedByLayers(
-                    "viewer", "picture", "app", "bench", "report", "scene", "camera", "acoustic", "radar", "world")
+                    "viewer",
+                    "picture",
+                    "app",
+                    "bench",
+                    "report",
+                    "scene",
+                    "camera",
+                    "acoustic",
+                    "radar",
+                    "rf",
+                    "world")
             .whereLayer("geometry")
             .mayOnlyBeAccessedByLayers(
                     "viewer",
@@ -123,6 +139,7 @@ class HouseRulesTest {
                     "camera",
                     "acoustic",
                     "radar",
+                    "rf",
                     "sensor",
                     "world",
                     "kdtree")

@@ -32,6 +32,7 @@ public final class Catalog implements Kinds.NamedSettings {
             "blighter-a400-m10s",
             "spotterrf-c550",
             "droneshield-radarone",
+            "droneshield-rfone",
             "droneshield-v2",
             "droneshield-widealert",
             "droneshield-droneopt",

@@ -10,6 +10,7 @@ import org.dronewatch.sensor.camera.DetectionFunction;
 import org.dronewatch.sensor.camera.PixelThreshold;
 import org.dronewatch.sensor.camera.TargetTask;
 import org.dronewatch.sensor.radar.RadarSettings;
+import org.dronewatch.sensor.rf.RfSettings;
 import org.dronewatch.setting.file.Kinds;
 
 /** The kinds of sensors that files may name. A new kind is one more line here. */
@@ -20,6 +21,7 @@ public final class SensorKinds {
         SENSORS.put("camera", CameraSettings.class);
         SENSORS.put("acoustic", AcousticSettings.class);
         SENSORS.put("radar", RadarSettings.class);
+        SENSORS.put("rf", RfSettings.class);
     }
 
     /** Parts of sensors of which there are several kinds, where anyone may add one. */

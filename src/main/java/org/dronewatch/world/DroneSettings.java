@@ -20,6 +20,7 @@ import org.dronewatch.sound.DroneSounds;
  * @param speed cruise speed, above 0 and at most 400 m/s
  * @param acceleration largest acceleration along the path, above 0, m/s2
  * @param radar what a radar sees of it
+ * @param radio how it is controlled, and what of that can be heard by radio
  * @param soundLevel level of the thesis's level model, which falls by the air's attenuation only, dB; 50 to 55 there
  * @param soundPowerLevel A-weighted sound power level for physical propagation, dB re 1e-12 W; near 85 for a real
  *     quadrotor
@@ -32,6 +33,7 @@ public record DroneSettings(
         @In(value = Quantity.SPEED, above = 0, to = 400) double speed,
         @In(value = Quantity.ACCELERATION, above = 0) double acceleration,
         RadarSignature radar,
+        RadioLink radio,
         @In(value = Quantity.LEVEL, from = 0, to = 200) double soundLevel,
         @In(value = Quantity.LEVEL, from = 0, to = 200) double soundPowerLevel,
         String sound,
@@ -49,6 +51,7 @@ public record DroneSettings(
                 speed,
                 acceleration,
                 radar,
+                radio,
                 soundLevel,
                 soundPowerLevel,
                 sound,
@@ -69,6 +72,7 @@ public record DroneSettings(
                 5.0,
                 2.5,
                 RadarSignature.DEFAULT,
+                RadioLink.DEFAULT,
                 55.0,
                 85.0,
                 DroneSounds.SMALL_QUADROTOR,
@@ -78,19 +82,28 @@ public record DroneSettings(
     /** These settings with another mesh. */
     public DroneSettings withModel(ModelSettings other) {
         return new DroneSettings(
-                other, flight, speed, acceleration, radar, soundLevel, soundPowerLevel, sound, directivity);
+                other, flight, speed, acceleration, radar, radio, soundLevel, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with another way to fly. */
     public DroneSettings withFlight(FlightPathSettings other) {
         return new DroneSettings(
-                model, other, speed, acceleration, radar, soundLevel, soundPowerLevel, sound, directivity);
+                model, other, speed, acceleration, radar, radio, soundLevel, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with another cruise speed, m/s. */
     public DroneSettings withSpeed(double metresPerSecond) {
         return new DroneSettings(
-                model, flight, metresPerSecond, acceleration, radar, soundLevel, soundPowerLevel, sound, directivity);
+                model,
+                flight,
+                metresPerSecond,
+                acceleration,
+                radar,
+                radio,
+                soundLevel,
+                soundPowerLevel,
+                sound,
+                directivity);
     }
 
     /** These settings with another radar cross-section, m2. */
@@ -101,23 +114,31 @@ public record DroneSettings(
     /** These settings with something else for a radar to see. */
     public DroneSettings withRadar(RadarSignature other) {
         return new DroneSettings(
-                model, flight, speed, acceleration, other, soundLevel, soundPowerLevel, sound, directivity);
+                model, flight, speed, acceleration, other, radio, soundLevel, soundPowerLevel, sound, directivity);
+    }
+
+    /** These settings controlled in another way. */
+    public DroneSettings withRadio(RadioLink other) {
+        return new DroneSettings(
+                model, flight, speed, acceleration, radar, other, soundLevel, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with another level for the level model, dB. */
     public DroneSettings withSoundLevel(double level) {
-        return new DroneSettings(model, flight, speed, acceleration, radar, level, soundPowerLevel, sound, directivity);
+        return new DroneSettings(
+                model, flight, speed, acceleration, radar, radio, level, soundPowerLevel, sound, directivity);
     }
 
     /** These settings with the sound of another kind of drone, spectrum and loudness. */
     public DroneSettings withSound(DroneSound other) {
         return new DroneSettings(
-                model, flight, speed, acceleration, radar, soundLevel, other.level(), other.name(), directivity);
+                model, flight, speed, acceleration, radar, radio, soundLevel, other.level(), other.name(), directivity);
     }
 
     /** These settings with sound that leaves in other directions. */
     public DroneSettings withDirectivity(Directivity other) {
-        return new DroneSettings(model, flight, speed, acceleration, radar, soundLevel, soundPowerLevel, sound, other);
+        return new DroneSettings(
+                model, flight, speed, acceleration, radar, radio, soundLevel, soundPowerLevel, sound, other);
     }
 
     /** Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's own loudness. */

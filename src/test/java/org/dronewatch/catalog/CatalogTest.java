@@ -26,6 +26,7 @@ import org.dronewatch.sensor.radar.LinkBudget;
 import org.dronewatch.sensor.radar.RadarDetection;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.FlightPathSettings.Approach;
 import org.dronewatch.world.ModelSettings;
@@ -95,7 +96,10 @@ class CatalogTest {
             Position near = SENSOR.plus(new Position(0, 0.8 * range.distance(), 0));
             Catalog catalog = Catalog.packaged();
             Aim aim = new Aim.Target(far);
-            boolean aims = !catalog.entry(name).orElseThrow().kind().equals("acoustic");
+            boolean aims = SettingsForm.of(SensorKinds.all()
+                            .get(catalog.entry(name).orElseThrow().kind()))
+                    .part("aim")
+                    .isPresent();
             SensorSettings<?> sensor =
                     catalog.settings(name, aims ? Map.of("position", SENSOR, "aim", aim) : Map.of("position", SENSOR));
             DroneSettings drone = range.droneOn(new Approach(far, near));

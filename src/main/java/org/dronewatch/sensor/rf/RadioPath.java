@@ -1,0 +1,96 @@
+package org.dronewatch.sensor.rf;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.world.World;
+
+/**
+ * What a radio wave loses between two places of a site: the spreading in free space, and at the one edge that stands most in
+ * its way. Edges are those of the site as seen from above: ground, trees and roofs. One per thread.
+ */
+public final class RadioPath {
+    private static final double LIGHT = 299_792_458.0;
+
+    /** An edge this far below the line, in units of the Fresnel zone, costs nothing (ITU-R P.526, equation (31)). */
+    private static final double CLEAR = -0.78;
+
+    /** So many places along the way are looked at, and again about the highest. */
+    private static final int STEPS = 512;
+
+    private final World world;
+    private final KDTraversal traversal;
+    private final double above;
+
+    /** For the paths of a site. */
+    public RadioPath(World world) {
+        this.world = world;
+        this.traversal = world.newTraversal();
+        this.above = world.bounds().maxZ() + 1.0;
+    }
+
+    /**
+     * Loss in free space between isotropic antennas: {@code 20 lg(4 pi d f / c)} (ITU-R P.525).
+     *
+     * @param distance above 0, m
+     * @param frequency Hz
+     * @return dB
+     */
+    public static double freeSpaceLoss(double distance, double frequency) {
+        return 20.0 * Math.log10(4.0 * Math.PI * distance * frequency / LIGHT);
+    }
+
+    /**
+     * Loss at a knife edge (ITU-R P.526, equation (31)).
+     *
+     * @param v height of the edge over the line, in units of the Fresnel zone; negative below it
+     * @return dB, 0 for an edge far below
+     */
+    public static double knifeEdgeLoss(double v) {
+        return v <= CLEAR ? 0.0 : 6.9 + 20.0 * Math.log10(Math.sqrt((v - 0.1) * (v - 0.1) + 1.0) + v - 0.1);
+    }
+
+    /** What the highest edge between two places takes from a wave, dB. */
+    public double obstacleLoss(Position from, Position to, double frequency) {
+        double length = from.distance(to);
+        if (!(length > 0.0)) {
+            return 0.0;
+        }
+        double worst = Double.NEGATIVE_INFINITY;
+        double at = 0.5;
+        for (int i = 1; i < STEPS; i++) {
+            double share = (double) i / STEPS;
+            double v = parameter(from, to, length, share, frequency);
+            if (v > worst) {
+                worst = v;
+                at = share;
+            }
+        }
+        // Once more, finely, about the worst: edges are sharp.
+        double step = 1.0 / STEPS;
+        for (int i = -STEPS / 2; i <= STEPS / 2; i++) {
+            double share = at + 2.0 * i * step / STEPS;
+            if (share > 0.0 && share < 1.0) {
+                worst = Math.max(worst, parameter(from, to, length, share, frequency));
+            }
+        }
+        return knifeEdgeLoss(worst);
+    }
+
+    /** {@code v = h sqrt(2 (d1 + d2) / (wavelength d1 d2))} of the site's highest point at a share of the way. */
+    private double parameter(Position from, Position to, double length, double share, double frequency) {
+        double x = from.x() + share * (to.x() - from.x());
+        double y = from.y() + share * (to.y() - from.y());
+        if (!traversal.closestHit(x, y, above, 0.0, 0.0, -1.0, 0.0, Double.POSITIVE_INFINITY)) {
+            return Double.NEGATIVE_INFINITY;
+        }
+        double height = above - traversal.distance() - (from.z() + share * (to.z() - from.z()));
+        double one = share * length;
+        double other = length - one;
+        return height * Math.sqrt(2.0 * length * frequency / (LIGHT * one * other));
+    }
+
+    /** The site. */
+    World world() {
+        return world;
+    }
+}

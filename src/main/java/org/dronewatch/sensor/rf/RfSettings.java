@@ -1,0 +1,96 @@
+package org.dronewatch.sensor.rf;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A radio receiver that hears all round.
+ *
+ * @param position where its antenna is, m
+ * @param rate how often it tells, above 0, Hz
+ * @param lowest frequency that it hears, 1 MHz to 100 GHz, Hz
+ * @param highest frequency that it hears, Hz
+ * @param gain of its antenna, -50 to 60 dBi
+ * @param bandwidth of the noise in it, above 0, Hz
+ * @param noiseFigure what its own electronics add to the noise, 0 to 50 dB
+ * @param clutter what ground and buildings take on average besides the one edge that counts, and noise of the place adds,
+ *     0 to 100 dB
+ * @param threshold signal-to-noise ratio from which on an emission is noticed, -50 to 100 dB
+ */
+public record RfSettings(
+        Position position,
+        @In(value = Quantity.FREQUENCY, above = 0, to = 1000) double rate,
+        @In(value = Quantity.FREQUENCY, from = 1e6, to = 1e11) double lowest,
+        @In(value = Quantity.FREQUENCY, from = 1e6, to = 1e11) double highest,
+        @In(value = Quantity.LEVEL, from = -50, to = 60) double gain,
+        @In(value = Quantity.FREQUENCY, above = 0, to = 1e10) double bandwidth,
+        @In(value = Quantity.LEVEL, from = 0, to = 50) double noiseFigure,
+        @In(value = Quantity.LEVEL, from = 0, to = 100) double clutter,
+        @In(value = Quantity.LEVEL, from = -50, to = 100) double threshold)
+        implements SensorSettings<RfSensor> {
+    /** Power of thermal noise in 1 Hz at 290 K, dBm: 10 lg(k 290 K / 1 mW). */
+    private static final double THERMAL = 10.0 * Math.log10(1.380649e-23 * 290.0 * 1000.0);
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public RfSettings {
+        Limits.check(
+                RfSettings.class, position, rate, lowest, highest, gain, bandwidth, noiseFigure, clutter, threshold);
+        if (lowest >= highest) {
+            throw new IllegalArgumentException("lowest " + lowest + " Hz must be below highest " + highest + " Hz");
+        }
+    }
+
+    /** A receiver of 400 MHz to 6 GHz, once a second, 0 dBi, 10 MHz, 6 dB, in the open, from 6 dB on. */
+    @Defaults("position")
+    public static RfSettings at(Position position) {
+        return new RfSettings(position, 1.0, 400e6, 6e9, 0.0, 10e6, 6.0, 0.0, 6.0);
+    }
+
+    /** These settings at another place, m. */
+    public RfSettings withPosition(Position place) {
+        return new RfSettings(place, rate, lowest, highest, gain, bandwidth, noiseFigure, clutter, threshold);
+    }
+
+    /** These settings for other frequencies, Hz. */
+    public RfSettings withFrequencies(double from, double to) {
+        return new RfSettings(position, rate, from, to, gain, bandwidth, noiseFigure, clutter, threshold);
+    }
+
+    /** These settings with another antenna, dBi. */
+    public RfSettings withGain(double dbi) {
+        return new RfSettings(position, rate, lowest, highest, dbi, bandwidth, noiseFigure, clutter, threshold);
+    }
+
+    /** These settings with another loss by the surroundings, dB. */
+    public RfSettings withClutter(double decibels) {
+        return new RfSettings(position, rate, lowest, highest, gain, bandwidth, noiseFigure, decibels, threshold);
+    }
+
+    /** These settings with another threshold, dB. */
+    public RfSettings withThreshold(double decibels) {
+        return new RfSettings(position, rate, lowest, highest, gain, bandwidth, noiseFigure, clutter, decibels);
+    }
+
+    /** Power of the noise in it, dBm. */
+    public double noise() {
+        return THERMAL + 10.0 * Math.log10(bandwidth) + noiseFigure;
+    }
+
+    @Override
+    public String kind() {
+        return "rf";
+    }
+
+    @Override
+    public RfSensor create() {
+        return new RfSensor(this);
+    }
+}
