@@ -25,14 +25,21 @@ public final class SensorKinds {
     }
 
     /** Parts of sensors of which there are several kinds, where anyone may add one. */
-    private static final Map<Class<?>, Map<String, Class<? extends Record>>> PARTS = Map.of(
-            DetectionFunction.class, Map.of("pixel-threshold", PixelThreshold.class, "target-task", TargetTask.class));
+    private static final Map<Class<?>, Map<String, Class<? extends Record>>> PARTS =
+            Map.of(DetectionFunction.class, new LinkedHashMap<>());
+
+    static {
+        PARTS.get(DetectionFunction.class).put("pixel-threshold", PixelThreshold.class);
+        PARTS.get(DetectionFunction.class).put("target-task", TargetTask.class);
+    }
 
     private SensorKinds() {}
 
     /** The kinds of parts of sensors by their names, for each interface that anyone may implement. */
     public static Map<Class<?>, Map<String, Class<? extends Record>>> parts() {
-        return PARTS;
+        Map<Class<?>, Map<String, Class<? extends Record>>> parts = new LinkedHashMap<>();
+        PARTS.forEach((type, kinds) -> parts.put(type, Collections.unmodifiableMap(kinds)));
+        return parts;
     }
 
     /** The settings of each kind by its name. */
