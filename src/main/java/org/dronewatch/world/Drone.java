@@ -1,5 +1,6 @@
 package org.dronewatch.world;
 
+import java.util.List;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
@@ -21,18 +22,21 @@ public final class Drone {
     private final Matrix4d modelMatrix;
     private final Matrix4d worldToModel;
     private final Vector3d velocity;
+    private final boolean powered;
 
     /** A drone whose model space is the world's: at the origin, nose to the north, at rest. */
     public Drone(String id, DroneSettings settings, KDTree tree) {
-        this(id, settings, tree, identity(), new Vector3d());
+        this(id, settings, tree, identity(), new Vector3d(), true);
     }
 
-    private Drone(String id, DroneSettings settings, KDTree tree, Matrix4d modelMatrix, Vector3d velocity) {
+    private Drone(
+            String id, DroneSettings settings, KDTree tree, Matrix4d modelMatrix, Vector3d velocity, boolean powered) {
         this.id = id;
         this.settings = settings;
         this.tree = tree;
         this.modelMatrix = modelMatrix;
         this.velocity = velocity;
+        this.powered = powered;
         if (!(Math.abs(modelMatrix.determinant()) > 0.0)) {
             throw new IllegalArgumentException("model matrix of drone '" + id + "' must be invertible: " + modelMatrix);
         }
@@ -64,7 +68,7 @@ public final class Drone {
     private Drone turned(Matrix4d turn) {
         Matrix4d next = new Matrix4d();
         next.mul(modelMatrix, turn);
-        return new Drone(id, settings, tree, next, velocity);
+        return new Drone(id, settings, tree, next, velocity, powered);
     }
 
     /** This drone displaced in the world, m; its velocity stays as it was. */
@@ -73,7 +77,7 @@ public final class Drone {
         next.m03 += displacement.x;
         next.m13 += displacement.y;
         next.m23 += displacement.z;
-        return new Drone(id, settings, tree, next, velocity);
+        return new Drone(id, settings, tree, next, velocity, powered);
     }
 
     /** This drone in a state of its flight: its model unscaled, nose along the heading. */
@@ -81,7 +85,7 @@ public final class Drone {
         Matrix4d pose = new Matrix4d();
         pose.rotZ(-state.heading());
         pose.setTranslation(state.position().toVector3d());
-        return new Drone(id, settings, tree, pose, state.velocity().toVector3d());
+        return new Drone(id, settings, tree, pose, state.velocity().toVector3d(), state.powered());
     }
 
     /**
@@ -90,7 +94,7 @@ public final class Drone {
      * @throws IllegalArgumentException when the matrix cannot be inverted
      */
     public Drone withModelMatrix(Matrix4d matrix) {
-        return new Drone(id, settings, tree, new Matrix4d(matrix), velocity);
+        return new Drone(id, settings, tree, new Matrix4d(matrix), velocity, powered);
     }
 
     /** Its name in the scene. */
@@ -154,6 +158,25 @@ public final class Drone {
     /** A copy of its velocity, m/s. */
     public Vector3d velocity() {
         return new Vector3d(velocity);
+    }
+
+    /** Whether its motors run. */
+    public boolean isPowered() {
+        return powered;
+    }
+
+    /** Its level for the level model as it flies now, dB: with its motors off it is quieter. */
+    public double soundLevel() {
+        return settings.soundLevel() - quieter();
+    }
+
+    /** Its sound power levels by octave band as it flies now, dB re 1e-12 W: with its motors off it is quieter. */
+    public List<Double> soundPower() {
+        return settings.soundPower(settings.soundPowerLevel() - quieter());
+    }
+
+    private double quieter() {
+        return powered ? 0.0 : settings.glideReduction();
     }
 
     /** The distance from a place to the drone's origin, m. */

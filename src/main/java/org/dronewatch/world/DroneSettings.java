@@ -24,6 +24,7 @@ import org.dronewatch.sound.DroneSounds;
  * @param soundLevel level of the thesis's level model, which falls by the air's attenuation only, dB; 50 to 55 there
  * @param soundPowerLevel A-weighted sound power level for physical propagation, dB re 1e-12 W; near 85 for a real
  *     quadrotor
+ * @param glideReduction how much quieter it is with its motors off, when only the air about it is heard, 0 to 100 dB
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}
  * @param directivity at which elevation how much of the sound leaves, for physical propagation
  */
@@ -36,6 +37,7 @@ public record DroneSettings(
         RadioLink radio,
         @In(value = Quantity.LEVEL, from = 0, to = 200) double soundLevel,
         @In(value = Quantity.LEVEL, from = 0, to = 200) double soundPowerLevel,
+        @In(value = Quantity.LEVEL, from = 0, to = 100) double glideReduction,
         String sound,
         Directivity directivity) {
     /**
@@ -54,6 +56,7 @@ public record DroneSettings(
                 radio,
                 soundLevel,
                 soundPowerLevel,
+                glideReduction,
                 sound,
                 directivity);
         try {
@@ -75,6 +78,7 @@ public record DroneSettings(
                 RadioLink.DEFAULT,
                 55.0,
                 85.0,
+                30.0,
                 DroneSounds.SMALL_QUADROTOR,
                 Directivity.OMNIDIRECTIONAL);
     }
@@ -82,13 +86,33 @@ public record DroneSettings(
     /** These settings with another mesh. */
     public DroneSettings withModel(ModelSettings other) {
         return new DroneSettings(
-                other, flight, speed, acceleration, radar, radio, soundLevel, soundPowerLevel, sound, directivity);
+                other,
+                flight,
+                speed,
+                acceleration,
+                radar,
+                radio,
+                soundLevel,
+                soundPowerLevel,
+                glideReduction,
+                sound,
+                directivity);
     }
 
     /** These settings with another way to fly. */
     public DroneSettings withFlight(FlightPathSettings other) {
         return new DroneSettings(
-                model, other, speed, acceleration, radar, radio, soundLevel, soundPowerLevel, sound, directivity);
+                model,
+                other,
+                speed,
+                acceleration,
+                radar,
+                radio,
+                soundLevel,
+                soundPowerLevel,
+                glideReduction,
+                sound,
+                directivity);
     }
 
     /** These settings with another cruise speed, m/s. */
@@ -102,6 +126,7 @@ public record DroneSettings(
                 radio,
                 soundLevel,
                 soundPowerLevel,
+                glideReduction,
                 sound,
                 directivity);
     }
@@ -114,36 +139,107 @@ public record DroneSettings(
     /** These settings with something else for a radar to see. */
     public DroneSettings withRadar(RadarSignature other) {
         return new DroneSettings(
-                model, flight, speed, acceleration, other, radio, soundLevel, soundPowerLevel, sound, directivity);
+                model,
+                flight,
+                speed,
+                acceleration,
+                other,
+                radio,
+                soundLevel,
+                soundPowerLevel,
+                glideReduction,
+                sound,
+                directivity);
     }
 
     /** These settings controlled in another way. */
     public DroneSettings withRadio(RadioLink other) {
         return new DroneSettings(
-                model, flight, speed, acceleration, radar, other, soundLevel, soundPowerLevel, sound, directivity);
+                model,
+                flight,
+                speed,
+                acceleration,
+                radar,
+                other,
+                soundLevel,
+                soundPowerLevel,
+                glideReduction,
+                sound,
+                directivity);
     }
 
     /** These settings with another level for the level model, dB. */
     public DroneSettings withSoundLevel(double level) {
         return new DroneSettings(
-                model, flight, speed, acceleration, radar, radio, level, soundPowerLevel, sound, directivity);
+                model,
+                flight,
+                speed,
+                acceleration,
+                radar,
+                radio,
+                level,
+                soundPowerLevel,
+                glideReduction,
+                sound,
+                directivity);
     }
 
     /** These settings with the sound of another kind of drone, spectrum and loudness. */
     public DroneSettings withSound(DroneSound other) {
         return new DroneSettings(
-                model, flight, speed, acceleration, radar, radio, soundLevel, other.level(), other.name(), directivity);
+                model,
+                flight,
+                speed,
+                acceleration,
+                radar,
+                radio,
+                soundLevel,
+                other.level(),
+                glideReduction,
+                other.name(),
+                directivity);
     }
 
     /** These settings with sound that leaves in other directions. */
     public DroneSettings withDirectivity(Directivity other) {
         return new DroneSettings(
-                model, flight, speed, acceleration, radar, radio, soundLevel, soundPowerLevel, sound, other);
+                model,
+                flight,
+                speed,
+                acceleration,
+                radar,
+                radio,
+                soundLevel,
+                soundPowerLevel,
+                glideReduction,
+                sound,
+                other);
     }
 
     /** Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's own loudness. */
     public List<Double> soundPower() {
-        return DroneSounds.get(sound).octaves(soundPowerLevel);
+        return soundPower(soundPowerLevel);
+    }
+
+    /** The spectrum at another loudness, dB re 1e-12 W by octave band. */
+    List<Double> soundPower(double level) {
+        return DroneSounds.get(sound).octaves(level);
+    }
+
+    /** These settings quieter or louder with the motors off, dB below the sound of the motors. */
+    public DroneSettings withGlideReduction(double decibels) {
+        return new DroneSettings(
+                model,
+                flight,
+                speed,
+                acceleration,
+                radar,
+                radio,
+                soundLevel,
+                soundPowerLevel,
+                decibels,
+                sound,
+                directivity);
     }
 
     /** The path that this drone flies. */

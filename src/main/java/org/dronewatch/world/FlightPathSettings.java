@@ -141,4 +141,72 @@ public sealed interface FlightPathSettings {
             return new WaypointPath(points, speed, acceleration);
         }
     }
+
+    /**
+     * Climbs under power, then stops its motors and glides: quiet, and for a camera that looks at the horizon too high. It
+     * stays where the glide ends.
+     *
+     * @param from where it is at time 0, m
+     * @param release where it stops its motors, m
+     * @param to where the glide ends, below the release, at most 30 times as far away as below, m
+     */
+    record Glide(Position from, Position release, Position to) implements FlightPathSettings {
+        /** What the best gliders of a drone's size reach, and more. */
+        private static final double FLATTEST = 30.0;
+
+        /** Checks the limits. */
+        public Glide {
+            Limits.check(Glide.class, from, release, to);
+            Check.positive("distance from 'from' to 'release'", from.distance(release), Quantity.LENGTH);
+            double drop = Check.positive("height of 'release' over 'to'", release.z() - to.z(), Quantity.LENGTH);
+            double ratio = Math.hypot(to.x() - release.x(), to.y() - release.y()) / drop;
+            if (ratio > FLATTEST) {
+                throw new IllegalArgumentException(
+                        "glide ratio " + (float) ratio + " from 'release' to 'to' must be at most " + FLATTEST);
+            }
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration) {
+            FlightPath climb = new Approach(from, release).create(speed, acceleration);
+            FlightPath glide = new Approach(release, to).create(speed, acceleration);
+            double climbing = from.distance(release) / speed;
+            return time -> {
+                FlightState state = time < climbing ? climb.at(time) : glide.at(time - climbing);
+                return new FlightState(state.position(), state.velocity(), state.heading(), time < climbing);
+            };
+        }
+    }
+
+    /**
+     * Flies round a place, level, clockwise as seen from above.
+     *
+     * @param centre the middle of the circle, m
+     * @param radius above 0, m
+     * @param bearing where it is at time 0 as seen from the middle, clockwise from north, rad
+     */
+    record Orbit(
+            Position centre, @In(value = Quantity.LENGTH, above = 0) double radius, @In(Quantity.ANGLE) double bearing)
+            implements FlightPathSettings {
+        /** Checks the limits. */
+        public Orbit {
+            Limits.check(Orbit.class, centre, radius, bearing);
+        }
+
+        /** Begins in the north. */
+        @Defaults({"centre", "radius"})
+        public static Orbit about(Position centre, double radius) {
+            return new Orbit(centre, radius, 0.0);
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration) {
+            return time -> {
+                double now = bearing + speed / radius * time;
+                Position place = centre.plus(new Position(radius * Math.sin(now), radius * Math.cos(now), 0.0));
+                Position velocity = new Position(speed * Math.cos(now), -speed * Math.sin(now), 0.0);
+                return new FlightState(place, velocity, now + 0.5 * Math.PI);
+            };
+        }
+    }
 }

@@ -8,5 +8,12 @@ import org.dronewatch.geometry.Position;
  * @param position place of the drone's origin, m
  * @param velocity m/s
  * @param heading where its nose points, clockwise from north, rad
+ * @param powered whether its motors run
  */
-public record FlightState(Position position, Position velocity, double heading) {}
+public record FlightState(Position position, Position velocity, double heading, boolean powered) {
+
+    /** A state with running motors. */
+    public FlightState(Position position, Position velocity, double heading) {
+        this(position, velocity, heading, true);
+    }
+}

@@ -107,4 +107,51 @@ class FlightPathTest {
     private static FlightPath waypoints(Position... points) {
         return new Waypoints(List.of(points)).create(SPEED, ACCELERATION);
     }
+
+    @Test
+    void aGliderClimbsUnderPowerAndGlidesWithout() {
+        Position from = new Position(0, 900, 10);
+        Position release = new Position(0, 600, 410);
+        Position to = new Position(0, -400, 310);
+        FlightPath path = new FlightPathSettings.Glide(from, release, to).create(20.0, 3.0);
+
+        assertThat(path.at(0).position()).isEqualTo(from);
+        assertThat(path.at(24.9).powered()).isTrue();
+        assertThat(path.at(25.1).powered()).isFalse();
+        assertThat(path.at(25.0).position().distance(release)).isLessThan(1e-9);
+        // 10 to 1: 5.71 degrees down.
+        Position velocity = path.at(40.0).velocity();
+        assertThat(velocity.length()).isCloseTo(20.0, within(1e-12));
+        assertThat(Math.toDegrees(Math.atan2(-velocity.z(), -velocity.y()))).isCloseTo(5.71, within(0.005));
+        assertThat(path.at(1000).position()).isEqualTo(to);
+        assertThat(path.at(1000).powered()).isFalse();
+
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new FlightPathSettings.Glide(from, release, new Position(0, -400, 500)))
+                .withMessageContaining("height of 'release' over 'to'");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new FlightPathSettings.Glide(from, release, new Position(0, -4000, 400)))
+                .withMessageContaining("glide ratio 460.0");
+    }
+
+    @Test
+    void anOrbitIsAClockwiseCircleAtCruiseSpeed() {
+        Position centre = new Position(10, 20, 50);
+        FlightPath path = FlightPathSettings.Orbit.about(centre, 40.0).create(8.0, 3.0);
+        double round = 2 * Math.PI * 40 / 8;
+
+        assertThat(path.at(0).position().distance(new Position(10, 60, 50))).isLessThan(1e-9);
+        assertThat(path.at(round / 4).position().distance(new Position(50, 20, 50)))
+                .isLessThan(1e-9);
+        assertThat(path.at(round).position().distance(path.at(0).position())).isLessThan(1e-9);
+        for (double time = 0.0; time < round; time += 1.7) {
+            FlightState now = path.at(time);
+            Position step =
+                    path.at(time + 1e-4).position().minus(path.at(time - 1e-4).position());
+            assertThat(now.position().distance(centre)).isCloseTo(40.0, within(1e-9));
+            assertThat(step.times(1 / 2e-4).distance(now.velocity())).isLessThan(1e-3);
+            assertThat(Math.sin(now.heading())).isCloseTo(now.velocity().x() / 8, within(1e-9));
+            assertThat(Math.cos(now.heading())).isCloseTo(now.velocity().y() / 8, within(1e-9));
+        }
+    }
 }

@@ -109,7 +109,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
      * @throws IllegalStateException when this sensor follows sound by another model
      */
     public Listening listen(World world, Drone drone, RandomGenerator random) {
-        return levels(world).trace(place(drone), drone.settings().soundLevel(), random, false, RayRecorder.NONE);
+        return levels(world).trace(place(drone), drone.soundLevel(), random, false, RayRecorder.NONE);
     }
 
     /**
@@ -119,7 +119,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
      * @throws IllegalStateException when this sensor follows sound by another model
      */
     public Listening listenFully(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
-        return levels(world).trace(place(drone), drone.settings().soundLevel(), random, true, recorder);
+        return levels(world).trace(place(drone), drone.soundLevel(), random, true, recorder);
     }
 
     /**
@@ -177,7 +177,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
 
     private static SoundSource sound(Drone drone) {
         return new SoundSource(
-                place(drone), drone.settings().soundPower(), drone.settings().directivity());
+                place(drone), drone.soundPower(), drone.settings().directivity());
     }
 
     private static Position place(Drone drone) {

@@ -1,0 +1,48 @@
+package org.dronewatch.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** The attack that the thesis ends with: over cameras and microphones without motors. */
+class GliderTest {
+    private static final List<String> BLIND_AND_DEAF =
+            List.of("north-east", "north", "north-west", "south", "microphone", "radio");
+
+    private static SceneResult run(String... overrides) {
+        SceneRunner runner = new SceneRunner(new SceneFile(Path.of("scenes", "glider.yaml")));
+        for (String override : overrides) {
+            runner.set(override.substring(0, override.indexOf('=')), override.substring(override.indexOf('=') + 1));
+        }
+        return runner.run();
+    }
+
+    @Test
+    void isMissedByCamerasMicrophonesAndRadioAndFoundByARadar() {
+        SceneResult result = run();
+        for (String sensor : BLIND_AND_DEAF) {
+            assertThat(result.firstDetectionRange(sensor, "glider")).as(sensor).isEmpty();
+        }
+        assertThat(result.firstDetectionRange("radar", "glider").orElseThrow()).isGreaterThan(600.0);
+    }
+
+    @Test
+    void itsMotorsWouldHaveGivenItAway() {
+        assertThat(run("drones.glider.glideReduction=0").firstDetectionRange("microphone", "glider"))
+                .isPresent();
+    }
+
+    @Test
+    void soWouldARemoteControl() {
+        assertThat(run("drones.glider.radio.control=radio").firstDetectionRange("radio", "glider"))
+                .isPresent();
+    }
+
+    @Test
+    void lowerAndWithinTheirFieldsOfViewTheCamerasSeeIt() {
+        assertThat(run("drones.glider.flight.to=0, 20, 147").firstDetectionRange("north", "glider"))
+                .isPresent();
+    }
+}
