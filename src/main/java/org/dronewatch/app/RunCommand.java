@@ -126,7 +126,9 @@ final class RunCommand implements Callable<Integer> {
                     .cancelWhen(interruption::happened)
                     .run();
             if (result.complete()) {
-                runner.stage(first).draw(0.0, report::draw);
+                Stage stage = runner.stage(first);
+                stage.draw(0.0, report::draw);
+                report.site(stage);
             }
             report.finish(result);
             progress.finish();

@@ -8,13 +8,11 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.picture.Backdrop;
 import org.dronewatch.picture.Cut;
-import org.dronewatch.picture.DroneMark;
 import org.dronewatch.picture.Fineness;
 import org.dronewatch.picture.Orbit;
 import org.dronewatch.picture.RayCollector;
 import org.dronewatch.picture.RayFilter;
 import org.dronewatch.picture.RaySet;
-import org.dronewatch.picture.SensorMark;
 import org.dronewatch.picture.SitePicture;
 import org.dronewatch.picture.SiteState;
 import org.dronewatch.picture.SiteStyle;
@@ -148,7 +146,7 @@ final class SiteView {
         int[] pixels = pixels();
         SitePicture picture = new SitePicture(settings, stage);
         List<Drone> drones = stage.dronesAt(time);
-        Optional<Cut> taken = cut.equals(AUTO) ? picture.openRoof(settings, drones) : givenCut();
+        Optional<Cut> taken = cut.equals(AUTO) ? picture.openRoof(time) : givenCut();
         Backdrop backdrop = picture.backdrop(
                 orbit(picture.interest(), settings, drones, from, pixels[0] / (double) pixels[1]),
                 pixels[0],
@@ -156,16 +154,10 @@ final class SiteView {
                 taken,
                 Fineness.FINE,
                 () -> false);
-        List<SensorMark> sensors = new ArrayList<>();
-        settings.sensors()
-                .forEach((id, sensor) ->
-                        sensors.add(new SensorMark(id, sensor.kind(), sensor.position(), sensor.outline(), false)));
-        List<DroneMark> marks = drones.stream()
-                .map(drone -> picture.flights().mark(drone, time, false))
-                .toList();
         RayFilter filter = new RayFilter(0, maxOrder == null ? Integer.MAX_VALUE : maxOrder, heardOnly);
-        SiteState state =
-                new SiteState(title, time, sensors, marks, Optional.ofNullable(focus), traced(settings, stage, time));
+        // No run, no detections.
+        SiteState state = picture.state(
+                title, time, (sensor, drone) -> false, Optional.ofNullable(focus), traced(settings, stage, time));
         return picture.draw(backdrop, state, SiteStyle.DEFAULT.withScale(scale).withFilter(filter));
     }
 

@@ -4,8 +4,11 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiPredicate;
 import java.util.function.BooleanSupplier;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
@@ -33,6 +36,8 @@ public final class SitePicture {
 
     private final SitePainter painter;
     private final KindColours colours;
+    private final SceneSettings settings;
+    private final Stage stage;
     private final World world;
     private final Flights flights;
     private final AABB interest;
@@ -40,6 +45,8 @@ public final class SitePicture {
 
     /** For one run of a scene. */
     public SitePicture(SceneSettings settings, Stage stage) {
+        this.settings = settings;
+        this.stage = stage;
         this.world = stage.world();
         this.painter = new SitePainter(world.tree(), stage.colours());
         this.colours = KindColours.of(settings.sensors().values());
@@ -47,14 +54,41 @@ public final class SitePicture {
         this.interest = flights.interest(settings);
     }
 
+    /**
+     * What is in the site at a time.
+     *
+     * @param title of the picture
+     * @param time seconds since the start of the run
+     * @param detects whether a sensor of a name detects a drone of a name then
+     * @param selected the sensor or drone that matters most
+     * @param rays rays of sound
+     */
+    public SiteState state(
+            String title,
+            double time,
+            BiPredicate<String, String> detects,
+            Optional<String> selected,
+            Optional<RaySet> rays) {
+        Set<String> drones = settings.drones().keySet();
+        Set<String> sensors = settings.sensors().keySet();
+        List<SensorMark> sensorMarks = new ArrayList<>();
+        settings.sensors()
+                .forEach((id, sensor) -> sensorMarks.add(new SensorMark(
+                        id,
+                        sensor.kind(),
+                        sensor.position(),
+                        sensor.outline(),
+                        drones.stream().anyMatch(drone -> detects.test(id, drone)))));
+        List<DroneMark> droneMarks = stage.dronesAt(time).stream()
+                .map(drone -> flights.mark(
+                        drone, time, sensors.stream().anyMatch(sensor -> detects.test(sensor, drone.id()))))
+                .toList();
+        return new SiteState(title, time, sensorMarks, droneMarks, selected, rays);
+    }
+
     /** The box that matters: all sensors, all flights, and some room about them, m. */
     public AABB interest() {
         return interest;
-    }
-
-    /** The ways of the drones. */
-    public Flights flights() {
-        return flights;
     }
 
     /** The colours of the kinds of sensors. */
@@ -63,10 +97,11 @@ public final class SitePicture {
     }
 
     /**
-     * What has to be cut away to see sensors and drones from above: all above them, when there is a roof over most of
-     * them.
+     * What has to be cut away to see sensors and drones from above at a time: all above them, when there is a roof over most
+     * of them.
      */
-    public Optional<Cut> openRoof(SceneSettings settings, List<Drone> drones) {
+    public Optional<Cut> openRoof(double time) {
+        List<Drone> drones = stage.dronesAt(time);
         long roofed = settings.sensors().values().stream()
                         .filter(sensor -> isUnderRoof(sensor.position()))
                         .count()

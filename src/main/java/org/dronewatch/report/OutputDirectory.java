@@ -57,6 +57,12 @@ final class OutputDirectory implements AutoCloseable {
         return withFolder(staging.resolve(relative));
     }
 
+    /** The files that were written in a folder of the directory so far, in the order of their names. */
+    List<Path> filesIn(String folder) throws IOException {
+        Path place = staging.resolve(folder);
+        return Files.isDirectory(place) ? filesIn(place) : List.of();
+    }
+
     /**
      * Moves all that was written into place.
      *

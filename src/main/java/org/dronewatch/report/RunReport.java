@@ -8,11 +8,13 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.dronewatch.report.html.Looks;
 import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.Frame;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneListener;
 import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.Observation;
 import org.knowm.xchart.XYChart;
@@ -20,7 +22,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
  * Writes the files of a run: {@code detections.csv} and, when asked for, {@code observations.csv} while it goes on,
- * {@code summary.json} and {@code plots/} at its end. They appear in the directory together, once all is done.
+ * {@code summary.json}, {@code report.html} and {@code plots/} at its end. They appear in the directory together, once all is done.
  */
 public final class RunReport implements SceneListener, AutoCloseable {
     private static final String DETECTIONS = "detections.csv";
@@ -31,6 +33,8 @@ public final class RunReport implements SceneListener, AutoCloseable {
     private final Table detections;
     private final Table observations;
     private final RangePlots rangePlots = new RangePlots();
+    private final Looks looks = new Looks();
+    private Stage stage;
 
     /**
      * Opens the report.
@@ -83,6 +87,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     @Override
     public void observed(Frame frame) {
         rangePlots.add(frame);
+        looks.observed(frame);
         if (observations == null) {
             return;
         }
@@ -136,13 +141,24 @@ public final class RunReport implements SceneListener, AutoCloseable {
         Charts.write(chart, plotFile(curve.name() + "-" + sensor));
     }
 
-    /** Writes summary and plots and moves everything into place. */
+    /** Takes the site of the first run: only with it there is a {@code report.html}. */
+    public void site(Stage ofFirstRun) {
+        stage = ofFirstRun;
+    }
+
+    /** Writes summary, plots and the report for people, and moves everything into place. */
     public void finish(SceneResult result) throws IOException {
         closeTables();
         new Summary(result).write(directory.file("summary.json"));
         SweepPlot.of(scene, result).ifPresent(plot -> plot.write(plotFile("range-over-" + plot.fileName())));
-        rangePlots.write(result, name -> plotFile("value-over-range-" + name));
+        rangePlots.write(result, name -> plotFile(SiteReport.VALUES + name));
+        if (stage != null) {
+            new SiteReport(result, looks, stage).write(directory);
+        }
         List<String> obsolete = new ArrayList<>();
+        if (stage == null) {
+            obsolete.add(SiteReport.FILE);
+        }
         if (observations == null) {
             obsolete.add(OBSERVATIONS);
         }

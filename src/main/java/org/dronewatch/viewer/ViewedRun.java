@@ -1,14 +1,10 @@
 package org.dronewatch.viewer;
 
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.picture.DroneMark;
 import org.dronewatch.picture.RaySet;
-import org.dronewatch.picture.SensorMark;
 import org.dronewatch.picture.SitePicture;
 import org.dronewatch.picture.SiteState;
 import org.dronewatch.scene.SceneSettings;
@@ -46,15 +42,7 @@ final class ViewedRun {
 
     /** What is in the site at a time. */
     SiteState state(double time, Optional<String> selected, Optional<RaySet> rays) {
-        List<SensorMark> sensors = new ArrayList<>();
-        settings()
-                .sensors()
-                .forEach((id, sensor) -> sensors.add(
-                        new SensorMark(id, sensor.kind(), sensor.position(), sensor.outline(), isDetecting(id, time))));
-        List<DroneMark> drones = stage.dronesAt(time).stream()
-                .map(drone -> picture.flights().mark(drone, time, isDetected(drone.id(), time)))
-                .toList();
-        return new SiteState(title, time, sensors, drones, selected, rays);
+        return picture.state(title, time, (sensor, drone) -> run.isDetected(sensor, drone, time), selected, rays);
     }
 
     /** Whether a sensor detects any drone at a time. */
@@ -69,10 +57,6 @@ final class ViewedRun {
             run.reading(sensor, drone, time).ifPresent(reading -> told.put(drone, reading));
         }
         return told;
-    }
-
-    private boolean isDetected(String drone, double time) {
-        return settings().sensors().keySet().stream().anyMatch(sensor -> run.isDetected(sensor, drone, time));
     }
 
     /** Where a sensor or a drone of a name is at a time, m. */

@@ -277,8 +277,7 @@ final class ViewerPane extends JPanel {
         awaited = run;
         staging.ask(outdated -> {
             ViewedRun next = new ViewedRun(title, run, stages.apply(run.info().settings()));
-            Optional<Cut> cut =
-                    next.picture().openRoof(next.settings(), next.stage().dronesAt(0.0));
+            Optional<Cut> cut = next.picture().openRoof(0.0);
             SwingUtilities.invokeLater(() -> {
                 if (awaited == run) {
                     show(next, cut);

@@ -330,13 +330,7 @@ class SitePictureTest {
     @Test
     void picturesAreTheSameForAnyNumberOfThreads() {
         Orbit orbit = Orbit.about(pictures.interest(), 4.0 / 3.0);
-        SiteState state = new SiteState(
-                "yard",
-                2.0,
-                List.of(),
-                List.of(pictures.flights().mark(stage.dronesAt(2.0).get(0), 2.0, true)),
-                Optional.empty(),
-                Optional.empty());
+        SiteState state = pictures.state("yard", 2.0, (sensor, drone) -> true, Optional.empty(), Optional.empty());
         int[][] images = new int[3][];
         for (int threads = 1; threads <= 3; threads++) {
             try (Workers workers = new Workers(threads)) {
@@ -353,7 +347,7 @@ class SitePictureTest {
 
     @Test
     void onlyASceneUnderARoofIsCutOpen() {
-        assertThat(pictures.openRoof(settings, stage.dronesAt(0))).isEmpty();
+        assertThat(pictures.openRoof(0)).isEmpty();
     }
 
     @Test

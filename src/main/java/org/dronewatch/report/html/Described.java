@@ -1,0 +1,87 @@
+package org.dronewatch.report.html;
+
+import java.lang.reflect.RecordComponent;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Choices;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingText;
+import org.dronewatch.setting.SettingsForm;
+
+/** Settings as people read them: names, values, units; angles in degrees. */
+final class Described {
+    private Described() {}
+
+    /**
+     * All parts of settings but some.
+     *
+     * @param without names of parts that stand elsewhere
+     */
+    static String of(Record settings, Set<String> without) {
+        List<String> parts = new ArrayList<>();
+        SettingsForm form = SettingsForm.of(settings.getClass());
+        for (RecordComponent part : form.parts()) {
+            if (!without.contains(part.getName())) {
+                value(SettingsForm.get(settings, part), SettingText.quantity(part))
+                        .ifPresent(text -> parts.add(words(part.getName()) + " " + text));
+            }
+        }
+        return String.join(", ", parts);
+    }
+
+    private static Optional<String> value(Object value, Quantity quantity) {
+        if (value instanceof Optional<?> optional) {
+            return optional.flatMap(inside -> value(inside, quantity));
+        }
+        if (value instanceof Position place) {
+            return Optional.of(String.format(Locale.ROOT, "(%.1f, %.1f, %.1f) m", place.x(), place.y(), place.z()));
+        }
+        if (value instanceof Record inner) {
+            String parts = of(inner, Set.of());
+            String kind = Choices.name(inner.getClass().getSimpleName().replaceAll("(?<=[a-z])(?=[A-Z])", "_"));
+            return Optional.of(parts.isEmpty() ? kind : kind + " (" + parts + ")");
+        }
+        if (value instanceof Number number) {
+            return Optional.of(number(number, quantity));
+        }
+        if (value instanceof Enum<?> constant) {
+            return Optional.of(Choices.name(constant.name()));
+        }
+        boolean empty =
+                value instanceof List<?> list && list.isEmpty() || value instanceof Map<?, ?> map && map.isEmpty();
+        return empty ? Optional.empty() : Optional.of(String.valueOf(value));
+    }
+
+    private static String number(Number number, Quantity quantity) {
+        double value = number.doubleValue();
+        if (quantity == Quantity.ANGLE) {
+            return digits(Math.toDegrees(value)) + "\u00b0";
+        }
+        if (quantity == Quantity.FREQUENCY && value >= 1e6) {
+            return value >= 1e9 ? digits(1e-9 * value) + " GHz" : digits(1e-6 * value) + " MHz";
+        }
+        return (digits(value) + " " + quantity.unit()).strip();
+    }
+
+    /** Four digits at most; whole numbers whole. */
+    private static String digits(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e9
+                ? String.format(Locale.ROOT, "%.0f", value + 0.0)
+                : new BigDecimal(value)
+                        .round(new MathContext(4))
+                        .stripTrailingZeros()
+                        .toPlainString();
+    }
+
+    /** A part's name in separate words. */
+    private static String words(String name) {
+        return name.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,47 @@
+package org.dronewatch.report.html;
+
+import java.util.Base64;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** Pieces of a page as well-formed text; what comes from outside is escaped. */
+final class Html {
+    private Html() {}
+
+    /** Text in which nothing is mark-up. */
+    static String text(String plain) {
+        return plain.replace("&", "&amp;")
+                .replace("<", "&lt;")
+                .replace(">", "&gt;")
+                .replace("\"", "&quot;");
+    }
+
+    /** An element with mark-up in it. */
+    static String element(String name, String inside) {
+        return "<" + name + ">" + inside + "</" + name + ">\n";
+    }
+
+    /** A heading or a paragraph of plain text. */
+    static String plain(String name, String text) {
+        return element(name, text(text));
+    }
+
+    /** A table of plain texts. */
+    static String table(List<String> head, List<List<String>> rows) {
+        String body = rows.stream().map(row -> element("tr", cells("td", row))).collect(Collectors.joining());
+        return element("table", element("thead", element("tr", cells("th", head))) + element("tbody", body));
+    }
+
+    private static String cells(String name, List<String> texts) {
+        return texts.stream()
+                .map(text -> "<" + name + ">" + text(text) + "</" + name + ">")
+                .collect(Collectors.joining());
+    }
+
+    /** A picture that is part of the page, with what it shows. */
+    static String figure(byte[] png, String caption) {
+        String data = Base64.getEncoder().encodeToString(png);
+        return "<figure><img alt=\"" + text(caption) + "\" src=\"data:image/png;base64," + data + "\"/>"
+                + "<figcaption>" + text(caption) + "</figcaption></figure>\n";
+    }
+}

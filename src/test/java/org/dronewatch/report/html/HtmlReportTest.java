@@ -1,0 +1,158 @@
+package org.dronewatch.report.html;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.picture.Yard;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.radar.LinkBudget;
+import org.dronewatch.sensor.radar.RadarSettings;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import org.w3c.dom.NodeList;
+import org.xml.sax.SAXException;
+
+class HtmlReportTest {
+    @TempDir
+    private Path directory;
+
+    private static String report(Scene scene, List<Figure> figures) throws IOException {
+        SceneRunner runner = new SceneRunner(scene);
+        Looks looks = new Looks();
+        SceneResult result = runner.listener(looks).run();
+        ByteArrayOutputStream page = new ByteArrayOutputStream();
+        new HtmlReport(result, looks, runner.stage(runner.settingsOfRuns().get(0)), figures, List.of()).write(page);
+        return page.toString(StandardCharsets.UTF_8);
+    }
+
+    private static Document parsed(String page) throws IOException {
+        try {
+            return DocumentBuilderFactory.newInstance()
+                    .newDocumentBuilder()
+                    .parse(new ByteArrayInputStream(page.getBytes(StandardCharsets.UTF_8)));
+        } catch (SAXException | javax.xml.parsers.ParserConfigurationException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static List<String> texts(Document page, String tag) {
+        NodeList nodes = page.getElementsByTagName(tag);
+        List<String> texts = new ArrayList<>();
+        for (int i = 0; i < nodes.getLength(); i++) {
+            texts.add(nodes.item(i).getTextContent().strip());
+        }
+        return texts;
+    }
+
+    @Test
+    void saysWhoFoundTheGliderAndWhyTheOthersDidNot() throws IOException {
+        String page = report(
+                new SceneFile(Path.of("scenes", "glider.yaml")),
+                List.of(new Figure("a <picture>", new byte[] {1, 2, 3})));
+        Document document = parsed(page);
+
+        assertThat(texts(document, "p"))
+                .anyMatch(text -> text.equals("'glider' is first detected by 'radar' (radar), 664 m away, 8 s after the"
+                        + " start; 6 of 7 sensors never detect it."));
+        assertThat(texts(document, "td"))
+                .contains("nothing of it arrived that the sensor could hear")
+                .anyMatch(text -> text.matches("too weak: at best \\d+ of 12 px, at \\d+ m"))
+                .anyMatch(text -> text.matches("too weak: at best \\d+(\\.\\d)? of 47 dB, at \\d+ m"));
+        assertThat(texts(document, "figcaption")).containsExactly("a <picture>");
+        assertThat(page).contains("data:image/png;base64,AQID");
+        // Nothing is asked for from anywhere.
+        assertThat(page.replace("http://www.w3.org/", "")).doesNotContain("http:", "https:", "<script", "<link");
+        assertThat(texts(document, "td")).noneMatch(text -> text.contains("NaN") || text.contains("Infinity"));
+    }
+
+    @Test
+    void theSameResultsGiveTheSameBytes() throws IOException {
+        assertThat(report(new Yard(directory), List.of())).isEqualTo(report(new Yard(directory), List.of()));
+    }
+
+    @Test
+    void settingsHaveUnits() throws IOException {
+        Document document = parsed(report(new SceneFile(Path.of("scenes", "glider.yaml")), List.of()));
+        List<String> radar = texts(document, "td").stream()
+                .filter(text -> text.contains("azimuth width"))
+                .toList();
+        assertThat(radar).hasSize(1);
+        assertThat(radar.get(0))
+                .contains("azimuth width 90\u00b0", "max range 2000 m", "frequency 10.3 GHz", "min speed 1 m/s")
+                .contains("aim direction (azimuth 0\u00b0, elevation 14\u00b0)");
+        Matcher bare = Pattern.compile("(range|speed|width|frequency|threshold|gain) -?[0-9.]+(,|\\)|$)")
+                .matcher(radar.get(0));
+        assertThat(bare.find())
+                .as("a number without a unit in %s", radar.get(0))
+                .isFalse();
+    }
+
+    @Test
+    void aRunThatWasCutShortAndADroneThatNobodySawAreSaidSo() throws IOException {
+        SceneRunner runner = new SceneRunner(new Yard(directory))
+                .set("sensors.camera.detection.pixels", "100000")
+                .set("world.backgroundNoise", "100")
+                .cancelWhen(new java.util.function.BooleanSupplier() {
+                    private int asked;
+
+                    @Override
+                    public boolean getAsBoolean() {
+                        return asked++ > 10;
+                    }
+                });
+        Looks looks = new Looks();
+        SceneResult result = runner.listener(looks).run();
+        ByteArrayOutputStream page = new ByteArrayOutputStream();
+        new HtmlReport(result, looks, runner.stage(runner.settings()), List.of(), List.of()).write(page);
+
+        assertThat(texts(parsed(page.toString(StandardCharsets.UTF_8)), "p"))
+                .contains("'quadrotor' is not detected by any sensor. The run was cut short.");
+    }
+
+    @Test
+    void reasonsTellViewRangeAndCoverApart() {
+        Yard yard = new Yard(directory);
+        SceneSettings settings = yard.settings();
+        Position place = Yard.SENSORS;
+        CameraSettings camera = (CameraSettings) settings.sensors().get("camera");
+        RadarSettings radar =
+                RadarSettings.at(place, LinkBudget.DataSheet.of(100, 0.01)).withFieldOfView(2 * Math.PI, Math.PI);
+        SceneSettings more = settings.withSensor("away", camera.withAim(new Aim.Direction(Math.PI, 0)))
+                // Close behind the wall, the drone passes above it unseen.
+                .withSensor(
+                        "covered", CameraSettings.at(new Position(0, -0.5, 0.5)).withLookAt(new Position(0, 25, 14)))
+                .withSensor("short", radar.withRanges(0.1, 3.0));
+        Reasons reasons = new Reasons(more, yard.stage());
+        Optional<Look> weak = Optional.of(new Look(1, 30, 7, 12, "px"));
+
+        assertThat(reasons.of("away", "quadrotor", weak)).startsWith("never in its field of view; nearest at 5 m");
+        assertThat(reasons.of("covered", "quadrotor", weak))
+                .isEqualTo("hidden by the site whenever it was in its field of view");
+        assertThat(reasons.of("short", "quadrotor", weak))
+                .isEqualTo("out of range: it looks 3 m far, the drone came as near as 5 m");
+        assertThat(reasons.of("camera", "quadrotor", weak)).isEqualTo("too weak: at best 7 of 12 px, at 30 m");
+        assertThat(reasons.of("microphone", "quadrotor", Optional.of(new Look(1, 30, 41.26, 45, "dB"))))
+                .isEqualTo("too weak: at best 41.3 of 45 dB, at 30 m");
+        assertThat(reasons.of(
+                        "microphone", "quadrotor", Optional.of(new Look(1, 30, Double.NEGATIVE_INFINITY, 45, "dB"))))
+                .isEqualTo("nothing of it arrived that the sensor could hear");
+    }
+}
