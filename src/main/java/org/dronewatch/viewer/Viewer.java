@@ -67,13 +67,14 @@ public final class Viewer implements AutoCloseable {
             throw new IllegalStateException(obstacle.get());
         }
         Viewer viewer = new Viewer();
-        onEventThread(() -> {
-            ViewerLayout layout = new ViewerLayout(layoutFile);
-            ViewerWindow.setLook(layout.isDark());
-            viewer.pane = new ViewerPane(scene.name(), viewer.recording, runner::stage, threads);
-            viewer.window =
-                    new ViewerWindow(scene.name(), viewer.pane, layout, viewer::closing, viewer.closed::countDown);
-        });
+        ViewerLayout layout = new ViewerLayout(layoutFile);
+        // One thing after the other, so that the event thread is never busy for long.
+        onEventThread(() -> ViewerWindow.setLook(layout.isDark()));
+        onEventThread(() -> viewer.pane = new ViewerPane(scene.name(), viewer.recording, runner::stage, threads));
+        onEventThread(() -> viewer.window =
+                new ViewerWindow(scene.name(), viewer.pane, layout, viewer::closing, viewer.closed::countDown));
+        onEventThread(viewer.window::show);
+        onEventThread(viewer.window::divide);
         return viewer;
     }
 

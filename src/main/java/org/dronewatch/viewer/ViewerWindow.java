@@ -34,7 +34,7 @@ final class ViewerWindow {
     private boolean open = true;
 
     /**
-     * Opens the window.
+     * A window that is not shown yet.
      *
      * @param layout how the user left it
      * @param closing is told when the user closes it
@@ -59,7 +59,15 @@ final class ViewerWindow {
         frame.setContentPane(pane);
         frame.setMinimumSize(new Dimension(640, 420));
         place();
+    }
+
+    /** Shows it. */
+    void show() {
         frame.setVisible(true);
+    }
+
+    /** Divides it as the user left it, and starts its clock. */
+    void divide() {
         for (int i = 0; i < DIVIDERS.length; i++) {
             JSplitPane divided = pane.dividers().get(i);
             int first = i == 0 ? (int) (0.6 * divided.getWidth()) : (int) (0.58 * divided.getHeight());
