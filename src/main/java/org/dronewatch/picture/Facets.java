@@ -19,8 +19,9 @@ final class Facets {
     Facets(TriangleMesh mesh, Map<String, Integer> colours) {
         this.mesh = mesh;
         this.normals = new float[3 * mesh.triangleCount()];
+        double[] scratch = new double[3];
         for (int i = 0; i < mesh.triangleCount(); i++) {
-            setNormal(i);
+            setNormal(i, scratch);
         }
         this.colourOfMaterial = mesh.materialNames().stream()
                 .mapToInt(name -> brighter(colours.getOrDefault(name, UNNAMED)))
@@ -36,23 +37,13 @@ final class Facets {
         return rgb;
     }
 
-    private void setNormal(int triangle) {
-        double ax = mesh.coordinate(triangle, 0, 0);
-        double ay = mesh.coordinate(triangle, 0, 1);
-        double az = mesh.coordinate(triangle, 0, 2);
-        double ux = mesh.coordinate(triangle, 1, 0) - ax;
-        double uy = mesh.coordinate(triangle, 1, 1) - ay;
-        double uz = mesh.coordinate(triangle, 1, 2) - az;
-        double vx = mesh.coordinate(triangle, 2, 0) - ax;
-        double vy = mesh.coordinate(triangle, 2, 1) - ay;
-        double vz = mesh.coordinate(triangle, 2, 2) - az;
-        double nx = uy * vz - uz * vy;
-        double ny = uz * vx - ux * vz;
-        double nz = ux * vy - uy * vx;
-        double scale = 1.0 / Math.max(Double.MIN_NORMAL, Math.sqrt(nx * nx + ny * ny + nz * nz));
-        normals[3 * triangle] = (float) (nx * scale);
-        normals[3 * triangle + 1] = (float) (ny * scale);
-        normals[3 * triangle + 2] = (float) (nz * scale);
+    private void setNormal(int triangle, double[] n) {
+        mesh.normal(triangle, n);
+        double length = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        double scale = 1.0 / Math.max(Double.MIN_NORMAL, length);
+        for (int axis = 0; axis < 3; axis++) {
+            normals[3 * triangle + axis] = (float) (n[axis] * scale);
+        }
     }
 
     /** One coordinate of a triangle's unit normal, to the side from which its corners run counter-clockwise. */

@@ -36,27 +36,12 @@ final class ReliefShade {
         return new Color((int) (236 * light), (int) (232 * light), (int) (222 * light));
     }
 
+    /** Unit normal, to the upper side. */
     private double[] normal(int triangle) {
-        double[] a = corner(triangle, 0);
-        double[] b = corner(triangle, 1);
-        double[] c = corner(triangle, 2);
-        double ux = b[0] - a[0];
-        double uy = b[1] - a[1];
-        double uz = b[2] - a[2];
-        double vx = c[0] - a[0];
-        double vy = c[1] - a[1];
-        double vz = c[2] - a[2];
-        double nx = uy * vz - uz * vy;
-        double ny = uz * vx - ux * vz;
-        double nz = ux * vy - uy * vx;
-        double length = Math.copySign(Math.max(Double.MIN_NORMAL, Math.sqrt(nx * nx + ny * ny + nz * nz)), nz);
-        return new double[] {nx / length, ny / length, nz / length};
-    }
-
-    private double[] corner(int triangle, int corner) {
-        int vertex = mesh.vertexIndex(triangle, corner);
-        return new double[] {
-            mesh.vertexCoordinate(vertex, 0), mesh.vertexCoordinate(vertex, 1), mesh.vertexCoordinate(vertex, 2)
-        };
+        double[] n = new double[3];
+        mesh.normal(triangle, n);
+        double length = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        double scale = 1.0 / Math.copySign(Math.max(Double.MIN_NORMAL, length), n[2]);
+        return new double[] {n[0] * scale, n[1] * scale, n[2] * scale};
     }
 }

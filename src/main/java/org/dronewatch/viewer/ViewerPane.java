@@ -10,15 +10,10 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
-import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
-import javax.swing.JTable;
-import javax.swing.ListSelectionModel;
 import javax.swing.SwingUtilities;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.picture.Cut;
-import org.dronewatch.picture.Orbit;
 import org.dronewatch.picture.RaySet;
 import org.dronewatch.picture.SiteState;
 import org.dronewatch.scene.SceneSettings;
@@ -35,20 +30,16 @@ final class ViewerPane extends JPanel {
     /** Tables and texts follow this often, s: more often nobody can read. */
     private static final double TABLES = 0.12;
 
-    private static final int[] PAIR_COLUMNS = {100, 57, 79, 60, 58, 72, 70};
-
     private final String title;
     private final transient Recording recording;
     private final transient Function<SceneSettings, Stage> stages;
     private final transient Playback playback = new Playback();
     private final transient ViewerActions actions = new ViewerActions(playback);
     private final transient Latest staging;
-    private final WorldPanel world;
-    private final WorldBar worldBar;
+    private final SiteSection site;
     private final CameraPanel cameras;
     private final TimeLine timeLine = new TimeLine(playback);
-    private final PairTable pairs = new PairTable();
-    private final DroneTable drones = new DroneTable();
+    private final transient RunTables tables = new RunTables(this::select);
     private final RayPanel rayPanel;
     private final LogPanel log = new LogPanel();
     private final ControlBar controls;
@@ -80,26 +71,23 @@ final class ViewerPane extends JPanel {
         this.recording = recording;
         this.stages = stages;
         this.staging = new Latest("dronewatch-stage", threads, this::tell);
-        this.world = new WorldPanel(threads, this::tell);
+        this.site = new SiteSection(threads, this::tell);
         this.cameras = new CameraPanel(threads, status::setText, this::select, this::tell);
         this.rayPanel = new RayPanel(
-                threads, playback, filter -> world.setStyle(world.style().withFilter(filter)), this::tell);
-        this.worldBar = new WorldBar(world, lookAbout(), lookFromAbove(), lookFromSide(), focus());
+                threads, playback, filter -> world().setStyle(world().style().withFilter(filter)), this::tell);
         this.controls = new ControlBar(
                 playback, actions, number -> show(recording.runs().get(number)));
-        world.onSelection(this::select);
-        world.onHint(status::setText);
+        world().onSelection(this::select);
+        world().onHint(status::setText);
+        site.onFocus(() -> site.focusOn(selected, playback.time()));
         rayPanel.onTraced(traced -> {
             rays = traced.orElse(null);
             changed = true;
         });
         playback.listen(() -> changed = true);
 
-        JPanel site = new JPanel(new BorderLayout());
-        site.add(worldBar, BorderLayout.NORTH);
-        site.add(world, BorderLayout.CENTER);
-        tabs.addTab("Sensors", scroll(pairTable()));
-        tabs.addTab("Drones", scroll(droneTable()));
+        tabs.addTab("Sensors", tables.sensors());
+        tabs.addTab("Drones", tables.drones());
         tabs.addTab("Rays of sound", rayPanel);
         tabs.addTab("Log", log);
         down = new JSplitPane(JSplitPane.VERTICAL_SPLIT, cameras, tabs);
@@ -127,88 +115,9 @@ final class ViewerPane extends JPanel {
         return bar;
     }
 
-    private static JScrollPane scroll(JComponent inside) {
-        return new JScrollPane(inside);
-    }
-
-    private JTable pairTable() {
-        JTable table = new JTable(pairs);
-        table.setAutoCreateRowSorter(true);
-        table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-        table.getAccessibleContext().setAccessibleName("sensors");
-        for (int i = 0; i < PAIR_COLUMNS.length; i++) {
-            table.getColumnModel().getColumn(i).setPreferredWidth(PAIR_COLUMNS[i]);
-        }
-        table.setDefaultRenderer(Object.class, new DetectionRenderer(pairs));
-        table.getSelectionModel().addListSelectionListener(e -> {
-            if (!e.getValueIsAdjusting() && table.getSelectedRow() >= 0) {
-                select(pairs.sensor(table.convertRowIndexToModel(table.getSelectedRow())));
-            }
-        });
-        return table;
-    }
-
-    private JTable droneTable() {
-        JTable table = new JTable(drones);
-        table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-        table.getAccessibleContext().setAccessibleName("drones");
-        table.getSelectionModel().addListSelectionListener(e -> {
-            if (!e.getValueIsAdjusting() && table.getSelectedRow() >= 0) {
-                select(drones.drone(table.getSelectedRow()));
-            }
-        });
-        return table;
-    }
-
-    private Action lookAbout() {
-        return ViewerActions.action(
-                "Orbit",
-                "Looks at all sensors and flights in perspective",
-                ViewerActions.key('1'),
-                () -> look(Orbit.about(viewed.picture().interest(), world.aspect())));
-    }
-
-    private Action lookFromAbove() {
-        return ViewerActions.action(
-                "From above",
-                "A plan with north up",
-                ViewerActions.key('2'),
-                () -> look(Orbit.top(viewed.picture().interest(), world.aspect())));
-    }
-
-    private Action lookFromSide() {
-        return ViewerActions.action(
-                "From the side",
-                "From the east, level",
-                ViewerActions.key('3'),
-                () -> look(Orbit.side(viewed.picture().interest(), world.aspect(), 0.5 * Math.PI)));
-    }
-
-    private Action focus() {
-        return ViewerActions.action(
-                "Focus",
-                "Looks at the selected sensor or drone from near",
-                ViewerActions.key('F'),
-                this::focusOnSelection);
-    }
-
     /** The views, for a menu. */
     List<Action> views() {
-        return List.of(lookAbout(), lookFromAbove(), lookFromSide(), focus());
-    }
-
-    private void look(Orbit orbit) {
-        if (viewed != null) {
-            world.move(orbit);
-        }
-    }
-
-    private void focusOnSelection() {
-        if (viewed != null && selected != null) {
-            Optional<Position> place = viewed.placeOf(selected, playback.time());
-            double high = Math.max(4.0, 0.12 * viewed.picture().interest().diagonal());
-            place.ifPresent(at -> world.move(world.orbit().at(at).showing(high)));
-        }
+        return site.views();
     }
 
     /** Selects a sensor or drone; null for none. */
@@ -241,7 +150,7 @@ final class ViewerPane extends JPanel {
 
     private void showTime() {
         double time = playback.time();
-        world.show(state(time));
+        world().show(state(time));
         if (time != shownTime) {
             shownTime = time;
             cameras.show(time);
@@ -258,8 +167,7 @@ final class ViewerPane extends JPanel {
         RecordedRun run = viewed.run();
         controls.update(runs);
         timeLine.update();
-        pairs.show(run, time);
-        drones.show(run, viewed.stage().dronesAt(time), time);
+        tables.show(viewed, time);
         log.update(run);
         cameras.mark(sensor -> viewed.readings(sensor, time), selected);
         boolean all = recording.isFinished();
@@ -293,9 +201,7 @@ final class ViewerPane extends JPanel {
         playback.show(next.run());
         cameras.show(next.settings(), next.stage());
         rayPanel.show(next.settings(), next.stage());
-        worldBar.show(next.stage().world().bounds(), cut);
-        Orbit from = first ? Orbit.about(next.picture().interest(), world.aspect()) : world.orbit();
-        world.show(next.picture(), from, cut);
+        site.show(next, cut);
         shownTime = Double.NaN;
         changed = true;
         sinceTables = TABLES;
@@ -346,7 +252,7 @@ final class ViewerPane extends JPanel {
     }
 
     WorldPanel world() {
-        return world;
+        return site.world();
     }
 
     CameraPanel cameras() {
@@ -393,13 +299,13 @@ final class ViewerPane extends JPanel {
 
     /** Whether all that was asked for is drawn. */
     boolean isIdle() {
-        return !changed && world.isIdle() && cameras.isIdle() && rayPanel.isIdle() && staging.isIdle();
+        return !changed && world().isIdle() && cameras.isIdle() && rayPanel.isIdle() && staging.isIdle();
     }
 
     /** Ends all threads. */
     void close() {
         staging.close();
-        world.close();
+        world().close();
         cameras.close();
         rayPanel.close();
     }

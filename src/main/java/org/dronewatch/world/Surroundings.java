@@ -8,6 +8,7 @@ import org.dronewatch.kdtree.KDTraversal;
 final class Surroundings {
     private final TriangleMesh mesh;
     private final KDTraversal traversal;
+    private final double[] normal = new double[3];
 
     Surroundings(World world) {
         this.mesh = world.mesh();
@@ -39,18 +40,7 @@ final class Surroundings {
     }
 
     private boolean isBack(int triangle, int x, int y, int z) {
-        double[] a = side(triangle, 1);
-        double[] b = side(triangle, 2);
-        double along =
-                x * (a[1] * b[2] - a[2] * b[1]) + y * (a[2] * b[0] - a[0] * b[2]) + z * (a[0] * b[1] - a[1] * b[0]);
-        return along > 0.0;
-    }
-
-    private double[] side(int triangle, int corner) {
-        double[] side = new double[3];
-        for (int axis = 0; axis < side.length; axis++) {
-            side[axis] = mesh.coordinate(triangle, corner, axis) - mesh.coordinate(triangle, 0, axis);
-        }
-        return side;
+        mesh.normal(triangle, normal);
+        return x * normal[0] + y * normal[1] + z * normal[2] > 0.0;
     }
 }

@@ -68,18 +68,11 @@ final class WallPlanes {
 
     /** Computes a triangle's plane; gives its area. */
     private double setPlane(TriangleMesh mesh, int triangle) {
-        double ax = mesh.coordinate(triangle, 0, 0);
-        double ay = mesh.coordinate(triangle, 0, 1);
-        double az = mesh.coordinate(triangle, 0, 2);
-        double bx = mesh.coordinate(triangle, 1, 0) - ax;
-        double by = mesh.coordinate(triangle, 1, 1) - ay;
-        double bz = mesh.coordinate(triangle, 1, 2) - az;
-        double cx = mesh.coordinate(triangle, 2, 0) - ax;
-        double cy = mesh.coordinate(triangle, 2, 1) - ay;
-        double cz = mesh.coordinate(triangle, 2, 2) - az;
-        double nx = by * cz - bz * cy;
-        double ny = bz * cx - bx * cz;
-        double nz = bx * cy - by * cx;
+        double[] normal = new double[3];
+        mesh.normal(triangle, normal);
+        double nx = normal[0];
+        double ny = normal[1];
+        double nz = normal[2];
         double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
         // One sign for both sides of a wall, so that triangles wound either way share its plane.
         double largest = Math.abs(nx) > Math.abs(ny) ? nx : ny;
@@ -89,7 +82,9 @@ final class WallPlanes {
         planes[at] = nx * scale;
         planes[at + 1] = ny * scale;
         planes[at + 2] = nz * scale;
-        planes[at + 3] = planes[at] * ax + planes[at + 1] * ay + planes[at + 2] * az;
+        planes[at + 3] = planes[at] * mesh.coordinate(triangle, 0, 0)
+                + planes[at + 1] * mesh.coordinate(triangle, 0, 1)
+                + planes[at + 2] * mesh.coordinate(triangle, 0, 2);
         return 0.5 * length;
     }
 

@@ -1,0 +1,96 @@
+package org.dronewatch.viewer;
+
+import java.awt.BorderLayout;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.Action;
+import javax.swing.JPanel;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.picture.Cut;
+import org.dronewatch.picture.Orbit;
+
+/** The site with the bar that says from where it is seen and how it is cut open. */
+final class SiteSection extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    /** What is looked at from near fills this share of what matters, and at least so many metres. */
+    private static final double NEAR = 0.12;
+
+    private static final double NEAREST = 4.0;
+
+    private final WorldPanel world;
+    private final WorldBar bar;
+    private transient ViewedRun viewed;
+    private transient Runnable focus = () -> {};
+
+    /**
+     * An empty section.
+     *
+     * @param threads how many paint the site
+     * @param failed is told what went wrong
+     */
+    SiteSection(int threads, Consumer<Throwable> failed) {
+        super(new BorderLayout());
+        world = new WorldPanel(threads, failed);
+        bar = new WorldBar(world, views().toArray(Action[]::new));
+        add(bar, BorderLayout.NORTH);
+        add(world, BorderLayout.CENTER);
+    }
+
+    /** Is asked to look at what is selected. */
+    void onFocus(Runnable target) {
+        focus = target;
+    }
+
+    /** The views, new ones for each bar and menu. */
+    List<Action> views() {
+        return List.of(
+                view(
+                        "Orbit",
+                        "Looks at all sensors and flights in perspective",
+                        '1',
+                        box -> Orbit.about(box, world.aspect())),
+                view("From above", "A plan with north up", '2', box -> Orbit.top(box, world.aspect())),
+                view(
+                        "From the side",
+                        "From the east, level",
+                        '3',
+                        box -> Orbit.side(box, world.aspect(), 0.5 * Math.PI)),
+                ViewerActions.action(
+                        "Focus",
+                        "Looks at the selected sensor or drone from near",
+                        ViewerActions.key('F'),
+                        () -> focus.run()));
+    }
+
+    private Action view(String name, String explanation, char key, Function<AABB, Orbit> from) {
+        return ViewerActions.action(name, explanation, ViewerActions.key(key), () -> {
+            if (viewed != null) {
+                world.move(from.apply(viewed.picture().interest()));
+            }
+        });
+    }
+
+    /** Shows another run's site; the first from a distance, others from where the last was seen. */
+    void show(ViewedRun next, Optional<Cut> cut) {
+        Orbit from = viewed == null ? Orbit.about(next.picture().interest(), world.aspect()) : world.orbit();
+        viewed = next;
+        bar.show(next.stage().world().bounds(), cut);
+        world.show(next.picture(), from, cut);
+    }
+
+    /** Looks at a sensor or drone from near. */
+    void focusOn(String id, double time) {
+        if (viewed != null && id != null) {
+            double high = Math.max(NEAREST, NEAR * viewed.picture().interest().diagonal());
+            viewed.placeOf(id, time)
+                    .ifPresent(at -> world.move(world.orbit().at(at).showing(high)));
+        }
+    }
+
+    WorldPanel world() {
+        return world;
+    }
+}
