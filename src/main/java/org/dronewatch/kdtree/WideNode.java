@@ -41,6 +41,11 @@ final class WideNode {
 
     private WideNode() {}
 
+    /** How many blocks so many triangles fill. */
+    static int blocks(int triangles) {
+        return (triangles + TRIANGLES - 1) / TRIANGLES;
+    }
+
     /** A reference to blocks. */
     static int leaf(int place, int blocks) {
         return LEAF | place | blocks - 1;

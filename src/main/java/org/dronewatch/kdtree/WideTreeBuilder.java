@@ -23,35 +23,13 @@ final class WideTreeBuilder {
     /** Deeper, parts are halved by number: bounds what degenerate input can do. */
     private static final int DEEPEST = 60;
 
-    /** Parts of fewer triangles are not worth another thread. */
+    /** WideParts of fewer triangles are not worth another thread. */
     private static final int WORTH_A_THREAD = 4096;
 
     private final float[] corners;
     private final int count;
     private final float[] boxes;
     private final int[] order;
-    private int[] pool;
-    private int used = WideNode.ROOT;
-    private int depth;
-
-    /** A box with two parts in it, or with triangles. */
-    private static final class Part {
-        private final float[] box;
-        private final int from;
-        private final int to;
-        private Part left;
-        private Part right;
-
-        Part(float[] box, int from, int to) {
-            this.box = box;
-            this.from = from;
-            this.to = to;
-        }
-
-        boolean isLeaf() {
-            return left == null;
-        }
-    }
 
     /**
      * For triangles.
@@ -74,11 +52,9 @@ final class WideTreeBuilder {
                 reach = Math.max(reach, Math.abs(boxes[BOX * i + k]));
             }
         }
-        Part root = part(0, count);
+        WidePart root = part(0, count);
         split(root, 0);
-        pool = new int[WideNode.ROOT + WideNode.NODE + count * WideNode.BLOCK / 2];
-        emit(root, 1);
-        return new WideTree(Arrays.copyOf(pool, used), reach, depth);
+        return new WideTreeWriter(corners, order).write(root, reach);
     }
 
     private void writeBox(int triangle) {
@@ -91,12 +67,12 @@ final class WideTreeBuilder {
         }
     }
 
-    private Part part(int from, int to) {
+    private WidePart part(int from, int to) {
         float[] box = emptyBox();
         for (int i = from; i < to; i++) {
             grow(box, 0, boxes, BOX * order[i]);
         }
-        return new Part(box, from, to);
+        return new WidePart(box, from, to);
     }
 
     private static float[] emptyBox() {
@@ -118,14 +94,14 @@ final class WideTreeBuilder {
     }
 
     /** Half the surface of a box; 0 for an empty one. */
-    private static float area(float[] box, int at) {
+    static float area(float[] box, int at) {
         float x = box[at + 3] - box[at];
         float y = box[at + 4] - box[at + 1];
         float z = box[at + 5] - box[at + 2];
         return x < 0.0f ? 0.0f : x * y + y * z + z * x;
     }
 
-    private void split(Part part, int level) {
+    private void split(WidePart part, int level) {
         int size = part.to - part.from;
         if (size > WORTH_A_THREAD && Thread.currentThread().isInterrupted()) {
             throw new CancellationException("interrupted while a tree was built");
@@ -136,7 +112,7 @@ final class WideTreeBuilder {
         Bins bins = new Bins(part);
         boolean splits = level < DEEPEST && bins.find();
         if (size <= MOST_IN_LEAF
-                && (!splits || bins.bestCost + STEP * area(part.box, 0) >= area(part.box, 0) * blocks(size))) {
+                && (!splits || bins.bestCost + STEP * area(part.box, 0) >= area(part.box, 0) * WideNode.blocks(size))) {
             return;
         }
         int middle = splits ? bins.partition() : part.from + size / 2;
@@ -150,13 +126,9 @@ final class WideTreeBuilder {
         }
     }
 
-    private static int blocks(int triangles) {
-        return (triangles + WideNode.TRIANGLES - 1) / WideNode.TRIANGLES;
-    }
-
     /** The triangles of a part, sorted into bins by their middles, and where to split them. */
     private final class Bins {
-        private final Part part;
+        private final WidePart part;
         private final int number;
         private final float[] low = new float[3];
         private final float[] scale = new float[3];
@@ -166,7 +138,7 @@ final class WideTreeBuilder {
         private int bestAxis;
         private int bestBin;
 
-        Bins(Part part) {
+        Bins(WidePart part) {
             this.part = part;
             this.number = Math.min(BINS, 6 + (part.to - part.from) / 2);
         }
@@ -251,7 +223,7 @@ final class WideTreeBuilder {
         /** Blocks that triangles fill: whole ones near the leaves, else on average. */
         private float work(int triangles) {
             boolean many = part.to - part.from > 4 * WideNode.TRIANGLES;
-            return many ? (float) triangles / WideNode.TRIANGLES : blocks(triangles);
+            return many ? (float) triangles / WideNode.TRIANGLES : WideNode.blocks(triangles);
         }
 
         /** Brings the triangles left of the best border before the others; gives where these begin. */
@@ -269,82 +241,5 @@ final class WideTreeBuilder {
             }
             return left;
         }
-    }
-
-    /** Appends a node with all that is below it; gives its place. Its leaves come first, then its other children. */
-    private int emit(Part part, int level) {
-        depth = Math.max(depth, level);
-        Part[] children = new Part[WideNode.WIDTH];
-        int number = open(part, children);
-        int place = reserve(WideNode.NODE);
-        for (int child = 0; child < WideNode.WIDTH; child++) {
-            for (int k = 0; k < BOX; k++) {
-                // A box that no ray meets, in the place of a child that is not there.
-                float nothing = k < 3 ? Float.MAX_VALUE : -Float.MAX_VALUE;
-                float bound = child < number ? children[child].box[k] : nothing;
-                pool[place + k * WideNode.WIDTH + child] = Float.floatToRawIntBits(bound);
-            }
-        }
-        for (int child = 0; child < number; child++) {
-            if (children[child].isLeaf()) {
-                int blocks = appendBlocks(children[child]);
-                pool[place + WideNode.REFERENCES + child] = blocks;
-            }
-        }
-        for (int child = 0; child < number; child++) {
-            if (!children[child].isLeaf()) {
-                int node = emit(children[child], level + 1);
-                pool[place + WideNode.REFERENCES + child] = node;
-            }
-        }
-        return place;
-    }
-
-    /** Opens the largest child again and again until there are eight, or only leaves. */
-    private static int open(Part part, Part[] children) {
-        children[0] = part;
-        int number = 1;
-        while (number < WideNode.WIDTH) {
-            int largest = -1;
-            for (int i = 0; i < number; i++) {
-                if (!children[i].isLeaf()
-                        && (largest < 0 || area(children[i].box, 0) > area(children[largest].box, 0))) {
-                    largest = i;
-                }
-            }
-            if (largest < 0) {
-                return number;
-            }
-            Part opened = children[largest];
-            children[largest] = opened.left;
-            children[number++] = opened.right;
-        }
-        return number;
-    }
-
-    private int reserve(int ints) {
-        int place = used;
-        used += ints;
-        if (used > pool.length) {
-            pool = Arrays.copyOf(pool, (int) Math.min(Integer.MAX_VALUE - 8L, Math.max(used, 1.5 * pool.length)));
-        }
-        return place;
-    }
-
-    /** Appends a leaf's triangles; places that stay free hold triangles without extent, which no ray hits. */
-    private int appendBlocks(Part leaf) {
-        int size = leaf.to - leaf.from;
-        int blocks = Math.max(1, blocks(size));
-        int first = reserve(blocks * WideNode.BLOCK);
-        for (int i = 0; i < size; i++) {
-            int block = first + i / WideNode.TRIANGLES * WideNode.BLOCK;
-            int lane = i % WideNode.TRIANGLES;
-            int triangle = order[leaf.from + i];
-            for (int k = 0; k < 9; k++) {
-                pool[block + k * WideNode.TRIANGLES + lane] = Float.floatToRawIntBits(corners[9 * triangle + k]);
-            }
-            pool[block + WideNode.NUMBERS + lane] = triangle;
-        }
-        return WideNode.leaf(first, blocks);
     }
 }
