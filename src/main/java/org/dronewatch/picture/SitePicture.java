@@ -51,7 +51,8 @@ public final class SitePicture {
         this.painter = new SitePainter(world.tree(), stage.colours());
         this.colours = KindColours.of(settings.sensors().values());
         this.flights = new Flights(settings, stage);
-        this.interest = flights.interest(settings);
+        boolean empty = settings.sensors().isEmpty() && settings.drones().isEmpty();
+        this.interest = empty ? world.bounds() : flights.interest(settings);
     }
 
     /**
@@ -86,7 +87,7 @@ public final class SitePicture {
         return new SiteState(title, time, sensorMarks, droneMarks, selected, rays);
     }
 
-    /** The box that matters: all sensors, all flights, and some room about them, m. */
+    /** The box that matters: all sensors, all flights, and some room about them; the whole site where there are none, m. */
     public AABB interest() {
         return interest;
     }
