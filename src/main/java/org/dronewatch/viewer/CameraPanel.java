@@ -31,6 +31,9 @@ final class CameraPanel extends JPanel {
     private transient CameraVisual enlarged;
     private double time;
 
+    /** Whether a scene is shown: before, nobody knows how many cameras there are. */
+    private boolean known;
+
     /**
      * An empty panel.
      *
@@ -59,6 +62,7 @@ final class CameraPanel extends JPanel {
     void show(SceneSettings settings, Stage stage) {
         visuals.clear();
         enlarged = null;
+        known = true;
         settings.sensors().forEach((id, sensor) -> {
             if (sensor instanceof CameraSettings camera) {
                 visuals.add(visual(new CameraEye(id, camera, stage)));
@@ -97,7 +101,7 @@ final class CameraPanel extends JPanel {
 
     private void arrange() {
         removeAll();
-        if (visuals.isEmpty()) {
+        if (visuals.isEmpty() && known) {
             add(new JLabel("The scene has no camera.", SwingConstants.CENTER), BorderLayout.CENTER);
         } else if (enlarged != null) {
             add(enlarged, BorderLayout.CENTER);

@@ -29,6 +29,7 @@ final class TimeLine extends JPanel {
     private static final int MARGIN = 10;
     private static final int AXIS = 20;
     private static final int HIGHEST_ROW = 12;
+    private static final int WANTED_WIDTH = 600;
     private static final int WANTED_ROW = 10;
     private static final int LOWEST = 64;
     private static final int HIGHEST = 170;
@@ -42,7 +43,6 @@ final class TimeLine extends JPanel {
 
     TimeLine(Playback playback) {
         this.playback = playback;
-        setPreferredSize(new Dimension(600, LOWEST));
         setMinimumSize(new Dimension(200, LOWEST));
         setToolTipText("");
         getAccessibleContext().setAccessibleName("time line");
@@ -61,6 +61,15 @@ final class TimeLine extends JPanel {
         addMouseMotionListener(mouse);
     }
 
+    /** As high as its rows want, but no more than a fifth of the window. */
+    @Override
+    public Dimension getPreferredSize() {
+        int most = getTopLevelAncestor() == null
+                ? HIGHEST
+                : Math.min(HIGHEST, getTopLevelAncestor().getHeight() / 5);
+        return new Dimension(WANTED_WIDTH, Math.max(LOWEST, Math.min(most, AXIS + 8 + WANTED_ROW * sensors.size())));
+    }
+
     private void jump(int x) {
         if (run != null) {
             playback.jump(timeAt(x));
@@ -75,8 +84,6 @@ final class TimeLine extends JPanel {
             sensors = run == null
                     ? List.of()
                     : List.copyOf(run.info().settings().sensors().keySet());
-            int rows = Math.max(LOWEST, Math.min(HIGHEST, AXIS + 8 + WANTED_ROW * sensors.size()));
-            setPreferredSize(new Dimension(600, rows));
             revalidate();
             colours = run == null
                     ? null
