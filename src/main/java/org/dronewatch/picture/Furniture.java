@@ -151,7 +151,7 @@ final class Furniture {
         double right = Math.sin(orbit.bearing());
         double up = -Math.cos(orbit.bearing()) * Math.max(0.25, Math.abs(Math.sin(orbit.elevation())));
         double length = Math.hypot(right, up);
-        double reach = 17.0 * scale * Math.max(0.55, Math.min(1.0, length));
+        double reach = 14.0 * scale * Math.max(0.55, Math.min(1.0, length));
         double ux = right / length;
         double uy = -up / length;
         double cx = x0 + 0.5 * size;
@@ -166,8 +166,8 @@ final class Furniture {
         g.fill(arrow);
         g.setFont(font(Font.BOLD, 11));
         FontMetrics metrics = g.getFontMetrics();
-        g.drawString("N", (float) (cx + (reach + 7 * scale) * ux - 0.5 * metrics.stringWidth("N")), (float)
-                (cy + (reach + 7 * scale) * uy + 0.36 * metrics.getAscent()));
+        g.drawString("N", (float) (cx + (reach + 6 * scale) * ux - 0.5 * metrics.stringWidth("N")), (float)
+                (cy + (reach + 6 * scale) * uy + 0.36 * metrics.getAscent()));
     }
 
     /** The colours of levels, and how many pieces of rays are drawn of how many. */

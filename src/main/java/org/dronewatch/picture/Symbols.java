@@ -10,6 +10,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Area;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.geometry.Position;
@@ -17,8 +18,8 @@ import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.camera.CameraObject;
 
 /**
- * Draws the symbols of sensors and drones over a picture, and their names where there is room: cameras as wedges that
- * point where they look, radars as diamonds, what hears all round as discs, drones as rings. What stands behind something
+ * Draws the symbols of sensors and drones over a picture, and their names where there is room: cameras as cameras whose
+ * lens opens to where they look, radars as diamonds, what hears all round as discs, drones as rings. What stands behind something
  * is drawn pale.
  */
 final class Symbols {
@@ -115,9 +116,11 @@ final class Symbols {
         Path2D path = new Path2D.Double();
         Outline outline = mark.outline().orElse(null);
         if (outline instanceof Outline.Pyramid pyramid) {
-            path.moveTo(-0.75 * s, 0.0);
-            path.lineTo(s, -0.8 * s);
-            path.lineTo(s, 0.8 * s);
+            path.append(new Rectangle2D.Double(-1.1 * s, -0.6 * s, 1.4 * s, 1.2 * s), false);
+            path.moveTo(0.3 * s, -0.2 * s);
+            path.lineTo(1.15 * s, -0.7 * s);
+            path.lineTo(1.15 * s, 0.7 * s);
+            path.lineTo(0.3 * s, 0.2 * s);
             path.closePath();
             double angle = 0.0;
             // A camera that looks at the eye, or away from it, has no direction in the picture.

@@ -303,7 +303,7 @@ class SitePictureTest {
                     double dx = column + 0.5 - cx;
                     double dy = row + 0.5 - cy;
                     // Far out only the letter is dark.
-                    along += Math.hypot(dx, dy) > 19 ? Math.signum(dx * north.x + dy * north.y) : 0.0;
+                    along += Math.hypot(dx, dy) > 15 ? Math.signum(dx * north.x + dy * north.y) : 0.0;
                 }
             }
         }
