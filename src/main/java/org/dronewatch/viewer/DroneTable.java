@@ -13,7 +13,7 @@ final class DroneTable extends AbstractTableModel {
     private static final String[] COLUMNS = {"drone", "east, north, up [m]", "speed [m/s]", "detected by"};
 
     private final transient List<Drone> drones = new ArrayList<>();
-    private final List<String> detectedBy = new ArrayList<>();
+    private final transient List<String> detectedBy = new ArrayList<>();
 
     /** Shows a time of a run. */
     void show(RecordedRun run, List<Drone> now, double time) {
