@@ -74,7 +74,7 @@ class HouseRulesTest {
             .whereLayer("scene")
             .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "report", "scenes")
             .whereLayer("catalog")
-            .mayOnlyBeAccessedByLayers("app", "scenes", "scene")
+            .mayOnlyBeAccessedByLayers("picture", "app", "scenes", "scene")
             .whereLayer("camera")
             .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "bench", "scenes", "catalog")
             .whereLayer("acoustic")

@@ -1,14 +1,20 @@
 package org.dronewatch.picture;
 
 import java.awt.Color;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.sensor.SensorSettings;
 
-/** One colour for each kind of sensor in a scene: the same in all its pictures. Immutable. */
+/**
+ * One colour for each kind of sensor: for those of the library the same in all pictures of all scenes, for others the same in
+ * all pictures of a scene. Immutable.
+ */
 public final class KindColours {
     private static final Color[] COLOURS = {
         new Color(0x1f5fbf), new Color(0xff6a00), new Color(0x2a9d5c), new Color(0x9b3fb5), new Color(0xb58900),
@@ -17,8 +23,12 @@ public final class KindColours {
     private final Map<String, Color> colours = new LinkedHashMap<>();
 
     private KindColours(Collection<SensorSettings<?>> sensors) {
+        List<String> known = new ArrayList<>(SensorKinds.all().keySet());
         for (SensorSettings<?> sensor : sensors) {
-            colours.computeIfAbsent(sensor.kind(), kind -> COLOURS[colours.size() % COLOURS.length]);
+            if (!known.contains(sensor.kind())) {
+                known.add(sensor.kind());
+            }
+            colours.computeIfAbsent(sensor.kind(), kind -> COLOURS[known.indexOf(kind) % COLOURS.length]);
         }
     }
 

@@ -372,4 +372,13 @@ class SitePictureTest {
                     .isCloseTo(length * width, within(0.06 * length * width + 6));
         }
     }
+
+    @Test
+    void aKindHasItsColourInEveryScene() {
+        KindColours both = KindColours.of(settings.sensors().values());
+        KindColours one = KindColours.of(List.of(settings.sensors().get("microphone")));
+
+        assertThat(one.of("acoustic")).isEqualTo(both.of("acoustic")).isNotEqualTo(both.of("camera"));
+        assertThat(one.kinds()).containsExactly("acoustic");
+    }
 }
