@@ -100,9 +100,9 @@ class CoverageTest {
         Color far = picture.colour(60, 60);
         Color radarOnly = picture.colour(500 + 250, 500 + 40);
         Color shadow = picture.colour(500, 500 - 250);
-        assertThat(far.getBlue() - far.getRed()).as("bare ground is no blue").isLessThan(10);
-        assertThat(radarOnly.getBlue() - radarOnly.getRed())
-                .as("a radar's cell is blue")
+        assertThat(far.getGreen() - far.getRed()).as("bare ground is no green").isLessThan(10);
+        assertThat(radarOnly.getGreen() - radarOnly.getRed())
+                .as("a radar's cell is green")
                 .isGreaterThan(30);
         assertThat(shadow).as("behind the wall").isEqualTo(far);
         assertThat(picture.colour(500, 500 + 100).getRed())
