@@ -34,6 +34,8 @@ final class TimeLine extends JPanel {
     private static final int LOWEST = 64;
     private static final int HIGHEST = 170;
     private static final int NEAR = 6;
+    private static final double LEGIBLE_ROW = 9.0;
+    private static final int NAME_SIZE = 9;
 
     private final transient Playback playback;
     private final transient List<DetectionEvent> events = new ArrayList<>();
@@ -157,7 +159,18 @@ final class TimeLine extends JPanel {
             if (!held.isEmpty()) {
                 bar(g, row, from, reached, colour);
             }
+            paintName(g, row, sensor);
             paintMarks(g, row, sensor, colour);
+        }
+    }
+
+    /** Small, where there is room: the tool tip tells all of them. */
+    private void paintName(Graphics2D g, int row, String sensor) {
+        if (rowHeight() >= LEGIBLE_ROW) {
+            g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, NAME_SIZE));
+            g.setColor(shade(150));
+            float right = getWidth() - MARGIN - 3f - g.getFontMetrics().stringWidth(sensor);
+            g.drawString(sensor, right, (float) (yOf(row) + rowHeight() - 2.5));
         }
     }
 

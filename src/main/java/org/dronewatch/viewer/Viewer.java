@@ -45,7 +45,8 @@ public final class Viewer implements AutoCloseable {
             Toolkit.getDefaultToolkit().getScreenSize();
             return Optional.empty();
         } catch (AWTError | LinkageError e) {
-            return Optional.of("there is a display, but no window can be opened on it: " + e.getMessage());
+            return Optional.of("there is a display, but no window can be opened on it: "
+                    + String.valueOf(e.getMessage()).replaceFirst("\\.$", ""));
         }
     }
 

@@ -79,7 +79,12 @@ final class ViewerPane extends JPanel {
                 playback, actions, number -> show(recording.runs().get(number)));
         world().onSelection(this::select);
         world().onHint(status::setText);
-        site.onFocus(() -> site.focusOn(selected, playback.time()));
+        site.onFocus(() -> {
+            if (selected == null) {
+                status.setText("Click on a sensor or a drone first: Focus looks at what is selected");
+            }
+            site.focusOn(selected, playback.time());
+        });
         rayPanel.onTraced(traced -> {
             rays = traced.orElse(null);
             changed = true;

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.SceneResult;
@@ -129,7 +130,14 @@ public final class HtmlReport {
     private String detections() {
         boolean sweeps = result.runs().size() > 1;
         List<String> head = new ArrayList<>(List.of(
-                "sensor", "kind", "drone", "first detected [s]", "at [m]", "farthest [m]", "looks that detect"));
+                "sensor",
+                "kind",
+                "drone",
+                "first detected [s]",
+                "at [m]",
+                "last [s]",
+                "farthest [m]",
+                "looks that detect"));
         if (sweeps) {
             head.add(0, "run");
         }
@@ -141,6 +149,7 @@ public final class HtmlReport {
                     pair.drone(),
                     number(pair.firstDetected()),
                     number(pair.range()),
+                    last(pair),
                     number(pair.maxRange()),
                     format("%.0f %%", 100.0 * looks.share(pair.run(), pair.sensor(), pair.drone()))));
             if (sweeps) {
@@ -149,6 +158,21 @@ public final class HtmlReport {
             rows.add(row);
         }
         return Html.plain("h2", "Who detects what") + Html.table(head, rows);
+    }
+
+    /** Until when a sensor detects a drone: when it loses it for the last time. */
+    private String last(PairResult pair) {
+        RunResult run = result.runs().get(pair.run());
+        String last = "never";
+        for (DetectionEvent event : run.events()) {
+            if (event.observation().sensor().equals(pair.sensor())
+                    && event.observation().drone().equals(pair.drone())) {
+                last = event.gained()
+                        ? "to the end"
+                        : format("%.1f", event.observation().arrival());
+            }
+        }
+        return last;
     }
 
     private String withSwept(int run) {

@@ -76,6 +76,8 @@ class HtmlReportTest {
                 .contains("nothing of it arrived that the sensor could hear")
                 .anyMatch(text -> text.matches("too weak: at best \\d+ of 12 px, at \\d+ m"))
                 .anyMatch(text -> text.matches("too weak: at best \\d+(\\.\\d)? of 47 dB, at \\d+ m"));
+        // The radar loses it at 38 s.
+        assertThat(texts(document, "td")).contains("38.0");
         assertThat(texts(document, "figcaption")).containsExactly("a <picture>");
         assertThat(page).contains("data:image/png;base64,AQID");
         // Nothing is asked for from anywhere.
