@@ -43,6 +43,10 @@ class HouseRulesTest {
             .definedBy("org.dronewatch.sensor.radar..")
             .layer("rf")
             .definedBy("org.dronewatch.sensor.rf..")
+            .layer("optics")
+            .definedBy("org.dronewatch.sensor.optics..")
+            .layer("positioner")
+            .definedBy("org.dronewatch.sensor.positioner..")
             .layer("sensor")
             .definedBy("org.dronewatch.sensor")
             .layer("world")
@@ -76,7 +80,12 @@ class HouseRulesTest {
             .whereLayer("catalog")
             .mayOnlyBeAccessedByLayers("picture", "app", "scenes", "scene")
             .whereLayer("camera")
-            .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "bench", "scenes", "catalog")
+            .mayOnlyBeAccessedByLayers("app", "bench", "scenes", "catalog")
+            .whereLayer("optics")
+            .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "bench", "scenes", "camera")
+            .whereLayer("positioner")
+            .mayOnlyBeAccessedByLayers(
+                    "viewer", "picture", "report", "scene", "catalog", "camera", "optics", "radar", "sensor")
             .whereLayer("acoustic")
             .mayOnlyBeAccessedByLayers("app", "bench", "scenes", "catalog")
             .whereLayer("radar")
@@ -96,7 +105,8 @@ class HouseRulesTest {
                     "camera",
                     "acoustic",
                     "radar",
-                    "rf")
+                    "rf",
+                    "optics")
             .whereLayer("world")
             .mayOnlyBeAccessedByLayers(
                     "viewer",
@@ -111,7 +121,8 @@ class HouseRulesTest {
                     "acoustic",
                     "radar",
                     "rf",
-                    "sensor")
+                    "sensor",
+                    "optics")
             .whereLayer("sound")
             .mayOnlyBeAccessedByLayers("scenes", "scene", "acoustic", "sensor", "world")
             .whereLayer("kdtree")
@@ -126,7 +137,8 @@ class HouseRulesTest {
                     "acoustic",
                     "radar",
                     "rf",
-                    "world")
+                    "world",
+                    "optics")
             .whereLayer("geometry")
             .mayOnlyBeAccessedByLayers(
                     "viewer",
@@ -142,10 +154,22 @@ class HouseRulesTest {
                     "rf",
                     "sensor",
                     "world",
-                    "kdtree")
+                    "kdtree",
+                    "optics",
+                    "positioner")
             .whereLayer("parallel")
             .mayOnlyBeAccessedByLayers(
-                    "viewer", "picture", "app", "bench", "report", "scene", "camera", "acoustic", "world", "kdtree");
+                    "viewer",
+                    "picture",
+                    "app",
+                    "bench",
+                    "report",
+                    "scene",
+                    "camera",
+                    "acoustic",
+                    "world",
+                    "kdtree",
+                    "optics");
 
     @ArchTest
     static final ArchRule NO_CIRCLES =

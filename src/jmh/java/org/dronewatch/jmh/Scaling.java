@@ -16,7 +16,7 @@ import org.dronewatch.sensor.acoustic.level.Listening;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sensor.camera.CameraSettings;
-import org.dronewatch.sensor.camera.DepthImage;
+import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.Drone;

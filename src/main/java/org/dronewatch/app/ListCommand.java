@@ -6,6 +6,7 @@ import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
+import org.dronewatch.catalog.Positioners;
 import org.dronewatch.scenes.PackagedScene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -37,6 +38,10 @@ final class ListCommand implements Callable<Integer> {
                     entry.coverage(),
                     entry.basis().name().toLowerCase(Locale.ROOT),
                     entry.price().map(price -> "; " + price).orElse(""));
+        }
+        for (String name : Positioners.packagedNames()) {
+            CatalogEntry entry = new Positioners().entry(name).orElseThrow();
+            out.printf("%-9s %-22s %s; covers %s%n", "mount", name, entry.title(), entry.coverage());
         }
         return 0;
     }

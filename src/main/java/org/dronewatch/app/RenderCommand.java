@@ -11,8 +11,10 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.sensor.camera.CameraSettings;
-import org.dronewatch.sensor.camera.DepthImage;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.DepthImage;
+import org.dronewatch.sensor.optics.DronePicture;
+import org.dronewatch.sensor.optics.PictureSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 import picocli.CommandLine.ArgGroup;
@@ -100,10 +102,10 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void drawCamera(SceneRunner runner, SceneSettings settings, double seconds, WholeFile target) {
-        CameraSettings camera = camera(settings);
+        PictureSettings camera = camera(settings);
         DepthImage image = threads.call(() -> {
             Stage stage = runner.stage(settings);
-            return camera.create().depthImage(stage.world(), stage.dronesAt(seconds));
+            return new DronePicture(new CameraObject(camera)).depthImage(stage.world(), stage.dronesAt(seconds));
         });
         target.write(isPng() ? image::writePng : image::writePfm);
         spec.commandLine()
@@ -132,9 +134,9 @@ final class RenderCommand implements Callable<Integer> {
         return runs.get(run);
     }
 
-    private CameraSettings camera(SceneSettings settings) {
+    private PictureSettings camera(SceneSettings settings) {
         SensorSettings<?> sensor = settings.sensors().get(subject.camera);
-        if (sensor instanceof CameraSettings camera) {
+        if (sensor instanceof PictureSettings camera) {
             return camera;
         }
         throw new InputException("--camera " + subject.camera + ": no such camera; the scene's sensors are "

@@ -157,7 +157,12 @@ final class SiteView {
         RayFilter filter = new RayFilter(0, maxOrder == null ? Integer.MAX_VALUE : maxOrder, heardOnly);
         // No run, no detections.
         SiteState state = picture.state(
-                title, time, (sensor, drone) -> false, Optional.ofNullable(focus), traced(settings, stage, time));
+                title,
+                time,
+                (sensor, drone) -> false,
+                sensor -> Optional.empty(),
+                Optional.ofNullable(focus),
+                traced(settings, stage, time));
         return picture.draw(backdrop, state, SiteStyle.DEFAULT.withScale(scale).withFilter(filter));
     }
 

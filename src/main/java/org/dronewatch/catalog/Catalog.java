@@ -131,7 +131,13 @@ public final class Catalog implements Kinds.NamedSettings {
         return PACKAGED.contains(name) ? Optional.of(resource(name + ENDING)) : Optional.empty();
     }
 
-    private static Node.Mapping resource(String file) {
+    /** What a file of the library says. */
+    static CatalogEntry entryOf(Node.Mapping document) {
+        return SettingsFile.read(document, CatalogEntry.class, Kinds.SEALED, Path.of(""));
+    }
+
+    /** A file of the library. */
+    static Node.Mapping resource(String file) {
         try (InputStream in = Catalog.class.getResourceAsStream(file)) {
             if (in == null) {
                 throw new IllegalStateException("resource " + file + " is missing");

@@ -9,6 +9,7 @@ import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.camera.DetectionFunction;
 import org.dronewatch.sensor.camera.PixelThreshold;
 import org.dronewatch.sensor.camera.TargetTask;
+import org.dronewatch.sensor.positioner.PositionerSettings;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.rf.RfSettings;
 import org.dronewatch.setting.file.Kinds;
@@ -53,7 +54,10 @@ public final class SensorKinds {
      * @param catalog where {@code use} finds them by name
      */
     public static Kinds kinds(Catalog catalog) {
-        Kinds kinds = Kinds.SEALED.with(SensorSettings.class, catalog).with(SensorSettings.class, SENSORS);
+        Kinds kinds = Kinds.SEALED
+                .with(SensorSettings.class, catalog)
+                .with(SensorSettings.class, SENSORS)
+                .with(PositionerSettings.class, new Positioners());
         for (Map.Entry<Class<?>, Map<String, Class<? extends Record>>> part : PARTS.entrySet()) {
             kinds = kinds.with(part.getKey(), part.getValue());
         }

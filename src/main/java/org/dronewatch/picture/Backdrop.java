@@ -2,7 +2,7 @@ package org.dronewatch.picture;
 
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.camera.CameraObject;
+import org.dronewatch.sensor.optics.CameraObject;
 
 /** The site alone, painted from one place: what stays the same while time goes on. Immutable to whoever holds it. */
 public final class Backdrop {

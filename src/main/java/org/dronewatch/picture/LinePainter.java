@@ -1,7 +1,7 @@
 package org.dronewatch.picture;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.camera.CameraObject;
+import org.dronewatch.sensor.optics.CameraObject;
 
 /**
  * Draws straight lines of the world into a canvas, with soft edges, and only where nothing stands before them. Fast enough

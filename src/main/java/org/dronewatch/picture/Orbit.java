@@ -2,8 +2,7 @@ package org.dronewatch.picture;
 
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.camera.CameraObject;
-import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.optics.CameraObject;
 
 /**
  * Where the picture of a site is taken from: on a sphere about what it shows. Immutable.
@@ -122,10 +121,8 @@ public record Orbit(Position target, double bearing, double elevation, double di
 
     /** The camera of a picture of a size in pixels. */
     public CameraObject camera(int width, int height) {
-        return new CameraObject(CameraSettings.at(eye())
-                .withLookAt(target)
-                .withResolution(width, height)
-                .withVerticalFov(fov));
+        Position eye = eye();
+        return new CameraObject(eye, target.minus(eye), width, height, 0.5 * height / Math.tan(0.5 * fov));
     }
 
     /** How many metres a pixel shows at the target, in a picture of so many rows. */

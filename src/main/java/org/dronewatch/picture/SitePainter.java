@@ -11,7 +11,7 @@ import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.TileTraversal;
 import org.dronewatch.parallel.Workers;
-import org.dronewatch.sensor.camera.CameraObject;
+import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.Drone;
 
 /**

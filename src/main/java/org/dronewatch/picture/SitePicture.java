@@ -10,13 +10,15 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiPredicate;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.Ray;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
-import org.dronewatch.sensor.camera.CameraObject;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
@@ -61,6 +63,7 @@ public final class SitePicture {
      * @param title of the picture
      * @param time seconds since the start of the run
      * @param detects whether a sensor of a name detects a drone of a name then
+     * @param pointing where the mount of a sensor of a name points then; empty for one that stands still
      * @param selected the sensor or drone that matters most
      * @param rays rays of sound
      */
@@ -68,6 +71,7 @@ public final class SitePicture {
             String title,
             double time,
             BiPredicate<String, String> detects,
+            Function<String, Optional<Pointing>> pointing,
             Optional<String> selected,
             Optional<RaySet> rays) {
         Set<String> drones = settings.drones().keySet();
@@ -78,7 +82,9 @@ public final class SitePicture {
                         id,
                         sensor.kind(),
                         sensor.position(),
-                        sensor.outline(),
+                        pointing.apply(id)
+                                .flatMap(where -> sensor.pointed(where).outline())
+                                .or(sensor::outline),
                         drones.stream().anyMatch(drone -> detects.test(id, drone)))));
         List<DroneMark> droneMarks = stage.dronesAt(time).stream()
                 .map(drone -> flights.mark(

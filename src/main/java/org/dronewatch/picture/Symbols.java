@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
-import org.dronewatch.sensor.camera.CameraObject;
+import org.dronewatch.sensor.optics.CameraObject;
 
 /**
  * Draws the symbols of sensors and drones over a picture, and their names where there is room: cameras as cameras whose

@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import org.dronewatch.report.html.Looks;
 import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.Frame;
+import org.dronewatch.scene.Pointings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneListener;
 import org.dronewatch.scene.SceneResult;
@@ -32,6 +33,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     private final OutputDirectory directory;
     private final Table detections;
     private final Table observations;
+    private final Pointings pointings = new Pointings();
     private final RangePlots rangePlots = new RangePlots();
     private final Looks looks = new Looks();
     private Stage stage;
@@ -88,6 +90,9 @@ public final class RunReport implements SceneListener, AutoCloseable {
     public void observed(Frame frame) {
         rangePlots.add(frame);
         looks.observed(frame);
+        if (frame.run() == 0) {
+            pointings.add(frame);
+        }
         if (observations == null) {
             return;
         }
@@ -153,7 +158,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         SweepPlot.of(scene, result).ifPresent(plot -> plot.write(plotFile("range-over-" + plot.fileName())));
         rangePlots.write(result, name -> plotFile(SiteReport.VALUES + name));
         if (stage != null) {
-            new SiteReport(result, looks, stage).write(directory);
+            new SiteReport(result, looks, stage, pointings).write(directory);
         }
         List<String> obsolete = new ArrayList<>();
         if (stage == null) {

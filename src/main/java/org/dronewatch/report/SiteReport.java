@@ -23,6 +23,7 @@ import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.HtmlReport;
 import org.dronewatch.report.html.Looks;
 import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.scene.Pointings;
 import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.Stage;
@@ -43,8 +44,10 @@ final class SiteReport {
     private final SceneResult result;
     private final Looks looks;
     private final Stage stage;
+    private final Pointings pointings;
 
-    SiteReport(SceneResult result, Looks looks, Stage stage) {
+    SiteReport(SceneResult result, Looks looks, Stage stage, Pointings pointings) {
+        this.pointings = pointings;
         this.result = result;
         this.looks = looks;
         this.stage = stage;
@@ -77,6 +80,7 @@ final class SiteReport {
                 result.scene(),
                 time,
                 (sensor, drone) -> isDetected(run, sensor, drone, time),
+                sensor -> pointings.at(sensor, time),
                 Optional.empty(),
                 Optional.empty());
         String when = first.isPresent()

@@ -1,7 +1,11 @@
 package org.dronewatch.scene;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.world.Drone;
 
 /**
@@ -11,11 +15,19 @@ import org.dronewatch.world.Drone;
  * @param time seconds since the start of the run
  * @param drones the drones as they are now
  * @param observations what the sensors that looked now have observed
+ * @param pointings where the mounts of those that looked now pointed, by name of the sensor
  */
-public record Frame(int run, double time, List<Drone> drones, List<Observation> observations) {
+public record Frame(
+        int run, double time, List<Drone> drones, List<Observation> observations, Map<String, Pointing> pointings) {
     /** Keeps its own lists. */
     public Frame {
         drones = List.copyOf(drones);
         observations = List.copyOf(observations);
+        pointings = Collections.unmodifiableMap(new LinkedHashMap<>(pointings));
+    }
+
+    /** A frame of sensors that stand still. */
+    public Frame(int run, double time, List<Drone> drones, List<Observation> observations) {
+        this(run, time, drones, observations, Map.of());
     }
 }

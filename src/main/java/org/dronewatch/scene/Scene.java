@@ -241,7 +241,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         for (Observation observation : observations) {
             fireTimedEvent(OBSERVATION, observation, now);
         }
-        plan.frames().accept(new Frame(plan.info().run(), time, drones, observations));
+        plan.frames().accept(new Frame(plan.info().run(), time, drones, observations, stage.pointings()));
         scheduleNextLook();
     }
 }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Spelling;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.WorldSettings;
 
@@ -37,6 +38,25 @@ public record SceneSettings(
         sensors = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("sensors", sensors)));
         drones.keySet().forEach(SceneSettings::checkId);
         sensors.keySet().forEach(SceneSettings::checkId);
+        Map<String, SensorSettings<?>> all = sensors;
+        sensors.forEach((id, sensor) ->
+                sensor.positioner().ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
+    }
+
+    private static void checkCue(String id, String cue, Map<String, SensorSettings<?>> sensors) {
+        String listens = "sensor '" + id + "' listens to '" + cue + "'";
+        if (cue.equals(id)) {
+            throw new IllegalArgumentException(listens + ", which is itself: it follows what it sees in any case");
+        }
+        if (!sensors.containsKey(cue)) {
+            List<String> nearest = Spelling.nearest(cue, sensors.keySet(), 3);
+            throw new IllegalArgumentException(
+                    listens + ": there is no such sensor; nearest are " + String.join(", ", nearest));
+        }
+        if (!sensors.get(cue).tellsDirection()) {
+            throw new IllegalArgumentException(
+                    listens + ", of kind " + sensors.get(cue).kind() + ": that does not tell where a drone is");
+        }
     }
 
     private static void checkId(String id) {

@@ -2,9 +2,11 @@ package org.dronewatch.scene;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
@@ -18,6 +20,8 @@ import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.positioner.Pointing;
+import org.dronewatch.sensor.positioner.Positioner;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.FlightPath;
 import org.dronewatch.world.SurfaceSettings;
@@ -30,6 +34,7 @@ public final class Stage {
     private final Map<String, Integer> colours;
     private final List<Flier> fliers = new ArrayList<>();
     private final List<Looker> lookers = new ArrayList<>();
+    private final Map<String, Pointing> pointings = new LinkedHashMap<>();
     private final long runSeed;
 
     Stage(SceneSettings settings, ModelCache models, long runSeed) {
@@ -159,10 +164,14 @@ public final class Stage {
 
     /** Lets every sensor that is due at a time look. */
     List<Observation> look(double time, List<Drone> drones, LookTimes times) {
+        pointings.clear();
         List<Supplier<List<Observation>>> looks = new ArrayList<>();
         for (Looker looker : lookers) {
             if (looker.nextTime() == time) {
-                Sample sample = Sample.of(runSeed, looker.number, looker.id, looker.nextIndex++, time);
+                Optional<Pointing> pointing = looker.positioner.map(mount -> mount.moveTo(time));
+                pointing.ifPresent(where -> pointings.put(looker.id, where));
+                Sample sample = Sample.of(runSeed, looker.number, looker.id, looker.nextIndex++, time)
+                        .withPointing(pointing);
                 List<Drone> found = drones;
                 double speed = looker.settings.signalSpeed(world);
                 if (Double.isFinite(speed)) {
@@ -179,7 +188,14 @@ public final class Stage {
         }
         List<List<Observation>> seen = new ArrayList<>(Collections.nCopies(looks.size(), List.of()));
         Workers.forEach(looks.size(), i -> seen.set(i, looks.get(i).get()));
-        return seen.stream().flatMap(List::stream).toList();
+        List<Observation> observations = seen.stream().flatMap(List::stream).toList();
+        lookers.forEach(looker -> looker.learn(observations));
+        return observations;
+    }
+
+    /** Where the mounts of the sensors that looked last pointed, by name of the sensor. */
+    Map<String, Pointing> pointings() {
+        return pointings;
     }
 
     /** The drones as they were when what reaches a place now left them; without those of which nothing has arrived yet. */
@@ -200,6 +216,7 @@ public final class Stage {
         private final SensorSettings<?> settings;
         private final Sensor sensor;
         private final double rate;
+        private final Optional<Positioner> positioner;
         private long nextIndex;
 
         Looker(String id, int number, SensorSettings<?> settings) {
@@ -208,6 +225,19 @@ public final class Stage {
             this.settings = settings;
             this.sensor = settings.create();
             this.rate = settings.rate();
+            this.positioner = settings.createPositioner();
+        }
+
+        /** Tells its mount what it saw itself, and what the sensors detect that the mount listens to. */
+        void learn(List<Observation> observations) {
+            positioner.ifPresent(mount -> observations.forEach(o -> o.sighting().ifPresent(sighting -> {
+                if (o.sensor().equals(id)) {
+                    mount.see(o.drone(), sighting, o.arrival());
+                } else if (o.isDetected()
+                        && settings.positioner().orElseThrow().cues().contains(o.sensor())) {
+                    mount.cue(o.drone(), sighting, o.arrival());
+                }
+            })));
         }
 
         /** From the index, not from the last time: adding up intervals drifts. */

@@ -51,6 +51,11 @@ public sealed interface Aim {
         @Defaults
         public static final Direction DEFAULT = new Direction(0.0, 0.0);
 
+        /** As a mount points. */
+        public static Direction of(org.dronewatch.sensor.positioner.Direction mount) {
+            return new Direction(mount.azimuth(), mount.elevation());
+        }
+
         /** Checks the limits. */
         public Direction {
             Limits.check(Direction.class, azimuth, elevation);

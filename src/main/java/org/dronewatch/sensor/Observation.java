@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.sensor.positioner.Sighting;
 
 /**
  * What a sensor measured of a drone at one sample.
@@ -20,6 +21,7 @@ import java.util.Optional;
  * @param unit unit of value and threshold
  * @param figures more that the sensor tells of this look, by name with unit, such as {@code rays} or {@code energy_db};
  *     none for most sensors
+ * @param sighting where the sensor believes the drone to be; empty when it does not tell
  */
 public record Observation(
         String sensor,
@@ -32,11 +34,28 @@ public record Observation(
         double value,
         double threshold,
         String unit,
-        Map<String, Double> figures) {
+        Map<String, Double> figures,
+        Optional<Sighting> sighting) {
 
     /** Keeps its own figures, in their order. */
     public Observation {
         figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
+    }
+
+    /** An observation that does not tell where the drone is. */
+    public Observation(
+            String sensor,
+            String kind,
+            String drone,
+            long sample,
+            double time,
+            double arrival,
+            double range,
+            double value,
+            double threshold,
+            String unit,
+            Map<String, Double> figures) {
+        this(sensor, kind, drone, sample, time, arrival, range, value, threshold, unit, figures, Optional.empty());
     }
 
     /** An observation of what needs no time to reach the sensor, without more figures. */
@@ -51,6 +70,12 @@ public record Observation(
             double threshold,
             String unit) {
         this(sensor, kind, drone, sample, time, time, range, value, threshold, unit, Map.of());
+    }
+
+    /** This observation with where the sensor believes the drone to be, if it does. */
+    public Observation withSighting(Optional<Sighting> where) {
+        return new Observation(
+                sensor, kind, drone, sample, time, arrival, range, value, threshold, unit, figures, where);
     }
 
     /** Whether the value reaches the threshold. */

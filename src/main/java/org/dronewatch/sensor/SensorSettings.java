@@ -2,6 +2,9 @@ package org.dronewatch.sensor;
 
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.positioner.Pointing;
+import org.dronewatch.sensor.positioner.Positioner;
+import org.dronewatch.sensor.positioner.PositionerSettings;
 import org.dronewatch.world.World;
 
 /**
@@ -32,6 +35,30 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
      */
     default double signalSpeed(World world) {
         return Double.POSITIVE_INFINITY;
+    }
+
+    /** The mount that turns it; none unless a kind of sensor has one. */
+    default Optional<PositionerSettings> positioner() {
+        return Optional.empty();
+    }
+
+    /** Whether what it detects tells from which direction: only then can others be pointed by it. */
+    default boolean tellsDirection() {
+        return false;
+    }
+
+    /** A mount for a sensor with one, at the start of a run; none for a sensor that stands still. */
+    default Optional<Positioner> createPositioner() {
+        return Optional.empty();
+    }
+
+    /**
+     * These settings as a mount points the sensor; the same for a sensor that stands still.
+     *
+     * @param pointing where, and with which field of view
+     */
+    default SensorSettings<S> pointed(Pointing pointing) {
+        return this;
     }
 
     /** Whether it matters to this sensor what the world's surfaces are to sound. */

@@ -7,6 +7,7 @@ import java.util.regex.Pattern;
 import org.djunits.value.vdouble.scalar.AbsoluteTemperature;
 import org.djunits.value.vdouble.scalar.Acceleration;
 import org.djunits.value.vdouble.scalar.Angle;
+import org.djunits.value.vdouble.scalar.AngularVelocity;
 import org.djunits.value.vdouble.scalar.Area;
 import org.djunits.value.vdouble.scalar.Duration;
 import org.djunits.value.vdouble.scalar.Frequency;
@@ -21,6 +22,8 @@ public enum Quantity {
     LENGTH("m", unit -> Length.valueOf(unit).si),
     /** Radians. */
     ANGLE("rad", unit -> Angle.valueOf(unit).si),
+    /** Radians per second. */
+    ANGULAR_SPEED("rad/s", unit -> AngularVelocity.valueOf(unit).si),
     /** Seconds. */
     DURATION("s", unit -> Duration.valueOf(unit).si),
     /** Metres per second. */
@@ -104,7 +107,8 @@ public enum Quantity {
         }
         return unit.isEmpty()
                 ? " without a unit"
-                : " in " + unit + " or another unit of " + name().toLowerCase(Locale.ROOT);
+                : " in " + unit + " or another unit of "
+                        + name().toLowerCase(Locale.ROOT).replace('_', ' ');
     }
 
     private static double share(String oneUnit) {

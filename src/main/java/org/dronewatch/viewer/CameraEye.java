@@ -4,53 +4,84 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 import org.dronewatch.geometry.Hit;
 import org.dronewatch.scene.Stage;
-import org.dronewatch.sensor.camera.CameraSensor;
-import org.dronewatch.sensor.camera.CameraSettings;
-import org.dronewatch.sensor.camera.DronePixels;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.DronePicture;
+import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.sensor.optics.PictureSettings;
+import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.world.World;
 
 /** One camera of a run, for looking through at any time. For one thread at a time, except {@link #tell}. */
 final class CameraEye {
     private final String id;
-    private final CameraSettings settings;
+    private final SensorSettings<?> sensor;
+    private final PictureSettings settings;
     private final Stage stage;
-    private final CameraSensor sensor;
+    private final DoubleFunction<Optional<Pointing>> pointings;
+    private Optional<Pointing> pointing = Optional.empty();
+    private PictureSettings pointed;
+    private volatile DronePicture picture;
     private BufferedImage background;
 
-    CameraEye(String id, CameraSettings settings, Stage stage) {
+    /**
+     * A camera's eye.
+     *
+     * @param sensor settings of a sensor that takes pictures
+     * @param pointings where its mount points at a time; empty for a camera that stands still
+     */
+    CameraEye(String id, SensorSettings<?> sensor, Stage stage, DoubleFunction<Optional<Pointing>> pointings) {
         this.id = id;
-        this.settings = settings;
+        this.sensor = sensor;
+        this.settings = (PictureSettings) sensor;
         this.stage = stage;
-        this.sensor = settings.create();
+        this.pointings = pointings;
+        this.pointed = settings;
+        this.picture = new DronePicture(new CameraObject(settings));
     }
 
     String id() {
         return id;
     }
 
-    CameraSettings settings() {
+    PictureSettings settings() {
         return settings;
     }
 
     /** When its last frame up to a time was, s. */
     double frameTime(double time) {
-        return Math.floor(time * settings.rate() + 1e-6) / settings.rate();
+        return Math.floor(time * sensor.rate() + 1e-6) / sensor.rate();
     }
 
     /** Its last frame up to a time, the background in at most so many pixels. */
     CameraShot look(double time, int width, int height) {
         double frame = frameTime(time);
+        turn(pointings.apply(frame + 1e-9));
         int columns = Math.max(1, Math.min(settings.width(), width));
         int rows = Math.max(1, Math.min(settings.height(), height));
         if (background == null || background.getWidth() != columns || background.getHeight() != rows) {
-            CameraSettings shown = settings.withVerticalFov(
-                            2.0 * Math.atan(0.5 * settings.height() / settings.focalLength()))
-                    .withResolution(columns, rows);
-            background = shown.create().depthImage(stage.world(), List.of()).toImage();
+            CameraObject shown = new CameraObject(
+                    pointed.position(),
+                    pointed.aim().from(pointed.position()),
+                    columns,
+                    rows,
+                    pointed.focalLength() * rows / settings.height());
+            background =
+                    new DronePicture(shown).depthImage(stage.world(), List.of()).toImage();
         }
-        return new CameraShot(background, frame, sensor.pixels(stage.world(), stage.dronesAt(frame)));
+        return new CameraShot(background, frame, picture.pixels(stage.world(), stage.dronesAt(frame)));
+    }
+
+    private void turn(Optional<Pointing> next) {
+        if (!next.equals(pointing)) {
+            pointing = next;
+            pointed = next.isPresent() ? (PictureSettings) sensor.pointed(next.get()) : settings;
+            picture = new DronePicture(new CameraObject(pointed));
+            background = null;
+        }
     }
 
     /** What a pixel shows, in words: how far it is, and what. */
@@ -61,7 +92,7 @@ final class CameraEye {
             }
         }
         World world = stage.world();
-        Optional<Hit> hit = world.closestHit(sensor.camera().ray(column, row));
+        Optional<Hit> hit = world.closestHit(picture.camera().ray(column, row));
         return hit.map(found -> String.format(
                         Locale.ROOT,
                         "%s, %.2f m",

@@ -15,9 +15,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
-import org.dronewatch.scene.SceneSettings;
-import org.dronewatch.scene.Stage;
-import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.optics.PictureSettings;
 
 /** All cameras of a run side by side; a click enlarges one, another shows all again. */
 final class CameraPanel extends JPanel {
@@ -59,13 +57,14 @@ final class CameraPanel extends JPanel {
     }
 
     /** Shows the cameras of another run. */
-    void show(SceneSettings settings, Stage stage) {
+    void show(ViewedRun run) {
         visuals.clear();
         enlarged = null;
         known = true;
-        settings.sensors().forEach((id, sensor) -> {
-            if (sensor instanceof CameraSettings camera) {
-                visuals.add(visual(new CameraEye(id, camera, stage)));
+        run.settings().sensors().forEach((id, sensor) -> {
+            if (sensor instanceof PictureSettings) {
+                visuals.add(visual(new CameraEye(
+                        id, sensor, run.stage(), moment -> run.run().pointing(id, moment))));
             }
         });
         arrange();

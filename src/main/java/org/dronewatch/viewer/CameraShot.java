@@ -2,7 +2,7 @@ package org.dronewatch.viewer;
 
 import java.awt.image.BufferedImage;
 import java.util.List;
-import org.dronewatch.sensor.camera.DronePixels;
+import org.dronewatch.sensor.optics.DronePixels;
 
 /**
  * What a camera shows at one time. Nobody changes it any more.

@@ -17,7 +17,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
-import org.dronewatch.sensor.camera.DronePixels;
+import org.dronewatch.sensor.optics.DronePixels;
 
 /**
  * What one camera sees: distances in blues, nearer darker, the sky pale, the drone's pixels in orange, its significant pixels

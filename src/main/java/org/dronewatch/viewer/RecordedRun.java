@@ -7,14 +7,17 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.Frame;
+import org.dronewatch.scene.Pointings;
 import org.dronewatch.scene.RunInfo;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.positioner.Pointing;
 
 /** One run as far as it has been simulated. Written by the thread that simulates, read by any. */
 final class RecordedRun {
     private final RunInfo info;
     private final Map<List<String>, Readings> readings = new HashMap<>();
     private final Map<List<String>, List<DetectionEvent>> eventsOfPair = new HashMap<>();
+    private final Pointings pointings = new Pointings();
     private final List<DetectionEvent> events = new ArrayList<>();
     private double reached;
     private boolean finished;
@@ -28,6 +31,7 @@ final class RecordedRun {
             readings.computeIfAbsent(List.of(observation.sensor(), observation.drone()), pair -> new Readings())
                     .add(observation);
         }
+        pointings.add(frame);
         reached = frame.time();
     }
 
@@ -72,6 +76,11 @@ final class RecordedRun {
     synchronized Optional<Reading> reading(String sensor, String drone, double time) {
         Readings known = readings.get(List.of(sensor, drone));
         return known == null ? Optional.empty() : known.at(time);
+    }
+
+    /** Where the mount of a sensor points at a time; empty for a sensor that stands still. */
+    synchronized Optional<Pointing> pointing(String sensor, double time) {
+        return pointings.at(sensor, time);
     }
 
     /** Whether a sensor detects a drone at a time. */

@@ -42,7 +42,13 @@ final class ViewedRun {
 
     /** What is in the site at a time. */
     SiteState state(double time, Optional<String> selected, Optional<RaySet> rays) {
-        return picture.state(title, time, (sensor, drone) -> run.isDetected(sensor, drone, time), selected, rays);
+        return picture.state(
+                title,
+                time,
+                (sensor, drone) -> run.isDetected(sensor, drone, time),
+                sensor -> run.pointing(sensor, time),
+                selected,
+                rays);
     }
 
     /** Whether a sensor detects any drone at a time. */

@@ -204,7 +204,7 @@ final class ViewerPane extends JPanel {
         viewed = next;
         rays = null;
         playback.show(next.run());
-        cameras.show(next.settings(), next.stage());
+        cameras.show(next);
         rayPanel.show(next.settings(), next.stage());
         site.show(next, cut);
         shownTime = Double.NaN;

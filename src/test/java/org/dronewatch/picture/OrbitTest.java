@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.camera.CameraObject;
+import org.dronewatch.sensor.optics.CameraObject;
 import org.jogamp.vecmath.Point2d;
 import org.jogamp.vecmath.Point3d;
 import org.junit.jupiter.api.Test;

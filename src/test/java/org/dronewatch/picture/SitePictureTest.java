@@ -16,8 +16,8 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.Outline;
-import org.dronewatch.sensor.camera.CameraObject;
 import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point2d;
@@ -330,7 +330,8 @@ class SitePictureTest {
     @Test
     void picturesAreTheSameForAnyNumberOfThreads() {
         Orbit orbit = Orbit.about(pictures.interest(), 4.0 / 3.0);
-        SiteState state = pictures.state("yard", 2.0, (sensor, drone) -> true, Optional.empty(), Optional.empty());
+        SiteState state = pictures.state(
+                "yard", 2.0, (sensor, drone) -> true, sensor -> Optional.empty(), Optional.empty(), Optional.empty());
         int[][] images = new int[3][];
         for (int threads = 1; threads <= 3; threads++) {
             try (Workers workers = new Workers(threads)) {

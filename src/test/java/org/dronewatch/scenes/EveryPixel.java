@@ -2,7 +2,7 @@ package org.dronewatch.scenes;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTraversal;
-import org.dronewatch.sensor.camera.CameraObject;
+import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;

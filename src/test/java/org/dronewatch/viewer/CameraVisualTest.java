@@ -8,13 +8,14 @@ import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.picture.Yard;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.camera.CameraSettings;
-import org.dronewatch.sensor.camera.DepthImage;
-import org.dronewatch.sensor.camera.DronePixels;
+import org.dronewatch.sensor.optics.DepthImage;
+import org.dronewatch.sensor.optics.DronePixels;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,7 +34,7 @@ class CameraVisualTest {
         stage = yard.stage();
         SceneSettings all = yard.settings();
         settings = (CameraSettings) all.sensors().get("camera");
-        eye = new CameraEye("camera", settings, stage);
+        eye = new CameraEye("camera", settings, stage, time -> Optional.empty());
     }
 
     private BufferedImage painted(CameraVisual visual, CameraShot shot, int width, int height) {

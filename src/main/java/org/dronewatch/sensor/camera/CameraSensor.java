@@ -2,125 +2,143 @@ package org.dronewatch.sensor.camera;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.DepthImage;
+import org.dronewatch.sensor.optics.DronePicture;
+import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.sensor.positioner.Direction;
+import org.dronewatch.sensor.positioner.Pointing;
+import org.dronewatch.sensor.positioner.PositionerSettings;
+import org.dronewatch.sensor.positioner.Sighting;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * A camera for visible light. Keeps the static view of the world it saw last, and scratch memory for the drones before
- * it: one thread at a time.
+ * A camera for visible light. Keeps its last picture, and scratch memory for the drones before it: one thread at a time.
  */
 public final class CameraSensor implements Sensor {
     private final CameraSettings settings;
-    private final CameraObject camera;
+    private final DronePicture ownAim;
 
-    private DynamicView dynamicView;
-    private StaticView staticView;
+    private DronePicture picture;
+    private Optional<Pointing> pointing = Optional.empty();
+    private World world;
 
     /** The way to the sun as long as the camera sees it. */
-    private Vector3d sun;
+    private Optional<Vector3d> sun = Optional.empty();
 
     /** A camera of some settings. */
     public CameraSensor(CameraSettings settings) {
         this.settings = settings;
-        this.camera = new CameraObject(settings);
+        this.ownAim = new DronePicture(new CameraObject(settings));
+        this.picture = ownAim;
     }
 
     /** Counts the pixels of each drone that is nearer than the world and the other drones. */
     @Override
-    public List<Observation> observe(World world, List<Drone> drones, Sample sample) {
-        draw(world, drones);
+    public List<Observation> observe(World site, List<Drone> drones, Sample sample) {
+        if (site != world) {
+            world = site;
+            sun = wayToSun();
+        }
+        if (!pointing.equals(sample.pointing())) {
+            pointing = sample.pointing();
+            picture = pointing.map(where -> new DronePicture(new CameraObject(settings.pointed(where))))
+                    .orElse(ownAim);
+        }
+        picture.draw(world, drones);
         List<Observation> observations = new ArrayList<>(drones.size());
         for (int i = 0; i < drones.size(); i++) {
-            double range = drones.get(i).distance(settings.position());
-            DroneView view = view(world, drones.get(i), dynamicView.pixels(i), range);
-            observations.add(new Observation(
-                    sample.sensor(),
-                    settings.kind(),
-                    drones.get(i).id(),
-                    sample.index(),
-                    sample.time(),
-                    range,
-                    settings.detection().value(view),
-                    settings.detection().threshold(sample.random()),
-                    settings.detection().unit()));
+            observations.add(observe(drones.get(i), picture.pixels(i), sample));
         }
         return observations;
     }
 
-    private DroneView view(World world, Drone drone, int pixels, double range) {
+    private Observation observe(Drone drone, int pixels, Sample sample) {
+        double range = drone.distance(settings.position());
+        DroneView view = view(drone, pixels, range);
+        Observation observation = new Observation(
+                sample.sensor(),
+                settings.kind(),
+                drone.id(),
+                sample.index(),
+                sample.time(),
+                range,
+                settings.detection().value(view),
+                settings.detection().threshold(sample.random()),
+                settings.detection().unit());
+        double lock = settings.positioner().map(PositionerSettings::lock).orElse(Double.POSITIVE_INFINITY);
+        return observation.isDetected() || pixels >= lock
+                ? observation.withSighting(Optional.of(sighting(drone)))
+                : observation;
+    }
+
+    /** A picture tells the direction, to a pixel or better, and nothing of the range. */
+    private Sighting sighting(Drone drone) {
+        Position way = Position.of(drone.position()).minus(settings.position());
+        return new Sighting(settings.position(), Direction.of(way), OptionalDouble.empty());
+    }
+
+    private DroneView view(Drone drone, int pixels, double range) {
+        double focalLength = picture.camera().focalLength();
         if (pixels == 0) {
-            return new DroneView(0, range, camera.focalLength(), 0.0, world.light(), Double.POSITIVE_INFINITY);
+            return new DroneView(0, range, focalLength, 0.0, world.light(), Double.POSITIVE_INFINITY);
         }
         Vector3d way = new Vector3d(drone.position());
         way.sub(settings.position().toPoint3d());
         way.normalize();
-        // Its velocity but for what it comes nearer, as an angle a second, in pixels.
+        // Its velocity but for what it comes nearer, as an angle a second, in pixels. A mount that follows takes it
+        // away.
         Vector3d across = drone.velocity();
         across.scaleAdd(-across.dot(way), way, across);
-        double crossing = across.length() / range * camera.focalLength();
-        double sunAngle = sun == null ? Double.POSITIVE_INFINITY : way.angle(sun);
-        return new DroneView(pixels, range, camera.focalLength(), crossing, world.light(), sunAngle);
+        boolean followed =
+                pointing.flatMap(Pointing::target).filter(drone.id()::equals).isPresent();
+        double crossing = followed ? 0.0 : across.length() / range * focalLength;
+        double sunAngle = sun.map(way::angle).orElse(Double.POSITIVE_INFINITY);
+        return new DroneView(pixels, range, focalLength, crossing, world.light(), sunAngle);
     }
 
-    /** The way to the sun, when the camera sees it, in its picture or not: null otherwise. */
-    private Vector3d wayToSun(World world) {
-        if (world.light().sun().isEmpty()) {
-            return null;
-        }
-        Vector3d way = world.light().sun().get().direction().toVector3d();
+    /** The way to the sun, when the camera sees it, in its picture or not. */
+    private Optional<Vector3d> wayToSun() {
         Position at = settings.position();
-        boolean shaded = world.newTraversal()
-                .isOccluded(at.x(), at.y(), at.z(), way.x, way.y, way.z, 0.0, Double.POSITIVE_INFINITY);
-        return way.z < 0.0 || shaded ? null : way;
+        return world.light()
+                .sun()
+                .map(shining -> shining.direction().toVector3d())
+                .filter(way -> way.z >= 0.0
+                        && !world.newTraversal()
+                                .isOccluded(
+                                        at.x(), at.y(), at.z(), way.x, way.y, way.z, 0.0, Double.POSITIVE_INFINITY));
     }
 
     /**
-     * The whole picture, traced on the threads of the {@link org.dronewatch.parallel.Workers} that call; the same for any
-     * number of them.
+     * The whole picture along the camera's own aim, traced on the threads of the
+     * {@link org.dronewatch.parallel.Workers} that call; the same for any number of them.
      */
-    public DepthImage depthImage(World world, List<Drone> drones) {
-        draw(world, drones);
-        float[] distances = staticView.all();
-        boolean[] hits = new boolean[distances.length];
-        dynamicView.overlay(distances, hits);
-        return DepthImage.over(camera, distances, hits);
+    public DepthImage depthImage(World site, List<Drone> drones) {
+        return ownAim.depthImage(site, drones);
     }
 
-    /** The significant pixels of each drone, in the same order, and which of them show it. */
-    public List<DronePixels> pixels(World world, List<Drone> drones) {
-        draw(world, drones);
-        List<DronePixels> pixels = new ArrayList<>(drones.size());
-        for (int i = 0; i < drones.size(); i++) {
-            pixels.add(dynamicView.pixels(i, drones.get(i).id()));
-        }
-        return pixels;
+    /** The significant pixels of each drone along the camera's own aim, in the same order, and which of them show it. */
+    public List<DronePixels> pixels(World site, List<Drone> drones) {
+        return ownAim.pixels(site, drones);
     }
 
-    /** How many pixels show a drone when it is the only one. */
-    public int pixels(World world, Drone drone) {
-        draw(world, List.of(drone));
-        return dynamicView.pixels(0);
+    /** How many pixels show a drone along the camera's own aim, when it is the only one. */
+    public int pixels(World site, Drone drone) {
+        ownAim.draw(site, List.of(drone));
+        return ownAim.pixels(0);
     }
 
-    private void draw(World world, List<Drone> drones) {
-        if (staticView == null || !staticView.shows(world)) {
-            staticView = new StaticView(camera, world);
-            sun = wayToSun(world);
-        }
-        if (dynamicView == null) {
-            dynamicView = new DynamicView(camera);
-        }
-        dynamicView.draw(staticView, drones);
-    }
-
-    /** Pose and projection. */
+    /** Pose and projection along the camera's own aim. */
     public CameraObject camera() {
-        return camera;
+        return ownAim.camera();
     }
 
     /** What this camera was made from. */

@@ -5,13 +5,20 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.FieldOfView;
+import org.dronewatch.sensor.optics.Mounts;
+import org.dronewatch.sensor.optics.PictureSettings;
+import org.dronewatch.sensor.positioner.Pointing;
+import org.dronewatch.sensor.positioner.Positioner;
+import org.dronewatch.sensor.positioner.PositionerSettings;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A camera that stands still.
+ * A camera, on a fixed mount or on one that turns.
  *
  * @param position where its centre of projection is, m
  * @param aim where its axis points; the horizon is level
@@ -21,6 +28,7 @@ import org.dronewatch.setting.Quantity;
  * @param fovAxis the side of the picture that the field of view spans
  * @param rate frames a second, above 0, Hz
  * @param detection decides whether the drone's pixels are enough
+ * @param positioner the mount that turns it about its aim, or empty for a fixed one
  */
 public record CameraSettings(
         Position position,
@@ -30,16 +38,18 @@ public record CameraSettings(
         @In(value = Quantity.ANGLE, above = 0, below = Math.PI) double fov,
         FieldOfView fovAxis,
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
-        DetectionFunction detection)
-        implements SensorSettings<CameraSensor> {
+        DetectionFunction detection,
+        Optional<PositionerSettings> positioner)
+        implements SensorSettings<CameraSensor>, PictureSettings {
     /**
      * Checks the limits.
      *
      * @throws IllegalArgumentException when one does not hold
      */
     public CameraSettings {
-        Limits.check(CameraSettings.class, position, aim, width, height, fov, fovAxis, rate, detection);
+        Limits.check(CameraSettings.class, position, aim, width, height, fov, fovAxis, rate, detection, positioner);
         aim.from(position);
+        Mounts.check(fov, positioner);
     }
 
     /** A full HD camera, 0.6918 rad (39.6 degrees) vertically, 10 frames a second, detecting from 12 pixels on. */
@@ -53,12 +63,13 @@ public record CameraSettings(
                 0.6918,
                 FieldOfView.VERTICAL,
                 10.0,
-                PixelThreshold.DEFAULT);
+                PixelThreshold.DEFAULT,
+                Optional.empty());
     }
 
     /** These settings at another place; a camera that points at a place keeps looking there. */
     public CameraSettings withPosition(Position place) {
-        return new CameraSettings(place, aim, width, height, fov, fovAxis, rate, detection);
+        return new CameraSettings(place, aim, width, height, fov, fovAxis, rate, detection, positioner);
     }
 
     /** These settings looking at another point, m. */
@@ -68,38 +79,63 @@ public record CameraSettings(
 
     /** These settings pointing elsewhere. */
     public CameraSettings withAim(Aim other) {
-        return new CameraSettings(position, other, width, height, fov, fovAxis, rate, detection);
+        return new CameraSettings(position, other, width, height, fov, fovAxis, rate, detection, positioner);
     }
 
     /** These settings with another picture size in pixels. */
     public CameraSettings withResolution(int pixelsWide, int pixelsHigh) {
-        return new CameraSettings(position, aim, pixelsWide, pixelsHigh, fov, fovAxis, rate, detection);
+        return new CameraSettings(position, aim, pixelsWide, pixelsHigh, fov, fovAxis, rate, detection, positioner);
     }
 
     /** These settings with another vertical field of view, rad. */
     public CameraSettings withVerticalFov(double angle) {
-        return new CameraSettings(position, aim, width, height, angle, FieldOfView.VERTICAL, rate, detection);
+        return new CameraSettings(
+                position, aim, width, height, angle, FieldOfView.VERTICAL, rate, detection, positioner);
     }
 
     /** These settings with another horizontal field of view, rad. */
     public CameraSettings withHorizontalFov(double angle) {
-        return new CameraSettings(position, aim, width, height, angle, FieldOfView.HORIZONTAL, rate, detection);
+        return new CameraSettings(
+                position, aim, width, height, angle, FieldOfView.HORIZONTAL, rate, detection, positioner);
     }
 
     /** These settings with another number of frames a second, Hz. */
     public CameraSettings withRate(double framesPerSecond) {
-        return new CameraSettings(position, aim, width, height, fov, fovAxis, framesPerSecond, detection);
+        return new CameraSettings(position, aim, width, height, fov, fovAxis, framesPerSecond, detection, positioner);
     }
 
     /** These settings with another way to decide. */
     public CameraSettings withDetection(DetectionFunction function) {
-        return new CameraSettings(position, aim, width, height, fov, fovAxis, rate, function);
+        return new CameraSettings(position, aim, width, height, fov, fovAxis, rate, function, positioner);
     }
 
-    /** Focal length in pixels, the same for both axes: {@code (h/2) / tan(fovy/2)}. */
-    public double focalLength() {
-        double side = fovAxis == FieldOfView.VERTICAL ? height : width;
-        return 0.5 * side / Math.tan(0.5 * fov);
+    /** These settings on a mount that turns. */
+    public CameraSettings withPositioner(PositionerSettings mount) {
+        return new CameraSettings(position, aim, width, height, fov, fovAxis, rate, detection, Optional.of(mount));
+    }
+
+    @Override
+    public CameraSettings pointed(Pointing pointing) {
+        return new CameraSettings(
+                position,
+                Aim.Direction.of(pointing.direction()),
+                width,
+                height,
+                pointing.fov(),
+                fovAxis,
+                rate,
+                detection,
+                Optional.empty());
+    }
+
+    @Override
+    public Optional<Positioner> createPositioner() {
+        return Mounts.create(this, positioner);
+    }
+
+    @Override
+    public boolean tellsDirection() {
+        return true;
     }
 
     @Override

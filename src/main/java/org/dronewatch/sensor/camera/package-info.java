@@ -1,2 +1,2 @@
-/** Cameras for visible light: one ray a pixel, and only the pixels that can show the drone are traced again. */
+/** Cameras for visible light: how much of a drone's picture is enough. */
 package org.dronewatch.sensor.camera;

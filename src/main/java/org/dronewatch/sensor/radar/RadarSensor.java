@@ -3,10 +3,12 @@ package org.dronewatch.sensor.radar;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.positioner.Sighting;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
@@ -56,6 +58,11 @@ public final class RadarSensor implements Sensor {
         figures.put("in_field", field.contains(way) ? 1.0 : 0.0);
         figures.put("visible_share", share);
         figures.put("cross_section_m2", area);
+        double threshold =
+                settings.detection().threshold(drone.settings().radar().fluctuation(), sample.random());
+        Optional<Sighting> sighting = echo >= threshold
+                ? Optional.of(settings.accuracy().sighting(settings.position(), place, sample.random()))
+                : Optional.empty();
         return new Observation(
                 sample.sensor(),
                 settings.kind(),
@@ -65,9 +72,10 @@ public final class RadarSensor implements Sensor {
                 sample.time(),
                 range,
                 echo,
-                settings.detection().threshold(drone.settings().radar().fluctuation(), sample.random()),
+                threshold,
                 UNIT,
-                figures);
+                figures,
+                sighting);
     }
 
     /** Signal-to-noise ratio of an echo, dB, with what the rain takes on both ways. */

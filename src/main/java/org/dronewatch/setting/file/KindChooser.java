@@ -57,7 +57,7 @@ final class KindChooser {
     }
 
     /** What is written over the ready settings that it takes, if it takes any. */
-    private Optional<Node.Mapping> withReadySettings(Class<?> type, Node.Mapping written, String path) {
+    Optional<Node.Mapping> withReadySettings(Class<?> type, Node.Mapping written, String path) {
         Optional<Kinds.NamedSettings> named = kinds.named(type);
         if (named.isEmpty() || !(written.values().get(USE) instanceof Node.Scalar name)) {
             return Optional.of(written);

@@ -67,7 +67,9 @@ final class SettingsReader {
             return choice(plain, mapping, path);
         }
         if (plain.isRecord()) {
-            return record(SettingsForm.of(plain), mapping, path);
+            return chooser.withReadySettings(plain, mapping, path)
+                    .map(whole -> record(SettingsForm.of(plain), whole, path))
+                    .orElse(FAILED);
         }
         return failed(node, path, "must be a single value");
     }

@@ -16,6 +16,7 @@ import javax.imageio.ImageIO;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.sensor.optics.*;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;

@@ -9,6 +9,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.optics.*;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;

@@ -3,6 +3,7 @@ package org.dronewatch.sensor.camera;
 import java.util.List;
 import org.dronewatch.geometry.Ray;
 import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.sensor.optics.*;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;

@@ -13,6 +13,7 @@ import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.camera.TargetTask.Task;
+import org.dronewatch.sensor.optics.*;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.FlightPathSettings.Hover;

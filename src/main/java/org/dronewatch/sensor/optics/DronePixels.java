@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.camera;
+package org.dronewatch.sensor.optics;
 
 /** The significant pixels of one drone in one frame, and those of them in which the camera sees it. Immutable. */
 public final class DronePixels {

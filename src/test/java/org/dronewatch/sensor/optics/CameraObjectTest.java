@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.camera;
+package org.dronewatch.sensor.optics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.camera.*;
 import org.jogamp.vecmath.Matrix4d;
 import org.jogamp.vecmath.Point2d;
 import org.jogamp.vecmath.Point3d;

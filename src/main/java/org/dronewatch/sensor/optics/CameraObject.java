@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.camera;
+package org.dronewatch.sensor.optics;
 
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
@@ -32,13 +32,31 @@ public final class CameraObject {
     private final Matrix4d projection;
 
     /** The camera of some settings. The horizon is level; a camera that looks straight down has north at the top. */
-    public CameraObject(CameraSettings settings) {
-        this.position = settings.position();
-        this.width = settings.width();
-        this.height = settings.height();
-        this.focalLength = settings.focalLength();
+    public CameraObject(PictureSettings settings) {
+        this(
+                settings.position(),
+                settings.aim().from(settings.position()),
+                settings.width(),
+                settings.height(),
+                settings.focalLength());
+    }
 
-        this.forward = settings.aim().from(position).toVector3d();
+    /**
+     * A camera. The horizon is level; a camera that looks straight down has north at the top.
+     *
+     * @param position where its centre of projection is, m
+     * @param way where it looks, of any length but 0
+     * @param width pixels in a row
+     * @param height rows
+     * @param focalLength in pixels
+     */
+    public CameraObject(Position position, Position way, int width, int height, double focalLength) {
+        this.position = position;
+        this.width = width;
+        this.height = height;
+        this.focalLength = focalLength;
+
+        this.forward = way.toVector3d();
         forward.normalize();
         Vector3d top = Math.abs(forward.z) < VERTICAL ? new Vector3d(0, 0, 1) : new Vector3d(0, 1, 0);
         this.right = new Vector3d();
@@ -167,7 +185,7 @@ public final class CameraObject {
     }
 
     /** What the picture shows of the world. */
-    Outline.Pyramid outline() {
+    public Outline.Pyramid outline() {
         return new Outline.Pyramid(
                 Position.of(forward),
                 Position.of(right),

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.camera;
+package org.dronewatch.sensor.optics;
 
 /** Which side of the picture a field of view spans. */
 public enum FieldOfView {

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.camera;
+package org.dronewatch.sensor.optics;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.TileTraversal;

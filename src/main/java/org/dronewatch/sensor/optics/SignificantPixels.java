@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.camera;
+package org.dronewatch.sensor.optics;
 
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.world.Drone;

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.camera;
+package org.dronewatch.sensor.optics;
 
 /** A rectangle of pixels, borders included; set anew in each frame. Used by one thread at a time. */
 final class PixelRectangle {

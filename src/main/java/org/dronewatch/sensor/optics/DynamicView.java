@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.camera;
+package org.dronewatch.sensor.optics;
 
 import java.util.IdentityHashMap;
 import java.util.List;

@@ -1,0 +1,32 @@
+package org.dronewatch.sensor.optics;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Aim;
+
+/** Where a camera of any kind stands, where it points, and how many pixels its picture has. */
+public interface PictureSettings {
+
+    /** Where its centre of projection is, m. */
+    Position position();
+
+    /** Where its axis points; the horizon is level. */
+    Aim aim();
+
+    /** Pixels in a row. */
+    int width();
+
+    /** Rows of the picture. */
+    int height();
+
+    /** Field of view, above 0 and below pi, rad. */
+    double fov();
+
+    /** The side of the picture that the field of view spans. */
+    FieldOfView fovAxis();
+
+    /** Focal length in pixels, the same for both axes: {@code (side/2) / tan(fov/2)}. */
+    default double focalLength() {
+        double side = fovAxis() == FieldOfView.VERTICAL ? height() : width();
+        return 0.5 * side / Math.tan(0.5 * fov());
+    }
+}

@@ -1,0 +1,114 @@
+package org.dronewatch.sensor.positioner;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+
+/**
+ * A mount while a run goes on: where it points, what it has been told, whom it follows. Its sensor tells it what it sees
+ * itself, and the sensors it listens to what they detect; both act from the next look on. One run, one thread.
+ */
+public final class Positioner {
+    /** What its own camera saw so long ago no longer counts, s. */
+    private static final double OWN = 0.5;
+
+    private record Cue(double due, String drone, Sighting sighting, double time) {}
+
+    private final PositionerSettings settings;
+    private final Position place;
+    private final Direction rest;
+    private final double widest;
+    private final Deque<Cue> cues = new ArrayDeque<>();
+
+    private double time;
+    private Direction direction;
+    private double fov;
+    private Optional<Track> track = Optional.empty();
+    private Direction own;
+    private double ownTime = Double.NEGATIVE_INFINITY;
+
+    /**
+     * A mount at the start of a run.
+     *
+     * @param place where it stands, m
+     * @param rest the direction of its sensor's own aim
+     * @param widest its sensor's own field of view, rad
+     */
+    public Positioner(PositionerSettings settings, Position place, Direction rest, double widest) {
+        this.settings = settings;
+        this.place = place;
+        this.rest = rest;
+        this.widest = widest;
+        this.own = rest;
+        this.direction = tiltable(settings.search().at(rest, 0.0));
+        this.fov = widest;
+    }
+
+    /**
+     * Another sensor has detected a drone.
+     *
+     * @param detected when it knew, s
+     */
+    public void cue(String drone, Sighting sighting, double detected) {
+        cues.add(new Cue(detected + settings.delay(), drone, sighting, detected));
+    }
+
+    /** The mount's own sensor has seen a drone, at its last look. */
+    public void see(String drone, Sighting sighting, double seen) {
+        follow(drone, sighting, seen);
+        if (track.filter(followed -> followed.drone().equals(drone)).isPresent()) {
+            own = sighting.direction();
+            ownTime = seen;
+        }
+    }
+
+    private void follow(String drone, Sighting sighting, double seen) {
+        if (track.isEmpty()) {
+            track = Optional.of(new Track(drone, sighting, seen));
+        } else if (track.get().drone().equals(drone)) {
+            track.get().add(sighting, seen);
+        }
+    }
+
+    /** Turns, tilts and zooms for as long as there is until a time, not before the last one, and says where it points then. */
+    public Pointing moveTo(double now) {
+        track = track.filter(followed -> now - followed.seen() <= settings.hold());
+        while (!cues.isEmpty() && cues.peek().due() <= now) {
+            Cue cue = cues.poll();
+            if (now - cue.time() <= settings.hold() + settings.delay()) {
+                follow(cue.drone(), cue.sighting(), cue.time());
+            }
+        }
+        boolean holds = track.isPresent() && now - ownTime <= OWN;
+        Direction seen = own;
+        Direction wanted = tiltable(track.map(followed -> holds ? seen : followed.from(place, now))
+                .orElseGet(() -> settings.search().at(rest, now)));
+        double since = now - time;
+        direction = new Direction(
+                direction.azimuth()
+                        + limited(Direction.turn(direction.azimuth(), wanted.azimuth()), settings.panSpeed() * since),
+                direction.elevation()
+                        + limited(wanted.elevation() - direction.elevation(), settings.tiltSpeed() * since));
+        settings.zoom().ifPresent(lens -> zoom(lens, holds, since));
+        time = now;
+        return new Pointing(direction, fov, track.map(Track::drone));
+    }
+
+    /** The field of view changes by the same factor in the same time. */
+    private void zoom(ZoomSettings lens, boolean holds, double since) {
+        double wanted = track.isEmpty() ? widest : holds ? lens.tracked() : lens.cued();
+        double narrowest = Math.min(widest, Math.min(lens.cued(), lens.tracked()));
+        double most = lens.time() > 0.0 ? since / lens.time() * Math.log(widest / narrowest) : Double.POSITIVE_INFINITY;
+        fov *= Math.exp(limited(Math.log(wanted / fov), most));
+    }
+
+    private static double limited(double wanted, double most) {
+        return Math.max(-most, Math.min(most, wanted));
+    }
+
+    private Direction tiltable(Direction wanted) {
+        return new Direction(
+                wanted.azimuth(), Math.max(settings.lowest(), Math.min(settings.highest(), wanted.elevation())));
+    }
+}

@@ -1,0 +1,90 @@
+package org.dronewatch.sensor.positioner;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A mount that turns all round and tilts. It searches until a sensor that it listens to detects a drone and tells where;
+ * then it turns there, as fast as it can, and follows. First come, first served: another drone has to wait until this one
+ * has not been seen for a while.
+ *
+ * @param cues names of the sensors that it listens to; they must tell directions, as radars and cameras do
+ * @param panSpeed how fast it turns, above 0 and at most 10 rad/s
+ * @param tiltSpeed how fast it tilts, above 0 and at most 10 rad/s
+ * @param lowest elevation, -pi/2 to pi/2 rad
+ * @param highest elevation, -pi/2 to pi/2, not below the lowest, rad
+ * @param delay from another sensor's detection until the mount begins to turn, 0 to 60 s
+ * @param hold for how long it waits for a drone that is not seen any more, 0 to 3600 s
+ * @param lock how many pixels of a drone its own camera needs to follow it by itself, 1 or more
+ * @param search what it does meanwhile
+ * @param zoom how its lens follows, or empty for a fixed one
+ */
+public record PositionerSettings(
+        List<String> cues,
+        @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10) double panSpeed,
+        @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10) double tiltSpeed,
+        @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double lowest,
+        @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double highest,
+        @In(value = Quantity.DURATION, from = 0, to = 60) double delay,
+        @In(value = Quantity.DURATION, from = 0, to = 3600) double hold,
+        @In(value = Quantity.PIXELS, from = 1, to = 1e6) double lock,
+        SearchPattern search,
+        Optional<ZoomSettings> zoom) {
+    /**
+     * 60 degrees a second, from 50 degrees below the horizon to 60 above; half a second of delay, 3 seconds of patience, 6
+     * pixels to follow by itself, at rest until it is told where to look.
+     */
+    @Defaults
+    public static final PositionerSettings DEFAULT = new PositionerSettings(
+            List.of(),
+            Math.toRadians(60.0),
+            Math.toRadians(60.0),
+            Math.toRadians(-50.0),
+            Math.toRadians(60.0),
+            0.5,
+            3.0,
+            6.0,
+            new SearchPattern.Rest(),
+            Optional.empty());
+
+    /**
+     * Checks the limits and keeps its own list.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public PositionerSettings {
+        Limits.check(
+                PositionerSettings.class, cues, panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, search, zoom);
+        cues = List.copyOf(cues);
+        if (lowest > highest) {
+            throw new IllegalArgumentException(
+                    "lowest " + (float) lowest + " rad must be at most highest " + (float) highest + " rad");
+        }
+    }
+
+    /** These settings listening to some sensors. */
+    public PositionerSettings withCues(String... sensors) {
+        return new PositionerSettings(
+                List.of(sensors), panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, search, zoom);
+    }
+
+    /** These settings with other speeds, rad/s. */
+    public PositionerSettings withSpeed(double pan, double tilt) {
+        return new PositionerSettings(cues, pan, tilt, lowest, highest, delay, hold, lock, search, zoom);
+    }
+
+    /** These settings with another way to search. */
+    public PositionerSettings withSearch(SearchPattern pattern) {
+        return new PositionerSettings(cues, panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, pattern, zoom);
+    }
+
+    /** These settings with a lens that zooms. */
+    public PositionerSettings withZoom(ZoomSettings lens) {
+        return new PositionerSettings(
+                cues, panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, search, Optional.of(lens));
+    }
+}

@@ -1,0 +1,41 @@
+package org.dronewatch.sensor.radar;
+
+import java.util.OptionalDouble;
+import java.util.random.RandomGenerator;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.positioner.Direction;
+import org.dronewatch.sensor.positioner.Sighting;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * How well a radar tells where a drone is: standard deviations of errors that are normal, and independent from scan to scan.
+ *
+ * @param range 0 to 1000 m
+ * @param azimuth 0 to 0.5 rad
+ * @param elevation 0 to 0.5 rad
+ */
+public record Accuracy(
+        @In(value = Quantity.LENGTH, from = 0, to = 1000) double range,
+        @In(value = Quantity.ANGLE, from = 0, to = 0.5) double azimuth,
+        @In(value = Quantity.ANGLE, from = 0, to = 0.5) double elevation) {
+    /** 5 m and one degree. */
+    @Defaults
+    public static final Accuracy DEFAULT = new Accuracy(5.0, Math.toRadians(1.0), Math.toRadians(1.0));
+
+    /** Checks the limits. */
+    public Accuracy {
+        Limits.check(Accuracy.class, range, azimuth, elevation);
+    }
+
+    /** Where a radar believes something to be. */
+    Sighting sighting(Position radar, Position place, RandomGenerator random) {
+        Position way = place.minus(radar);
+        Direction believed =
+                Direction.of(way).turned(azimuth * random.nextGaussian(), elevation * random.nextGaussian());
+        double distance = Math.max(0.0, way.length() + range * random.nextGaussian());
+        return new Sighting(radar, believed, OptionalDouble.of(distance));
+    }
+}

@@ -1,0 +1,90 @@
+package org.dronewatch.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.sensor.positioner.Pointing;
+import org.dronewatch.setting.InputException;
+import org.junit.jupiter.api.Test;
+
+/** A radar points a camera: what the same camera on a fixed mount sees, but cannot identify, is identified. */
+class CuedCameraTest {
+    private static final Path SCENE = Path.of("scenes/cued-camera.yaml");
+
+    private static SceneRunner runner() {
+        return new SceneRunner(new SceneFile(SCENE)).threads(2);
+    }
+
+    @Test
+    void theCameraThatARadarPointsIdentifiesWhatTheFixedOneMisses() {
+        SceneResult result = runner().run();
+
+        assertThat(result.firstDetectionRange("fixed", "intruder")).isEmpty();
+        assertThat(result.firstDetectionRange("cued", "intruder").orElseThrow()).isBetween(700.0, 750.0);
+        assertThat(result.firstDetectionRange("radar", "intruder").orElseThrow())
+                .isGreaterThan(760.0);
+    }
+
+    @Test
+    void slewingTakesItsTime() {
+        double fast = seconds(runner());
+        // 160 degrees at 60 degrees a second after half a second of delay.
+        assertThat(fast).isBetween(0.5 + 160.0 / 60.0, 0.5 + 160.0 / 60.0 + 1.0);
+        // A mount of a sixth of the speed needs 16 s and has not yet turned half way when the fast one is there.
+        double slow = seconds(runner().set("sensors.cued.positioner.panSpeed", "10 deg/s"));
+        assertThat(slow).isBetween(15.0, 18.0);
+    }
+
+    private static double seconds(SceneRunner runner) {
+        return runner.run().pairs().stream()
+                .filter(pair -> pair.sensor().equals("cued"))
+                .map(PairResult::firstDetected)
+                .filter(OptionalDouble::isPresent)
+                .mapToDouble(OptionalDouble::getAsDouble)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    @Test
+    void withoutTheRadarItSeesNothing() {
+        SceneResult blind = runner().set("sensors.radar.minRange", "7 km").run();
+
+        assertThat(blind.firstDetectionRange("cued", "intruder")).isEmpty();
+    }
+
+    @Test
+    void itPointsWhereTheDroneIsForAnyNumberOfThreads() {
+        List<Pointing> one = new ArrayList<>();
+        List<Pointing> two = new ArrayList<>();
+        runner().threads(1)
+                .onFrame(frame -> one.addAll(frame.pointings().values()))
+                .run();
+        runner().onFrame(frame -> two.addAll(frame.pointings().values())).run();
+
+        assertThat(one).hasSizeGreaterThan(1000).isEqualTo(two);
+        assertThat(one.get(one.size() - 1).target()).contains("intruder");
+        assertThat(one.get(one.size() - 1).fov()).isLessThan(Math.toRadians(2.3));
+    }
+
+    @Test
+    void whoCannotTellWhereADroneIsCannotPointACamera() {
+        assertThatThrownBy(() ->
+                        runner().set("sensors.cued.positioner.cues", "rdar").settings())
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("sensor 'cued' listens to 'rdar': there is no such sensor; nearest are radar");
+        assertThatThrownBy(() ->
+                        runner().set("sensors.cued.positioner.cues", "cued").settings())
+                .hasMessageContaining("which is itself");
+        assertThatThrownBy(() -> runner().set("sensors.fixed", "droneshield-rfone")
+                        .set("sensors.cued.positioner.cues", "fixed")
+                        .settings())
+                .hasMessageContaining("listens to 'fixed', of kind rf: that does not tell where a drone is");
+        assertThatThrownBy(() -> runner().set("sensors.cued.positioner.zoom.cued", "90 deg")
+                        .settings())
+                .hasMessageContaining("must be at most the camera's own field of view");
+    }
+}
