@@ -31,6 +31,8 @@ class HouseRulesTest {
             .definedBy("org.dronewatch.picture..")
             .layer("scenes")
             .definedBy("org.dronewatch.scenes..")
+            .layer("fusion")
+            .definedBy("org.dronewatch.fusion..")
             .layer("scene")
             .definedBy("org.dronewatch.scene..")
             .layer("catalog")
@@ -77,6 +79,8 @@ class HouseRulesTest {
             .mayOnlyBeAccessedByLayers("app")
             .whereLayer("scene")
             .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "report", "scenes")
+            .whereLayer("fusion")
+            .mayOnlyBeAccessedByLayers("picture", "report", "scenes", "scene", "viewer")
             .whereLayer("catalog")
             .mayOnlyBeAccessedByLayers("picture", "app", "scenes", "scene")
             .whereLayer("camera")
@@ -106,7 +110,8 @@ class HouseRulesTest {
                     "acoustic",
                     "radar",
                     "rf",
-                    "optics")
+                    "optics",
+                    "fusion")
             .whereLayer("world")
             .mayOnlyBeAccessedByLayers(
                     "viewer",
@@ -156,7 +161,8 @@ class HouseRulesTest {
                     "world",
                     "kdtree",
                     "optics",
-                    "positioner")
+                    "positioner",
+                    "fusion")
             .whereLayer("parallel")
             .mayOnlyBeAccessedByLayers(
                     "viewer",

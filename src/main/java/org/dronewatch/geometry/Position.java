@@ -57,6 +57,11 @@ public record Position(@In(Quantity.LENGTH) double x, @In(Quantity.LENGTH) doubl
         return new Position(x * factor, y * factor, z * factor);
     }
 
+    /** The scalar product with another displacement, m2. */
+    public double dot(Position other) {
+        return x * other.x + y * other.y + z * other.z;
+    }
+
     /** The length of this displacement, m. */
     public double length() {
         return Math.sqrt(x * x + y * y + z * z);

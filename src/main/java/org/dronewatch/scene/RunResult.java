@@ -11,13 +11,20 @@ import java.util.OptionalDouble;
  * @param simulated simulated time, s
  * @param events detections gained and lost, in order of time
  * @param pairs each sensor with each drone, in the order of the scene
+ * @param alerts how early the site was alerted to each drone
  */
 public record RunResult(
-        int run, SceneSettings settings, double simulated, List<DetectionEvent> events, List<PairResult> pairs) {
+        int run,
+        SceneSettings settings,
+        double simulated,
+        List<DetectionEvent> events,
+        List<PairResult> pairs,
+        List<AlertResult> alerts) {
     /** Keeps its own lists. */
     public RunResult {
         events = List.copyOf(events);
         pairs = List.copyOf(pairs);
+        alerts = List.copyOf(alerts);
     }
 
     /** Distance at which a sensor first detected a drone, m: the farthest of the scene's drones; empty for never. */

@@ -13,6 +13,7 @@ import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.djutils.event.EventType;
 import org.djutils.metadata.MetaData;
 import org.djutils.metadata.ObjectDescriptor;
+import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sound.Atmosphere;
@@ -147,6 +148,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /** Adds a sensor of any kind. */
     protected final void add(String id, SensorSettings<?> sensor) {
         building().addSensor(id, sensor);
+    }
+
+    /** Sets when the site is alerted, and what is to be protected; any detection of any sensor is an alert unless set. */
+    protected final void setAlert(AlertSettings alert) {
+        building().setAlert(alert);
     }
 
     /** Sets duration and seed of a run. */

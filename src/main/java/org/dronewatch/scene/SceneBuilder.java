@@ -3,6 +3,7 @@ package org.dronewatch.scene;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
@@ -23,6 +24,7 @@ final class SceneBuilder {
     private Light light = Light.DAY;
     private final Map<String, DroneSettings> drones = new LinkedHashMap<>();
     private final Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
+    private AlertSettings alert = AlertSettings.DEFAULT;
     private RunSettings run = RunSettings.DEFAULT;
     private Optional<SweepSettings> sweep = Optional.empty();
 
@@ -70,6 +72,10 @@ final class SceneBuilder {
         run = settings;
     }
 
+    void setAlert(AlertSettings settings) {
+        alert = settings;
+    }
+
     void setSweep(SweepSettings settings) {
         sweep = Optional.of(settings);
     }
@@ -89,6 +95,7 @@ final class SceneBuilder {
                         .withLight(light),
                 drones,
                 sensors,
+                alert,
                 run,
                 sweep);
     }

@@ -25,6 +25,23 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         return runs.stream().flatMap(run -> run.pairs().stream()).toList();
     }
 
+    /** All drones in all runs: how early the site was alerted to each. */
+    public List<AlertResult> alerts() {
+        return runs.stream().flatMap(run -> run.alerts().stream()).toList();
+    }
+
+    /**
+     * How early the site was alerted to a drone in the first run.
+     *
+     * @throws IllegalArgumentException when the scene has no such drone
+     */
+    public AlertResult alert(String drone) {
+        return alerts().stream()
+                .filter(alert -> alert.run() == 0 && alert.drone().equals(drone))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'"));
+    }
+
     /** Simulated time of all runs, s. */
     public double simulated() {
         return runs.stream().mapToDouble(RunResult::simulated).sum();

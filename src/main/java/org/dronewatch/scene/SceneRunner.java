@@ -210,12 +210,12 @@ public final class SceneRunner {
     private RunResult runOnce(SceneSimulator simulator, RunInfo info, ModelCache models, LookTimes times) {
         DetectionLog log = new DetectionLog(
                 info.run(), info.settings(), event -> listeners.forEach(listener -> listener.detectionChanged(event)));
-        LastTime last = new LastTime();
+        RunProgress progress = new RunProgress();
         scene.prepare(new RunPlan(
                 info,
                 models,
                 frame -> {
-                    last.time = frame.time();
+                    progress.add(frame, info, scene.stage());
                     frame.observations().forEach(log::add);
                     listeners.forEach(listener -> listener.observed(frame));
                 },
@@ -225,12 +225,26 @@ public final class SceneRunner {
         listeners.forEach(listener -> listener.runStarted(info));
         double duration = info.settings().run().duration();
         simulator.run(scene, new SceneReplication(scene.name(), duration));
-        double simulated = cancelled.getAsBoolean() ? last.time : duration;
-        return new RunResult(info.run(), info.settings(), simulated, log.events(), log.pairs());
+        double simulated = cancelled.getAsBoolean() ? progress.time : duration;
+        List<AlertResult> alerts = progress.alerts(info, scene.stage()).results(scene.stage(), simulated);
+        return new RunResult(info.run(), info.settings(), simulated, log.events(), log.pairs(), alerts);
     }
 
-    /** When the last frame was. */
-    private static final class LastTime {
+    /** When the last frame was, and what alerts there were. The stage is there from the first frame on. */
+    private static final class RunProgress {
         private double time;
+        private Optional<AlertWatch> watch = Optional.empty();
+
+        AlertWatch alerts(RunInfo info, Stage stage) {
+            if (watch.isEmpty()) {
+                watch = Optional.of(new AlertWatch(info.run(), info.settings(), stage.world()));
+            }
+            return watch.get();
+        }
+
+        void add(Frame frame, RunInfo info, Stage stage) {
+            time = frame.time();
+            alerts(info, stage).add(frame);
+        }
     }
 }

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
@@ -19,6 +20,7 @@ import org.dronewatch.world.WorldSettings;
  * @param world the site
  * @param drones drones by id
  * @param sensors sensors by id
+ * @param alert when the site is alerted, and what is to be protected
  * @param run duration and seed
  * @param sweep a setting that changes from run to run, or empty for a single run
  */
@@ -26,12 +28,14 @@ public record SceneSettings(
         WorldSettings world,
         Map<String, DroneSettings> drones,
         Map<String, SensorSettings<?>> sensors,
+        AlertSettings alert,
         RunSettings run,
         Optional<SweepSettings> sweep) {
 
     /** Checks ids and keeps its own maps. */
     public SceneSettings {
         Check.present("world", world);
+        Check.present("alert", alert);
         Check.present("run", run);
         Check.present("sweep", sweep);
         drones = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("drones", drones)));
@@ -69,24 +73,25 @@ public record SceneSettings(
     /** An empty site that runs for a minute. */
     @Defaults("world")
     public static SceneSettings of(WorldSettings world) {
-        return new SceneSettings(world, Map.of(), Map.of(), RunSettings.DEFAULT, Optional.empty());
+        return new SceneSettings(
+                world, Map.of(), Map.of(), AlertSettings.DEFAULT, RunSettings.DEFAULT, Optional.empty());
     }
 
     /** These settings with a sensor in the place of the one of this id. */
     public SceneSettings withSensor(String id, SensorSettings<?> sensor) {
         Map<String, SensorSettings<?>> others = new LinkedHashMap<>(sensors);
         others.put(id, sensor);
-        return new SceneSettings(world, drones, others, run, sweep);
+        return new SceneSettings(world, drones, others, alert, run, sweep);
     }
 
     /** These settings as one run of a sweep: what is swept has this value only. */
     SceneSettings asRunWith(String value) {
         Optional<SweepSettings> one = sweep.map(all -> new SweepSettings.Values(all.parameter(), List.of(value)));
-        return new SceneSettings(world, drones, sensors, run, one);
+        return new SceneSettings(world, drones, sensors, alert, run, one);
     }
 
     /** These settings without a sweep. */
     public SceneSettings withoutSweep() {
-        return new SceneSettings(world, drones, sensors, run, Optional.empty());
+        return new SceneSettings(world, drones, sensors, alert, run, Optional.empty());
     }
 }

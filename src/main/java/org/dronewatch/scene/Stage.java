@@ -90,6 +90,22 @@ public final class Stage {
     }
 
     /**
+     * Where a drone is at a time, m.
+     *
+     * @param time seconds since the start of the run
+     * @throws IllegalArgumentException when there is no such drone
+     */
+    public Position placeOf(String drone, double time) {
+        return fliers.stream()
+                .filter(flier -> flier.drone.id().equals(drone))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'"))
+                .path
+                .at(time)
+                .position();
+    }
+
+    /**
      * Lets every sensor that follows rays tell of all of them, as its first look would trace them if it did not stop early.
      *
      * @param time where the drones are, seconds since the start of the run

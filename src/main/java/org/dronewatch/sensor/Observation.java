@@ -37,6 +37,9 @@ public record Observation(
         Map<String, Double> figures,
         Optional<Sighting> sighting) {
 
+    /** The figure of a sensor that knows how likely its look was to detect the drone. */
+    public static final String PROBABILITY = "probability";
+
     /** Keeps its own figures, in their order. */
     public Observation {
         figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
@@ -76,6 +79,11 @@ public record Observation(
     public Observation withSighting(Optional<Sighting> where) {
         return new Observation(
                 sensor, kind, drone, sample, time, arrival, range, value, threshold, unit, figures, where);
+    }
+
+    /** How likely this look was to detect the drone, 0 to 1: of a sensor that does not know, whether it did. */
+    public double probability() {
+        return figures.getOrDefault(PROBABILITY, isDetected() ? 1.0 : 0.0);
     }
 
     /** Whether the value reaches the threshold. */

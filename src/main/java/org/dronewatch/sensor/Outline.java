@@ -4,6 +4,15 @@ import org.dronewatch.geometry.Position;
 
 /** The space that a sensor looks into, as a picture shows it: what stands in the way, and how far it reaches, is not in it. */
 public sealed interface Outline {
+    /** Rounding must not cut what lies on an edge, least of all straight behind a radar that looks all round, rad. */
+    double ROUNDING = 1e-9;
+
+    /**
+     * Whether something is in it.
+     *
+     * @param way from the sensor, m
+     */
+    boolean contains(Position way);
 
     /**
      * What a camera's picture shows.
@@ -15,7 +24,15 @@ public sealed interface Outline {
      * @param halfHeight half the height of what it sees at 1 m before it, m
      */
     record Pyramid(Position forward, Position right, Position up, double halfWidth, double halfHeight)
-            implements Outline {}
+            implements Outline {
+        @Override
+        public boolean contains(Position way) {
+            double ahead = way.dot(forward);
+            return ahead > 0.0
+                    && Math.abs(way.dot(right)) <= halfWidth * ahead
+                    && Math.abs(way.dot(up)) <= halfHeight * ahead;
+        }
+    }
 
     /**
      * All within angles about a direction, and between two distances.
@@ -34,12 +51,28 @@ public sealed interface Outline {
             double elevationWidth,
             double minRange,
             double maxRange)
-            implements Outline {}
+            implements Outline {
+        @Override
+        public boolean contains(Position way) {
+            double range = way.length();
+            double aside = Math.IEEEremainder(Math.atan2(way.x(), way.y()) - azimuth, 2.0 * Math.PI);
+            double above = Math.atan2(way.z(), Math.hypot(way.x(), way.y())) - elevation;
+            return range >= minRange
+                    && range <= maxRange
+                    && Math.abs(aside) <= 0.5 * azimuthWidth + ROUNDING
+                    && Math.abs(above) <= 0.5 * elevationWidth + ROUNDING;
+        }
+    }
 
     /**
      * All about it.
      *
      * @param radius m
      */
-    record Ball(double radius) implements Outline {}
+    record Ball(double radius) implements Outline {
+        @Override
+        public boolean contains(Position way) {
+            return way.length() <= radius;
+        }
+    }
 }

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.camera;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
@@ -64,16 +65,19 @@ public final class CameraSensor implements Sensor {
     private Observation observe(Drone drone, int pixels, Sample sample) {
         double range = drone.distance(settings.position());
         DroneView view = view(drone, pixels, range);
+        OptionalDouble probability = settings.detection().probability(view);
         Observation observation = new Observation(
                 sample.sensor(),
                 settings.kind(),
                 drone.id(),
                 sample.index(),
                 sample.time(),
+                sample.time(),
                 range,
                 settings.detection().value(view),
                 settings.detection().threshold(sample.random()),
-                settings.detection().unit());
+                settings.detection().unit(),
+                probability.isPresent() ? Map.of(Observation.PROBABILITY, probability.getAsDouble()) : Map.of());
         double lock = settings.positioner().map(PositionerSettings::lock).orElse(Double.POSITIVE_INFINITY);
         return observation.isDetected() || pixels >= lock
                 ? observation.withSighting(Optional.of(sighting(drone)))

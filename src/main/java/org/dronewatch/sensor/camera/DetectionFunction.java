@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.camera;
 
+import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
 
 /** Decides whether a camera detects a drone: a value from the drone's view, and what it must reach. */
@@ -18,6 +19,11 @@ public interface DetectionFunction {
      */
     default double threshold(RandomGenerator random) {
         return threshold();
+    }
+
+    /** How likely one frame is to detect the drone, 0 to 1; empty when that is not known. */
+    default OptionalDouble probability(DroneView view) {
+        return OptionalDouble.empty();
     }
 
     /** Unit of value and threshold. */

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.camera;
 
+import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -136,6 +137,11 @@ public record TargetTask(
     public double threshold(RandomGenerator random) {
         // Above 0: what cannot be seen is not detected by luck.
         return byChance ? 1.0 - random.nextDouble() : probability;
+    }
+
+    @Override
+    public OptionalDouble probability(DroneView view) {
+        return OptionalDouble.of(value(view));
     }
 
     @Override

@@ -18,6 +18,14 @@ public sealed interface RadarDetection {
     double threshold(Fluctuation fluctuation, RandomGenerator random);
 
     /**
+     * How likely an echo is to count in one look, 0 to 1.
+     *
+     * @param signalToNoise dB
+     * @param fluctuation of the target
+     */
+    double probability(double signalToNoise, Fluctuation fluctuation);
+
+    /**
      * Always the same, as in the thesis that this project began with.
      *
      * @param signalToNoise -50 to 100 dB
@@ -37,6 +45,11 @@ public sealed interface RadarDetection {
         public double threshold(Fluctuation fluctuation, RandomGenerator random) {
             return signalToNoise;
         }
+
+        @Override
+        public double probability(double ratio, Fluctuation fluctuation) {
+            return ratio >= signalToNoise ? 1.0 : 0.0;
+        }
     }
 
     /**
@@ -54,6 +67,9 @@ public sealed interface RadarDetection {
         /** Noise alone may pass for a target, but not for a drone of which nothing comes back, dB. */
         private static final double FAINTEST = -100.0;
 
+        /** Enough for a probability to a billionth. */
+        private static final int HALVINGS = 30;
+
         /** One false alarm in a million, one pulse. */
         @Defaults
         public static final Chance DEFAULT = new Chance(1e-6, 1);
@@ -68,6 +84,25 @@ public sealed interface RadarDetection {
             // 1 - u is above 0, so that the ratio is finite at that end, too; below 1 by as much as u can be small.
             double probability = Math.min(1.0 - 1e-9, 1.0 - random.nextDouble());
             return Math.max(FAINTEST, Detectability.required(probability, falseAlarm, fluctuation, pulses));
+        }
+
+        @Override
+        public double probability(double ratio, Fluctuation fluctuation) {
+            if (ratio < FAINTEST) {
+                return 0.0;
+            }
+            if (pulses == 1) {
+                return Detectability.probability(ratio, falseAlarm, fluctuation);
+            }
+            double no = 0.0;
+            double yes = 1.0;
+            for (int i = 0; i < HALVINGS; i++) {
+                double middle = 0.5 * (no + yes);
+                boolean enough = Detectability.required(middle, falseAlarm, fluctuation, pulses) <= ratio;
+                no = enough ? middle : no;
+                yes = enough ? yes : middle;
+            }
+            return 0.5 * (no + yes);
         }
     }
 }

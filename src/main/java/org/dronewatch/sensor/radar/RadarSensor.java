@@ -60,6 +60,9 @@ public final class RadarSensor implements Sensor {
         figures.put("cross_section_m2", area);
         double threshold =
                 settings.detection().threshold(drone.settings().radar().fluctuation(), sample.random());
+        figures.put(
+                Observation.PROBABILITY,
+                settings.detection().probability(echo, drone.settings().radar().fluctuation()));
         Optional<Sighting> sighting = echo >= threshold
                 ? Optional.of(settings.accuracy().sighting(settings.position(), place, sample.random()))
                 : Optional.empty();

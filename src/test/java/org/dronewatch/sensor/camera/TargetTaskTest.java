@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.dronewatch.Wilson;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -116,7 +117,7 @@ class TargetTaskTest {
                 detected += function.value(view) >= function.threshold(sample.random()) ? 1 : 0;
             }
             double expected = function.value(view);
-            double[] interval = wilson(detected, runs, 3.0);
+            double[] interval = Wilson.interval(detected, runs, 3.0);
             assertThat(expected)
                     .as("%d pixels, %d of %d detected, seed %d", pixels, detected, runs, seed)
                     .isBetween(interval[0], interval[1]);
@@ -124,19 +125,11 @@ class TargetTaskTest {
         assertThat(function.value(view(0, 200, 0, Light.DAY))).isLessThan(function.threshold(new SplittableRandom(1)));
     }
 
-    /** Wilson's interval of a share. */
-    private static double[] wilson(int hits, int of, double z) {
-        double p = (double) hits / of;
-        double centre = (p + z * z / (2 * of)) / (1 + z * z / of);
-        double half = z / (1 + z * z / of) * Math.sqrt(p * (1 - p) / of + z * z / (4.0 * of * of));
-        return new double[] {centre - half, centre + half};
-    }
-
     /** Printed values: 90 of 100, 0 of 100 and all of 100 at 95 %. */
     @ParameterizedTest
     @CsvSource({"90, 0.8256, 0.9448", "0, 0, 0.0370", "100, 0.9630, 1"})
     void theIntervalIsWilsons(int hits, double low, double high) {
-        double[] interval = wilson(hits, 100, 1.959964);
+        double[] interval = Wilson.interval(hits, 100, 1.959964);
         assertThat(interval[0]).isCloseTo(low, within(5.1e-5));
         assertThat(interval[1]).isCloseTo(high, within(5.1e-5));
     }

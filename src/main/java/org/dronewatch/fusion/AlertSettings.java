@@ -1,0 +1,46 @@
+package org.dronewatch.fusion;
+
+import java.util.Optional;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * When a site is alerted, what has to be protected, and how much time that takes.
+ *
+ * @param rule when what the sensors observe is an alert
+ * @param confirm how often a sensor has to detect a drone before it counts
+ * @param protect what must not be reached, or empty
+ * @param response how much time is needed between the alert and the drone's arrival, 0 to 86400 s; 0 when that is not asked
+ */
+public record AlertSettings(
+        AlertRule rule,
+        Confirmation confirm,
+        Optional<ProtectedZone> protect,
+        @In(value = Quantity.DURATION, from = 0, to = 86_400) double response) {
+    /** The first detection of any sensor is an alert; nothing is protected. */
+    @Defaults
+    public static final AlertSettings DEFAULT =
+            new AlertSettings(new AlertRule.AnySensor(), Confirmation.DEFAULT, Optional.empty(), 0.0);
+
+    /** Checks the limits. */
+    public AlertSettings {
+        Limits.check(AlertSettings.class, rule, confirm, protect, response);
+    }
+
+    /** These settings with another rule. */
+    public AlertSettings withRule(AlertRule other) {
+        return new AlertSettings(other, confirm, protect, response);
+    }
+
+    /** These settings with so many detections of so many looks needed of a sensor. */
+    public AlertSettings withConfirmation(int hits, int looks) {
+        return new AlertSettings(rule, new Confirmation(hits, looks), protect, response);
+    }
+
+    /** These settings protecting a zone, with the time that it takes to answer an alert, s. */
+    public AlertSettings withProtectedZone(ProtectedZone zone, double seconds) {
+        return new AlertSettings(rule, confirm, Optional.of(zone), seconds);
+    }
+}

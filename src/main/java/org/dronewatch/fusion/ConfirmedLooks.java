@@ -1,0 +1,22 @@
+package org.dronewatch.fusion;
+
+/** The last looks of one sensor at one drone. */
+final class ConfirmedLooks {
+    private final boolean[] last;
+    private final int needed;
+    private int next;
+    private int hits;
+
+    ConfirmedLooks(Confirmation confirmation) {
+        this.last = new boolean[confirmation.looks()];
+        this.needed = confirmation.hits();
+    }
+
+    /** Whether enough of the last looks detected, this one included. */
+    boolean add(boolean detected) {
+        hits += (detected ? 1 : 0) - (last[next] ? 1 : 0);
+        last[next] = detected;
+        next = (next + 1) % last.length;
+        return hits >= needed;
+    }
+}

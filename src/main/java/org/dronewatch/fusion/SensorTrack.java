@@ -1,0 +1,40 @@
+package org.dronewatch.fusion;
+
+import org.dronewatch.sensor.Observation;
+
+/** What one sensor has of one drone so far. */
+public final class SensorTrack {
+    private final String sensor;
+    private final ConfirmedLooks looks;
+    private double confirmed = Double.NEGATIVE_INFINITY;
+    private double looked = Double.NEGATIVE_INFINITY;
+    private double probability;
+
+    SensorTrack(String sensor, Confirmation confirmation) {
+        this.sensor = sensor;
+        this.looks = new ConfirmedLooks(confirmation);
+    }
+
+    void add(Observation observation) {
+        looked = observation.arrival();
+        probability = observation.probability();
+        if (looks.add(observation.isDetected())) {
+            confirmed = looked;
+        }
+    }
+
+    /** Name of the sensor. */
+    public String sensor() {
+        return sensor;
+    }
+
+    /** Whether its detections were confirmed at its look now or one at most so many seconds ago. */
+    boolean isConfirmedWithin(double seconds, double time) {
+        return confirmed >= time - seconds;
+    }
+
+    /** How likely its last look was to detect, 0 when that was longer ago than some seconds. */
+    double probabilityWithin(double seconds, double time) {
+        return looked >= time - seconds ? probability : 0.0;
+    }
+}
