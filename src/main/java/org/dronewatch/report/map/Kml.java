@@ -131,18 +131,22 @@ final class Kml {
             kml.text("coordinates", coordinates(line.places(), GeoPoint::inSpace));
             kml.close();
         } else if (shape instanceof Shape.Area area) {
-            kml.open("Polygon");
-            kml.text("tessellate", "1");
-            kml.text("altitudeMode", "clampToGround");
-            for (int ring = 0; ring < area.rings().size(); ring++) {
-                kml.open(ring == 0 ? "outerBoundaryIs" : "innerBoundaryIs");
-                kml.open("LinearRing");
-                kml.text("coordinates", coordinates(area.rings().get(ring), GeoPoint::onPlan));
-                kml.close();
-                kml.close();
-            }
+            writeArea(kml, area);
+        }
+    }
+
+    private static void writeArea(Elements kml, Shape.Area area) throws XMLStreamException {
+        kml.open("Polygon");
+        kml.text("tessellate", "1");
+        kml.text("altitudeMode", "clampToGround");
+        for (int ring = 0; ring < area.rings().size(); ring++) {
+            kml.open(ring == 0 ? "outerBoundaryIs" : "innerBoundaryIs");
+            kml.open("LinearRing");
+            kml.text("coordinates", coordinates(area.rings().get(ring), GeoPoint::onPlan));
+            kml.close();
             kml.close();
         }
+        kml.close();
     }
 
     private static String coordinates(List<GeoPoint> places, Function<GeoPoint, List<BigDecimal>> form) {

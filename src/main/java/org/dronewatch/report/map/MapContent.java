@@ -115,6 +115,7 @@ final class MapContent {
                 .put("kind", o.kind())
                 .put("drone", o.drone())
                 .put("time_s", o.time())
+                .put("heard_s", o.arrival())
                 .put("height_m", place.z())
                 .put("range_m", o.range())
                 .put("value", o.value())

@@ -253,6 +253,36 @@ class SiteMapTest {
     }
 
     @Test
+    void areasStayInOnePieceAcrossTheDateLine() throws Exception {
+        Origin origin = new Origin(Math.toRadians(-17), Math.PI);
+        Path file = directory.resolve("fiji.geojson");
+        write(new Meadow(directory, "fiji", Optional.of(origin)).run(), file, directory.resolve("fiji.kml"));
+
+        int areas = 0;
+        for (JsonNode feature : features(file)) {
+            Geometry geometry = new GeoJsonReader().read(feature.get("geometry").toString());
+            assertThat(geometry.isValid()).isTrue();
+            // 10 km to both sides are a fifth of a degree.
+            assertThat(geometry.getEnvelopeInternal().getWidth()).isLessThan(0.2);
+            areas += geometry instanceof Polygon ? 1 : 0;
+        }
+        assertThat(areas).isEqualTo(4);
+        new KmlSchema().validate(directory.resolve("fiji.kml"));
+    }
+
+    @Test
+    void aRunThatWasCutShortAtOnceHasAMap() throws Exception {
+        SceneResult cut = new SceneRunner(Meadow.somewhere(directory))
+                .cancelWhen(() -> true)
+                .run();
+        Path file = directory.resolve("cut.geojson");
+        write(cut, file, directory.resolve("cut.kml"));
+
+        assertThat(schema().validate(Files.readString(file), InputFormat.JSON)).isEmpty();
+        new KmlSchema().validate(directory.resolve("cut.kml"));
+    }
+
+    @Test
     void withoutAnOriginThereIsNoMap() {
         assertThat(SiteMap.of(new Meadow(directory, "nowhere", Optional.empty()).run()))
                 .isEmpty();
