@@ -16,6 +16,9 @@ import org.dronewatch.sensor.SensorSettings;
  * all pictures of a scene. Immutable.
  */
 public final class KindColours {
+    /** Drones and their ways have this colour in all pictures. */
+    public static final Color DRONE = new Color(0xd62f1f);
+
     private static final Color[] COLOURS = {
         new Color(0x1f5fbf), new Color(0xff6a00), new Color(0x2a9d5c), new Color(0x9b3fb5), new Color(0xb58900),
     };

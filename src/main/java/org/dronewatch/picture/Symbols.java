@@ -23,7 +23,7 @@ import org.dronewatch.sensor.optics.CameraObject;
  * is drawn pale.
  */
 final class Symbols {
-    static final Color DRONE = new Color(0xd62f1f);
+    static final Color DRONE = KindColours.DRONE;
     private static final Color DETECTING = new Color(0xffd23f);
     private static final Color PLATE = new Color(24, 28, 34, 190);
     private static final Color HIDDEN_PLATE = new Color(24, 28, 34, 110);

@@ -7,8 +7,10 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.report.html.Looks;
+import org.dronewatch.report.map.SiteMap;
 import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.Frame;
 import org.dronewatch.scene.Pointings;
@@ -23,7 +25,8 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
  * Writes the files of a run: {@code detections.csv} and, when asked for, {@code observations.csv} while it goes on,
- * {@code summary.json}, {@code report.html} and {@code plots/} at its end. They appear in the directory together, once all is done.
+ * {@code summary.json}, {@code report.html}, {@code plots/} and, of a scene with an origin on earth, {@code map.geojson} and
+ * {@code map.kml} at its end. They appear in the directory together, once all is done.
  */
 public final class RunReport implements SceneListener, AutoCloseable {
     private static final String DETECTIONS = "detections.csv";
@@ -151,7 +154,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         stage = ofFirstRun;
     }
 
-    /** Writes summary, plots and the report for people, and moves everything into place. */
+    /** Writes summary, plots, maps and the report for people, and moves everything into place. */
     public void finish(SceneResult result) throws IOException {
         closeTables();
         new Summary(result).write(directory.file("summary.json"));
@@ -160,7 +163,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         if (stage != null) {
             new SiteReport(result, looks, stage, pointings).write(directory);
         }
-        List<String> obsolete = new ArrayList<>();
+        List<String> obsolete = new ArrayList<>(writeMaps(result));
         if (stage == null) {
             obsolete.add(SiteReport.FILE);
         }
@@ -168,6 +171,17 @@ public final class RunReport implements SceneListener, AutoCloseable {
             obsolete.add(OBSERVATIONS);
         }
         directory.publish(obsolete);
+    }
+
+    /** Writes the maps if the scene has an origin on earth, or tells what must not stay of an earlier run. */
+    private List<String> writeMaps(SceneResult result) throws IOException {
+        Optional<SiteMap> map = SiteMap.of(result);
+        if (map.isEmpty()) {
+            return SiteMap.FILES;
+        }
+        map.get().writeGeoJson(directory.file(SiteMap.GEO_JSON));
+        map.get().writeKml(directory.file(SiteMap.KML));
+        return List.of();
     }
 
     private Path plotFile(String name) {

@@ -22,6 +22,7 @@ import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.Origin;
 
 /**
  * A site, what flies over it and what watches. Users extend it and override {@link #build()}, in which {@code load...}
@@ -128,6 +129,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /** Sets how far and by which light one sees; a clear day unless set. */
     protected final void setLight(Light light) {
         building().setLight(light);
+    }
+
+    /** Says where on earth the world's origin lies; nowhere unless set. With it a run writes maps. */
+    protected final void setOrigin(Origin place) {
+        building().setOrigin(place);
     }
 
     /**

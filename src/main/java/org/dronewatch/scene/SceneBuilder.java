@@ -10,6 +10,7 @@ import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.Origin;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.WorldSettings;
 
@@ -22,6 +23,7 @@ final class SceneBuilder {
     private Atmosphere atmosphere = Atmosphere.STANDARD;
     private double rain;
     private Light light = Light.DAY;
+    private Optional<Origin> origin = Optional.empty();
     private final Map<String, DroneSettings> drones = new LinkedHashMap<>();
     private final Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
     private AlertSettings alert = AlertSettings.DEFAULT;
@@ -56,6 +58,10 @@ final class SceneBuilder {
         light = other;
     }
 
+    void setOrigin(Origin place) {
+        origin = Optional.of(place);
+    }
+
     void addDrone(String id, DroneSettings settings) {
         if (drones.putIfAbsent(id, settings) != null) {
             throw new IllegalArgumentException("drone '" + id + "' is there already: every drone needs its own id");
@@ -87,16 +93,12 @@ final class SceneBuilder {
         if (world == null) {
             throw new IllegalArgumentException("the scene has no world: its build() must call loadWorld");
         }
-        return new SceneSettings(
-                world.withBackgroundNoise(backgroundNoise)
-                        .withSurfaces(surfaces)
-                        .withAtmosphere(atmosphere)
-                        .withRain(rain)
-                        .withLight(light),
-                drones,
-                sensors,
-                alert,
-                run,
-                sweep);
+        WorldSettings anywhere = world.withBackgroundNoise(backgroundNoise)
+                .withSurfaces(surfaces)
+                .withAtmosphere(atmosphere)
+                .withRain(rain)
+                .withLight(light);
+        WorldSettings site = origin.map(anywhere::withOrigin).orElse(anywhere);
+        return new SceneSettings(site, drones, sensors, alert, run, sweep);
     }
 }

@@ -21,7 +21,7 @@ import org.dronewatch.sound.BandLevels;
  * @param atmosphere the air
  * @param rain rain, 0 to 500 mm/h; radars suffer from it, sound does not
  * @param light how far and by which light one sees
- * @param origin where on earth the origin lies, or empty; it is written into the summary
+ * @param origin where on earth the origin lies, or empty; with it a run writes maps, and the summary has it
  */
 public record WorldSettings(
         List<ModelSettings> models,

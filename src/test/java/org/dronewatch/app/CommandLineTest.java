@@ -384,6 +384,30 @@ class CommandLineTest {
     }
 
     @Test
+    void onlyASceneWithAnOriginHasMaps() throws IOException {
+        String scene =
+                """
+                world: {models: [{file: site.obj, upAxis: z}]ORIGIN}
+                drones: {one: {model: packaged:quadrotor.obj, flight: {kind: hover, position: [0, 40, 10]}}}
+                sensors: {eye: {kind: camera, position: [0, 0, 2], aim: {lookAt: [0, 40, 10]}}}
+                run: {duration: 0.5 s}
+                """;
+        Files.writeString(directory.resolve("site.obj"), TRIANGLE + "f 1 2 3\n");
+        Path file = directory.resolve("site.yaml");
+        Files.writeString(file, scene.replace("ORIGIN", ", origin: {latitude: 50.08 deg, longitude: 14.42 deg}"));
+        Outcome outcome = commandIn("run DIR/site.yaml --out DIR/results");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(files().get("results/map.geojson")).contains("eye gains one", "50.08");
+        assertThat(files().get("results/map.kml")).contains("eye gains one", "14.42,50.08,2");
+
+        Files.writeString(file, scene.replace("ORIGIN", ""));
+        assertThat(commandIn("run DIR/site.yaml --out DIR/results").code()).isZero();
+        assertThat(files())
+                .containsKey("results/summary.json")
+                .doesNotContainKeys("results/map.geojson", "results/map.kml");
+    }
+
+    @Test
     void modelsAreWrittenAsTheyAreShipped() throws IOException {
         Outcome outcome = commandIn("models --out DIR");
 

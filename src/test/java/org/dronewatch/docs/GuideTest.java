@@ -1,6 +1,7 @@
 package org.dronewatch.docs;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -14,6 +15,7 @@ import org.dronewatch.catalog.Catalog;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.world.Origin;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -38,6 +40,22 @@ class GuideTest {
         SceneResult result = new SceneRunner(new SceneFile(file)).run();
 
         assertThat(result.firstDetectionRange(0, "roof", "visitor")).isPresent();
+    }
+
+    /** The example has but the line that a scene needs for maps: it is put into the first scene. */
+    @Test
+    void theOriginInTheGuideIsThatOfAMap() throws IOException {
+        Path page = PAGES.resolve("guide.md");
+        String maps = Files.readString(page).split("## Maps\n", 2)[1];
+        Matcher block =
+                Pattern.compile("```yaml\n(world:\n.*?)```", Pattern.DOTALL).matcher(maps);
+        assertThat(block.find()).isTrue();
+        Path file = directory.resolve("mapped.yaml");
+        Files.writeString(file, firstExample(page).replaceFirst("world:\n", block.group(1)));
+        Origin origin = new SceneFile(file).describe().world().origin().orElseThrow();
+
+        assertThat(Math.toDegrees(origin.latitude())).isCloseTo(50.08, within(1e-9));
+        assertThat(Math.toDegrees(origin.longitude())).isCloseTo(14.42, within(1e-9));
     }
 
     @Test

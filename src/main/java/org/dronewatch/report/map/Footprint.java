@@ -1,0 +1,94 @@
+package org.dronewatch.report.map;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Outline;
+
+/** The ground plan of what a sensor looks into, whatever stands in the way. */
+final class Footprint {
+    /** A camera has no range of its own: one that detects nothing is drawn this far, m. */
+    static final double UNKNOWN_REACH = 100.0;
+
+    /** A radar without a limit worth the name is drawn this far, m. */
+    static final double MOST = 200_000.0;
+
+    /** A full turn is drawn with so many straight lines. */
+    static final int STEPS = 72;
+
+    private static final double TURN = 2.0 * Math.PI;
+
+    private Footprint() {}
+
+    /**
+     * Its edge, counterclockwise seen from above, and then its holes, clockwise; each ring ends where it begins.
+     *
+     * @param at where the sensor is, m
+     * @param outline what it looks into
+     * @param detected the farthest at which it first detected a drone, m: how far a camera's is drawn
+     */
+    static List<List<Position>> of(Position at, Outline outline, OptionalDouble detected) {
+        if (outline instanceof Outline.Sector sector) {
+            double reach = Math.min(sector.maxRange(), MOST);
+            return rings(at, sector.azimuth(), sector.azimuthWidth(), sector.minRange(), reach);
+        }
+        if (outline instanceof Outline.Ball ball) {
+            return rings(at, 0.0, TURN, 0.0, ball.radius());
+        }
+        return wedge(at, (Outline.Pyramid) outline, detected.orElse(UNKNOWN_REACH));
+    }
+
+    /** All compass bearings that lie in a pyramid; a camera that looks straight up or down sees all of them. */
+    private static List<List<Position>> wedge(Position at, Outline.Pyramid pyramid, double reach) {
+        Position forward = pyramid.forward();
+        double ahead = Math.abs(forward.z());
+        if (Math.abs(pyramid.right().z()) < pyramid.halfWidth() * ahead
+                && Math.abs(pyramid.up().z()) < pyramid.halfHeight() * ahead) {
+            return rings(at, 0.0, TURN, 0.0, reach);
+        }
+        double axis = Math.atan2(forward.x(), forward.y());
+        double left = 0.0;
+        double right = 0.0;
+        for (int corner = 0; corner < 4; corner++) {
+            double aside = corner < 2 ? pyramid.halfWidth() : -pyramid.halfWidth();
+            double above = corner % 2 == 0 ? pyramid.halfHeight() : -pyramid.halfHeight();
+            Position way =
+                    forward.plus(pyramid.right().times(aside)).plus(pyramid.up().times(above));
+            double bearing = Math.IEEEremainder(Math.atan2(way.x(), way.y()) - axis, TURN);
+            left = Math.min(left, bearing);
+            right = Math.max(right, bearing);
+        }
+        return rings(at, axis + 0.5 * (left + right), right - left, 0.0, reach);
+    }
+
+    private static List<List<Position>> rings(Position at, double azimuth, double width, double min, double max) {
+        boolean hollow = min > 0.0 && min < max;
+        if (width > TURN - 1e-6) {
+            List<Position> edge = closed(arc(at, max, TURN, 0.0, STEPS).subList(0, STEPS));
+            return hollow ? List.of(edge, closed(arc(at, min, 0.0, TURN, STEPS).subList(0, STEPS))) : List.of(edge);
+        }
+        int steps = Math.max(2, (int) Math.ceil(STEPS * width / TURN));
+        double left = azimuth - 0.5 * width;
+        double right = azimuth + 0.5 * width;
+        List<Position> edge = arc(at, max, right, left, steps);
+        edge.addAll(hollow ? arc(at, min, left, right, steps) : List.of(at));
+        return List.of(closed(edge));
+    }
+
+    /** The places of an arc about a place from one compass bearing to another, rad. */
+    private static List<Position> arc(Position at, double radius, double from, double to, int steps) {
+        List<Position> places = new ArrayList<>();
+        for (int i = 0; i <= steps; i++) {
+            double bearing = from + (to - from) * i / steps;
+            places.add(at.plus(new Position(radius * Math.sin(bearing), radius * Math.cos(bearing), 0.0)));
+        }
+        return places;
+    }
+
+    private static List<Position> closed(List<Position> places) {
+        List<Position> ring = new ArrayList<>(places);
+        ring.add(places.get(0));
+        return ring;
+    }
+}

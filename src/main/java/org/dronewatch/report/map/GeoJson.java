@@ -1,0 +1,87 @@
+package org.dronewatch.report.map;
+
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import tools.jackson.core.StreamWriteFeature;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
+/** A map as GeoJSON (RFC 7946), with colours after simplestyle-spec 1.1. */
+final class GeoJson {
+    private static final JsonMapper MAPPER = JsonMapper.builder()
+            .enable(StreamWriteFeature.WRITE_BIGDECIMAL_AS_PLAIN)
+            .build();
+
+    private final MapContent content;
+
+    GeoJson(MapContent content) {
+        this.content = content;
+    }
+
+    void write(Path file) throws IOException {
+        String text = MAPPER.writerWithDefaultPrettyPrinter().writeValueAsString(toJson());
+        Files.write(file, (text.replace("\r\n", "\n") + "\n").getBytes(StandardCharsets.UTF_8));
+    }
+
+    private ObjectNode toJson() {
+        ObjectNode root = MAPPER.createObjectNode();
+        root.put("type", "FeatureCollection");
+        root.put("name", content.title());
+        root.put("description", content.description());
+        ArrayNode features = root.putArray("features");
+        content.features().forEach(feature -> add(features.addObject(), feature));
+        return root;
+    }
+
+    private static void add(ObjectNode node, MapFeature feature) {
+        node.put("type", "Feature");
+        addGeometry(node.putObject("geometry"), feature.shape());
+        ObjectNode properties = node.putObject("properties");
+        properties.put("name", feature.name());
+        properties.put("folder", feature.role().folder());
+        feature.properties().forEach((name, value) -> properties.set(name, MAPPER.valueToTree(value)));
+        addStyle(properties, feature);
+    }
+
+    private static void addGeometry(ObjectNode node, Shape shape) {
+        if (shape instanceof Shape.Point point) {
+            node.put("type", "Point");
+            add(node.putArray("coordinates"), point.place().inSpace());
+        } else if (shape instanceof Shape.Line line) {
+            node.put("type", "LineString");
+            ArrayNode places = node.putArray("coordinates");
+            line.places().forEach(place -> add(places.addArray(), place.inSpace()));
+        } else if (shape instanceof Shape.Area area) {
+            node.put("type", "Polygon");
+            ArrayNode rings = node.putArray("coordinates");
+            for (List<GeoPoint> ring : area.rings()) {
+                ArrayNode places = rings.addArray();
+                ring.forEach(place -> add(places.addArray(), place.onPlan()));
+            }
+        }
+    }
+
+    private static void add(ArrayNode position, List<BigDecimal> coordinates) {
+        coordinates.forEach(position::add);
+    }
+
+    private static void addStyle(ObjectNode properties, MapFeature feature) {
+        String colour = String.format("#%06x", feature.colour().getRGB() & 0xffffff);
+        if (feature.shape() instanceof Shape.Point) {
+            properties.put("marker-color", colour);
+            properties.put("marker-size", feature.role().size().word());
+            return;
+        }
+        properties.put("stroke", colour);
+        properties.put("stroke-width", Role.STROKE);
+        if (feature.shape() instanceof Shape.Area) {
+            properties.put("fill", colour);
+            properties.put("fill-opacity", Role.OPACITY);
+        }
+    }
+}

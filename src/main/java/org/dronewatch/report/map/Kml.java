@@ -1,0 +1,159 @@
+package org.dronewatch.report.map;
+
+import java.awt.Color;
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.math.BigDecimal;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import javax.xml.stream.XMLStreamException;
+
+/**
+ * A map as KML 2.2 (OGC 07-147r2). Everything is drawn on the ground: the heights are in the file, but KML only knows those
+ * above the sea and those above its own ground, and a scene's are neither.
+ */
+final class Kml {
+    private static final String NAMESPACE = "http://www.opengis.net/kml/2.2";
+
+    private final MapContent content;
+
+    Kml(MapContent content) {
+        this.content = content;
+    }
+
+    void write(Path file) throws IOException {
+        try (OutputStream stream = new BufferedOutputStream(Files.newOutputStream(file))) {
+            write(new Elements(stream));
+        } catch (XMLStreamException e) {
+            throw new IOException(file + " cannot be written: " + e.getMessage(), e);
+        }
+    }
+
+    private void write(Elements kml) throws XMLStreamException {
+        kml.openRoot("kml", NAMESPACE);
+        kml.open("Document");
+        kml.text("name", content.title());
+        kml.text("open", "1");
+        kml.text("description", content.description());
+        List<MapFeature> features = content.features();
+        for (String folder :
+                Arrays.stream(Role.values()).map(Role::folder).distinct().toList()) {
+            kml.open("Folder");
+            kml.text("name", folder);
+            for (MapFeature feature : features) {
+                if (feature.role().folder().equals(folder)) {
+                    write(kml, feature);
+                }
+            }
+            kml.close();
+        }
+        kml.close();
+        kml.close();
+        kml.end();
+    }
+
+    private static void write(Elements kml, MapFeature feature) throws XMLStreamException {
+        kml.open("Placemark");
+        kml.text("name", feature.name());
+        writeStyle(kml, feature);
+        kml.open("ExtendedData");
+        for (Map.Entry<String, Object> property : feature.properties().entrySet()) {
+            kml.open("Data");
+            kml.attribute("name", property.getKey());
+            kml.text("value", text(property.getValue()));
+            kml.close();
+        }
+        kml.close();
+        writeShape(kml, feature.shape());
+        kml.close();
+    }
+
+    private static String text(Object value) {
+        if (value instanceof BigDecimal number) {
+            return number.toPlainString();
+        }
+        return value == null ? "" : value.toString();
+    }
+
+    private static void writeStyle(Elements kml, MapFeature feature) throws XMLStreamException {
+        kml.open("Style");
+        if (feature.shape() instanceof Shape.Point) {
+            writeIcon(kml, feature);
+        } else {
+            kml.open("LineStyle");
+            kml.text("color", colour(feature.colour(), 1.0));
+            kml.text("width", Double.toString(Role.STROKE));
+            kml.close();
+        }
+        if (feature.shape() instanceof Shape.Area) {
+            kml.open("PolyStyle");
+            kml.text("color", colour(feature.colour(), Role.OPACITY));
+            kml.close();
+        }
+        kml.close();
+    }
+
+    private static void writeIcon(Elements kml, MapFeature feature) throws XMLStreamException {
+        kml.open("IconStyle");
+        kml.text("color", colour(feature.colour(), 1.0));
+        kml.text("scale", Double.toString(feature.role().size().scale()));
+        kml.close();
+        if (!feature.role().isNamed()) {
+            kml.open("LabelStyle");
+            kml.text("scale", "0");
+            kml.close();
+        }
+    }
+
+    /** KML's order is opacity, blue, green, red. */
+    private static String colour(Color colour, double opacity) {
+        return String.format(
+                "%02x%02x%02x%02x", Math.round(255.0 * opacity), colour.getBlue(), colour.getGreen(), colour.getRed());
+    }
+
+    private static void writeShape(Elements kml, Shape shape) throws XMLStreamException {
+        if (shape instanceof Shape.Point point) {
+            kml.open("Point");
+            kml.text("altitudeMode", "clampToGround");
+            kml.text("coordinates", coordinates(List.of(point.place()), GeoPoint::inSpace));
+            kml.close();
+        } else if (shape instanceof Shape.Line line) {
+            kml.open("LineString");
+            // Along the ground, not through it.
+            kml.text("tessellate", "1");
+            kml.text("altitudeMode", "clampToGround");
+            kml.text("coordinates", coordinates(line.places(), GeoPoint::inSpace));
+            kml.close();
+        } else if (shape instanceof Shape.Area area) {
+            writeArea(kml, area);
+        }
+    }
+
+    private static void writeArea(Elements kml, Shape.Area area) throws XMLStreamException {
+        kml.open("Polygon");
+        kml.text("tessellate", "1");
+        kml.text("altitudeMode", "clampToGround");
+        for (int ring = 0; ring < area.rings().size(); ring++) {
+            kml.open(ring == 0 ? "outerBoundaryIs" : "innerBoundaryIs");
+            kml.open("LinearRing");
+            kml.text("coordinates", coordinates(area.rings().get(ring), GeoPoint::onPlan));
+            kml.close();
+            kml.close();
+        }
+        kml.close();
+    }
+
+    private static String coordinates(List<GeoPoint> places, Function<GeoPoint, List<BigDecimal>> form) {
+        return places.stream()
+                .map(place -> form.apply(place).stream()
+                        .map(BigDecimal::toPlainString)
+                        .collect(Collectors.joining(",")))
+                .collect(Collectors.joining(" "));
+    }
+}

@@ -1,0 +1,132 @@
+package org.dronewatch.report.map;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.picture.KindColours;
+import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.scene.PairResult;
+import org.dronewatch.scene.RunResult;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.FlightPath;
+import org.dronewatch.world.Origin;
+
+/** What a map of a run shows: its first run, if there were several. */
+final class MapContent {
+    /** A flight is drawn with so many straight lines at most, each of the same time. */
+    static final int STEPS = 300;
+
+    private final SceneResult result;
+    private final RunResult run;
+    private final SceneSettings settings;
+    private final Geodesy geodesy;
+    private final KindColours colours;
+    private final Map<String, FlightPath> flights = new LinkedHashMap<>();
+
+    MapContent(SceneResult result, Origin origin) {
+        this.result = result;
+        this.run = result.runs().get(0);
+        this.settings = run.settings();
+        this.geodesy = new Geodesy(origin);
+        this.colours = KindColours.of(settings.sensors().values());
+        settings.drones().forEach((id, drone) -> flights.put(id, drone.createFlight()));
+    }
+
+    /** The scene's name. */
+    String title() {
+        return result.scene();
+    }
+
+    /** What the map shows, and what its heights mean. */
+    String description() {
+        String which =
+                result.runs().size() > 1 ? ", in the first of " + result.runs().size() + " runs" : "";
+        return "Which sensors detect which drones where" + which + ". Heights are metres above the level of the scene's"
+                + " origin, neither above the sea nor above the ground: how high the origin lies is not known. Fields of"
+                + " view are drawn on the ground plan, as if nothing stood in the way; that of a camera as far as it first"
+                + " detects a drone, or " + Math.round(Footprint.UNKNOWN_REACH) + " m if it detects none.";
+    }
+
+    /** All features, in the order of their folders and of the scene. */
+    List<MapFeature> features() {
+        List<MapFeature> features = new ArrayList<>();
+        settings.sensors().forEach((id, sensor) -> features.add(sensor(id, sensor)));
+        settings.sensors().forEach((id, sensor) -> sensor.outline()
+                .map(outline -> Footprint.of(sensor.position(), outline, run.firstDetectionRange(id)))
+                .ifPresent(rings -> features.add(field(id, sensor, rings))));
+        flights.forEach((id, path) -> features.add(flight(id, path)));
+        run.events().forEach(event -> features.add(event(event)));
+        return features;
+    }
+
+    private Color colour(String sensor) {
+        return colours.of(settings.sensors().get(sensor).kind());
+    }
+
+    private MapFeature sensor(String id, SensorSettings<?> sensor) {
+        Properties properties = new Properties()
+                .put("kind", sensor.kind())
+                .put("height_m", sensor.position().z());
+        for (PairResult pair : run.pairs()) {
+            if (pair.sensor().equals(id)) {
+                properties
+                        .put("first_detected_s_" + pair.drone(), pair.firstDetected())
+                        .put("range_m_" + pair.drone(), pair.range());
+            }
+        }
+        return new MapFeature(Role.SENSOR, id, point(sensor.position()), colour(id), properties);
+    }
+
+    private MapFeature field(String id, SensorSettings<?> sensor, List<List<Position>> rings) {
+        Shape area = new Shape.Area(rings.stream()
+                .map(ring -> ring.stream().map(geodesy::at).toList())
+                .toList());
+        Properties properties = new Properties().put("sensor", id).put("kind", sensor.kind());
+        return new MapFeature(Role.FIELD, "field of view of " + id, area, colour(id), properties);
+    }
+
+    /** The way of a drone; a point for one that stays where it is. */
+    private MapFeature flight(String id, FlightPath path) {
+        List<GeoPoint> places = new ArrayList<>();
+        for (int i = 0; i <= STEPS; i++) {
+            GeoPoint place = geodesy.at(path.at(run.simulated() * i / STEPS).position());
+            if (places.isEmpty() || !places.get(places.size() - 1).inSpace().equals(place.inSpace())) {
+                places.add(place);
+            }
+        }
+        Shape shape = places.size() > 1 ? new Shape.Line(places) : new Shape.Point(places.get(0));
+        Properties properties = new Properties().put("drone", id).put("duration_s", run.simulated());
+        return new MapFeature(Role.FLIGHT, "flight of " + id, shape, KindColours.DRONE, properties);
+    }
+
+    /** The drone as it was when what was sensed left it. */
+    private MapFeature event(DetectionEvent event) {
+        Observation o = event.observation();
+        Position place = flights.get(o.drone()).at(o.time()).position();
+        Properties properties = new Properties()
+                .put("event", event.gained() ? "gained" : "lost")
+                .put("sensor", o.sensor())
+                .put("kind", o.kind())
+                .put("drone", o.drone())
+                .put("time_s", o.time())
+                .put("heard_s", o.arrival())
+                .put("height_m", place.z())
+                .put("range_m", o.range())
+                .put("value", o.value())
+                .put("threshold", o.threshold())
+                .put("unit", o.unit());
+        String name = o.sensor() + (event.gained() ? " gains " : " loses ") + o.drone();
+        return new MapFeature(
+                event.gained() ? Role.GAINED : Role.LOST, name, point(place), colour(o.sensor()), properties);
+    }
+
+    private Shape point(Position place) {
+        return new Shape.Point(geodesy.at(place));
+    }
+}

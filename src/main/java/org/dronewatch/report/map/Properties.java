@@ -1,0 +1,34 @@
+package org.dronewatch.report.map;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.OptionalDouble;
+
+/** What is told of a feature, by name, in the order in which it was put: texts, numbers, and null for what there is not. */
+final class Properties {
+    private static final int DECIMALS = 6;
+
+    private final Map<String, Object> values = new LinkedHashMap<>();
+
+    Properties put(String name, String text) {
+        values.put(name, text);
+        return this;
+    }
+
+    /** A number; one that is not finite is none, as for a sound that did not arrive. */
+    Properties put(String name, double number) {
+        values.put(name, Double.isFinite(number) ? GeoPoint.rounded(number, DECIMALS) : null);
+        return this;
+    }
+
+    /** A number if there is one. */
+    Properties put(String name, OptionalDouble number) {
+        return put(name, number.orElse(Double.NaN));
+    }
+
+    /** By name: text, BigDecimal or null. */
+    Map<String, Object> values() {
+        return Collections.unmodifiableMap(values);
+    }
+}

@@ -1,0 +1,69 @@
+package org.dronewatch.report.map;
+
+import java.util.Locale;
+
+/** What a feature of a map stands for: its folder, and how large its marker is if it is a point. */
+enum Role {
+    /** Where a sensor is. */
+    SENSOR("Sensors", Size.LARGE),
+    /** What a sensor looks into. */
+    FIELD("Fields of view", Size.MEDIUM),
+    /** The way of a drone. */
+    FLIGHT("Flights", Size.MEDIUM),
+    /** Where a drone was when a sensor gained it. */
+    GAINED("Detections", Size.MEDIUM),
+    /** Where a drone was when a sensor lost it. */
+    LOST("Detections", Size.SMALL);
+
+    /** Width of lines in pixels. */
+    static final double STROKE = 2.0;
+
+    /** How opaque areas are, 0 to 1: they lie over one another and over the map. */
+    static final double OPACITY = 0.15;
+
+    private final String folder;
+    private final Size size;
+
+    Role(String folder, Size size) {
+        this.folder = folder;
+        this.size = size;
+    }
+
+    /** The title of its folder. */
+    String folder() {
+        return folder;
+    }
+
+    /** How large its marker is. */
+    Size size() {
+        return size;
+    }
+
+    /** Whether its name is written on the map: those of a hundred detections would cover one another. */
+    boolean isNamed() {
+        return this != GAINED && this != LOST;
+    }
+
+    /** Sizes of markers. */
+    enum Size {
+        SMALL(0.6),
+        MEDIUM(0.9),
+        LARGE(1.2);
+
+        private final double scale;
+
+        Size(double scale) {
+            this.scale = scale;
+        }
+
+        /** As a share of a map's usual marker. */
+        double scale() {
+            return scale;
+        }
+
+        /** In a word of simplestyle. */
+        String word() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+}

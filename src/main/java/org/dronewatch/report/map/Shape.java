@@ -1,0 +1,34 @@
+package org.dronewatch.report.map;
+
+import java.util.List;
+
+/** What a feature of a map looks like. */
+sealed interface Shape {
+
+    /** A single place. */
+    record Point(GeoPoint place) implements Shape {}
+
+    /**
+     * A way from place to place.
+     *
+     * @param places two or more
+     */
+    record Line(List<GeoPoint> places) implements Shape {
+        /** Keeps its own list. */
+        public Line {
+            places = List.copyOf(places);
+        }
+    }
+
+    /**
+     * An area on the ground plan.
+     *
+     * @param rings its edge, counterclockwise, and then its holes, clockwise; each ends where it begins
+     */
+    record Area(List<List<GeoPoint>> rings) implements Shape {
+        /** Keeps its own lists. */
+        public Area {
+            rings = rings.stream().map(List::copyOf).toList();
+        }
+    }
+}

@@ -1,0 +1,49 @@
+package org.dronewatch.report.map;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.scene.SceneResult;
+
+/**
+ * A map of a run, for programs that show maps: sensors, what they look into, the flights, and where each drone was when a
+ * sensor gained or lost it. Longitude and latitude (WGS 84) are exact, in degrees; heights are metres above the level of the
+ * scene's origin, whose own height nobody knows. The same results give the same bytes.
+ */
+public final class SiteMap {
+    /** The name of the file of GeoJSON (RFC 7946). */
+    public static final String GEO_JSON = "map.geojson";
+
+    /** The name of the file of KML 2.2. */
+    public static final String KML = "map.kml";
+
+    /** The names of both files. */
+    public static final List<String> FILES = List.of(GEO_JSON, KML);
+
+    private final MapContent content;
+
+    private SiteMap(MapContent content) {
+        this.content = content;
+    }
+
+    /** The map of a result's first run; none unless its scene says where on earth its origin lies. */
+    public static Optional<SiteMap> of(SceneResult result) {
+        return result.runs()
+                .get(0)
+                .settings()
+                .world()
+                .origin()
+                .map(origin -> new SiteMap(new MapContent(result, origin)));
+    }
+
+    /** Writes the map as GeoJSON. */
+    public void writeGeoJson(Path file) throws IOException {
+        new GeoJson(content).write(file);
+    }
+
+    /** Writes the map as KML. */
+    public void writeKml(Path file) throws IOException {
+        new Kml(content).write(file);
+    }
+}
