@@ -242,26 +242,34 @@ public record DroneSettings(
                 directivity);
     }
 
-    /** The path that this drone flies. */
-    public FlightPath createFlight() {
-        return flight.create(speed, acceleration);
+    /**
+     * The path that this drone flies.
+     *
+     * @param ground what lies below, as {@link World#newGround()} gives it
+     * @throws IllegalArgumentException when the flight follows the ground and there is none
+     */
+    public FlightPath createFlight(Ground ground) {
+        return flight.create(speed, acceleration, ground);
     }
 
     /**
-     * A drone of these settings at the start of its path.
+     * A drone of these settings at the start of its path, which must not be one that follows the ground.
      *
      * @param id its name
      * @param tree tree over its loaded mesh
+     * @throws IllegalArgumentException when the flight follows the ground
      */
     public Drone create(String id, KDTree tree) {
-        return new Drone(id, this, tree).at(createFlight().at(0.0));
+        return new Drone(id, this, tree).at(createFlight(Ground.NONE).at(0.0));
     }
 
     /**
-     * A drone of these settings at the start of its path; loads the mesh and builds its tree.
+     * A drone of these settings at the start of its path, which must not be one that follows the ground; loads the mesh
+     * and builds its tree.
      *
      * @param id its name
      * @param directory where a relative model path starts
+     * @throws IllegalArgumentException when the flight follows the ground
      * @throws org.dronewatch.setting.InputException when the model cannot be loaded
      */
     public Drone create(String id, Path directory) {
