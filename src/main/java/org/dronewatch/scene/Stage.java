@@ -18,11 +18,8 @@ import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.setting.InputException;
 import org.dronewatch.world.Drone;
-import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.FlightPath;
-import org.dronewatch.world.Ground;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
@@ -43,20 +40,12 @@ public final class Stage {
         this.colours = Map.copyOf(models.colours(site.models()));
         warn(settings, models);
         this.runSeed = runSeed;
-        Ground ground = world.newGround();
-        settings.drones().forEach((id, drone) -> {
+        FlightPaths paths = new FlightPaths(world.newGround());
+        settings.fliers().forEach((id, drone) -> {
             Drone created = new Drone(id, drone, models.tree(List.of(drone.model())));
-            fliers.add(new Flier(created, flight(id, drone, ground)));
+            fliers.add(new Flier(created, paths.of(id, drone)));
         });
         settings.sensors().forEach((id, sensor) -> lookers.add(new Looker(id, lookers.size(), sensor)));
-    }
-
-    private static FlightPath flight(String id, DroneSettings drone, Ground ground) {
-        try {
-            return drone.createFlight(ground);
-        } catch (IllegalArgumentException e) {
-            throw new InputException("drones." + id + ".flight: " + e.getMessage(), e);
-        }
     }
 
     private void warn(SceneSettings settings, ModelCache models) {

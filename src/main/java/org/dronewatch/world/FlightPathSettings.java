@@ -19,7 +19,8 @@ public sealed interface FlightPathSettings
                 TerrainFollowing,
                 LowApproach,
                 Dive,
-                PopUp {
+                PopUp,
+                Displaced {
 
     /**
      * The path for a drone.

@@ -47,6 +47,9 @@ final class Samples {
         if (plain == double.class) {
             return 1.0;
         }
+        if (plain == int.class) {
+            return 1;
+        }
         if (plain == String.class) {
             return "some";
         }

@@ -102,7 +102,7 @@ public final class HtmlReport {
     private String verdict() {
         List<String> sentences = new ArrayList<>();
         RunResult run = result.runs().get(0);
-        for (String drone : settings().drones().keySet()) {
+        for (String drone : settings().fliers().keySet()) {
             Optional<PairResult> first = run.pairs().stream()
                     .filter(pair ->
                             pair.drone().equals(drone) && pair.firstDetected().isPresent())
@@ -216,7 +216,7 @@ public final class HtmlReport {
                         name(sensor))));
         List<List<String>> drones = new ArrayList<>();
         settings()
-                .drones()
+                .fliers()
                 .forEach((id, drone) -> drones.add(List.of(
                         id,
                         drone.model().file(),
