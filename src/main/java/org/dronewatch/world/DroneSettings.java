@@ -33,6 +33,7 @@ import org.dronewatch.sound.DroneSounds;
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}
  * @param directivity at which elevation how much of the sound leaves, for physical propagation
  * @param swarm how many of it fly in formation; it alone if empty
+ * @param label what it is to the site, for those who read the results; no sensor knows it
  */
 public record DroneSettings(
         ModelSettings model,
@@ -46,7 +47,8 @@ public record DroneSettings(
         @In(value = Quantity.LEVEL, from = 0, to = 100) double glideReduction,
         String sound,
         Directivity directivity,
-        Optional<Swarm> swarm) {
+        Optional<Swarm> swarm,
+        ThreatLabel label) {
     /**
      * Checks the limits.
      *
@@ -66,7 +68,8 @@ public record DroneSettings(
                 glideReduction,
                 sound,
                 directivity,
-                swarm);
+                swarm,
+                label);
         try {
             DroneSounds.get(sound);
         } catch (InputException e) {
@@ -89,7 +92,8 @@ public record DroneSettings(
                 30.0,
                 DroneSounds.SMALL_QUADROTOR,
                 Directivity.OMNIDIRECTIONAL,
-                Optional.empty());
+                Optional.empty(),
+                ThreatLabel.DEFAULT);
     }
 
     /** These settings with another mesh. */
@@ -140,6 +144,11 @@ public record DroneSettings(
     /** These settings as a swarm. */
     public DroneSettings withSwarm(Swarm other) {
         return with("swarm", Optional.of(Check.present("swarm", other)));
+    }
+
+    /** These settings with another label. */
+    public DroneSettings withLabel(ThreatLabel other) {
+        return with("label", other);
     }
 
     private DroneSettings with(String part, Object value) {
