@@ -9,6 +9,8 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.ThreatLabel;
 
 /** The rooms of the house and the one way in which they may know each other. */
 @AnalyzeClasses(packages = "org.dronewatch", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -180,6 +182,16 @@ class HouseRulesTest {
     @ArchTest
     static final ArchRule NO_CIRCLES =
             slices().matching("org.dronewatch.(**)").should().beFreeOfCycles();
+
+    @ArchTest
+    static final ArchRule NO_SENSOR_KNOWS_WHAT_A_DRONE_WANTS = noClasses()
+            .that()
+            .resideInAPackage("org.dronewatch.sensor..")
+            .should()
+            .dependOnClassesThat()
+            .areAssignableTo(ThreatLabel.class)
+            .orShould()
+            .callMethod(DroneSettings.class, "label");
 
     @ArchTest
     static final ArchRule ONLY_THE_SCENE_KNOWS_DSOL = noClasses()

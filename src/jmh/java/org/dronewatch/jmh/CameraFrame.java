@@ -67,7 +67,7 @@ public class CameraFrame {
         DroneSettings settings =
                 DroneSettings.of(ModelSettings.of("quadrotor.obj"), path).withSpeed(0.4);
         drone = settings.create("drone", KDTree.of(Bench.worldMesh("quadrotor")));
-        flight = settings.createFlight();
+        flight = settings.createFlight(world.newGround());
     }
 
     /** The next frame of the flight, which starts again when it is over. */

@@ -38,7 +38,7 @@ final class CheckCommand implements Callable<Integer> {
                         "%s is valid: %d model(s), %d drone(s), %d sensor(s), %d run(s) of %s s%n",
                         scene.name(),
                         runs.get(0).world().models().size(),
-                        runs.get(0).drones().size(),
+                        runs.get(0).fliers().size(),
                         runs.get(0).sensors().size(),
                         runs.size(),
                         runs.get(0).run().duration());

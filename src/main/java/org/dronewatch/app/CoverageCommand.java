@@ -104,13 +104,13 @@ final class CoverageCommand implements Callable<Integer> {
     }
 
     private String drone(SceneSettings settings) {
-        if (settings.drones().isEmpty()) {
+        if (settings.fliers().isEmpty()) {
             throw new InputException("the scene has no drone to put at the points");
         }
-        String id = drone == null ? settings.drones().keySet().iterator().next() : drone;
-        if (!settings.drones().containsKey(id)) {
+        String id = drone == null ? settings.fliers().keySet().iterator().next() : drone;
+        if (!settings.fliers().containsKey(id)) {
             throw new InputException("--drone " + id + ": no such drone; the scene has "
-                    + String.join(", ", settings.drones().keySet()));
+                    + String.join(", ", settings.fliers().keySet()));
         }
         return id;
     }

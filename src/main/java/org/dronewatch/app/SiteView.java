@@ -110,13 +110,13 @@ final class SiteView {
         }
         if (focus != null
                 && !settings.sensors().containsKey(focus)
-                && !settings.drones().containsKey(focus)) {
+                && !settings.fliers().containsKey(focus)) {
             List<String> known = new ArrayList<>(settings.sensors().keySet());
-            known.addAll(settings.drones().keySet());
+            known.addAll(settings.fliers().keySet());
             throw new InputException(
                     "--focus " + focus + ": no such sensor or drone; the scene has " + String.join(", ", known));
         }
-        if (rays && settings.drones().isEmpty()) {
+        if (rays && settings.fliers().isEmpty()) {
             throw new InputException("--rays: the scene has no drone");
         }
         bearing(0.0);
@@ -199,9 +199,9 @@ final class SiteView {
                 .findFirst()
                 .orElseThrow(() -> new InputException("--rays: no sensor of the scene follows rays"
                         + (focus == null ? "" : ", or --focus " + focus + " does not")));
-        String drone = settings.drones().containsKey(focus)
+        String drone = settings.fliers().containsKey(focus)
                 ? focus
-                : settings.drones().keySet().iterator().next();
+                : settings.fliers().keySet().iterator().next();
         RayCollector collector = new RayCollector(sensor, drone);
         stage.traceRays(time, sensor, drone, collector);
         return Optional.of(collector.toRays());

@@ -253,7 +253,7 @@ public final class CostStudy {
     private Drone droneAt(Position offset, World site) {
         Position place = above(site, offset.x(), offset.y(), 20.0 + offset.z());
         DroneSettings settings = DroneSettings.of(ModelSettings.of("drone.obj"), new Hover(place, 0.0));
-        return settings.create("drone", droneTree).at(settings.createFlight().at(0.0));
+        return settings.create("drone", droneTree);
     }
 
     private static Sample sample(int number) {

@@ -39,6 +39,7 @@ public final class SitePicture {
     private final SitePainter painter;
     private final KindColours colours;
     private final SceneSettings settings;
+    private final Set<String> drones;
     private final Stage stage;
     private final World world;
     private final Flights flights;
@@ -49,11 +50,12 @@ public final class SitePicture {
     public SitePicture(SceneSettings settings, Stage stage) {
         this.settings = settings;
         this.stage = stage;
+        this.drones = settings.fliers().keySet();
         this.world = stage.world();
         this.painter = new SitePainter(world.tree(), stage.colours());
         this.colours = KindColours.of(settings.sensors().values());
         this.flights = new Flights(settings, stage);
-        boolean empty = settings.sensors().isEmpty() && settings.drones().isEmpty();
+        boolean empty = settings.sensors().isEmpty() && drones.isEmpty();
         this.interest = empty ? world.bounds() : flights.interest(settings);
     }
 
@@ -74,7 +76,6 @@ public final class SitePicture {
             Function<String, Optional<Pointing>> pointing,
             Optional<String> selected,
             Optional<RaySet> rays) {
-        Set<String> drones = settings.drones().keySet();
         Set<String> sensors = settings.sensors().keySet();
         List<SensorMark> sensorMarks = new ArrayList<>();
         settings.sensors()

@@ -149,7 +149,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         Charts.write(chart, plotFile(curve.name() + "-" + sensor));
     }
 
-    /** Takes the site of the first run: only with it there is a {@code report.html}. */
+    /** Takes the site of the first run: only with it there are a {@code report.html} and maps. */
     public void site(Stage ofFirstRun) {
         stage = ofFirstRun;
     }
@@ -163,9 +163,12 @@ public final class RunReport implements SceneListener, AutoCloseable {
         if (stage != null) {
             new SiteReport(result, looks, stage, pointings).write(directory);
         }
-        List<String> obsolete = new ArrayList<>(writeMaps(result));
+        List<String> obsolete = new ArrayList<>();
         if (stage == null) {
             obsolete.add(SiteReport.FILE);
+            obsolete.addAll(SiteMap.FILES);
+        } else {
+            obsolete.addAll(writeMaps(result));
         }
         if (observations == null) {
             obsolete.add(OBSERVATIONS);
@@ -175,7 +178,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
 
     /** Writes the maps if the scene has an origin on earth, or tells what must not stay of an earlier run. */
     private List<String> writeMaps(SceneResult result) throws IOException {
-        Optional<SiteMap> map = SiteMap.of(result);
+        Optional<SiteMap> map = SiteMap.of(result, stage);
         if (map.isEmpty()) {
             return SiteMap.FILES;
         }

@@ -46,7 +46,7 @@ public final class Coverage {
                 .filter(one -> one.id().equals(drone))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'; the scene has "
-                        + String.join(", ", settings.drones().keySet())));
+                        + String.join(", ", settings.fliers().keySet())));
         Coverage coverage = new Coverage(grid, settings.sensors());
         Heights heights = new Heights(stage.world(), grid);
         List<Supplier<boolean[]>> tasks = new ArrayList<>();

@@ -18,7 +18,7 @@ import org.dronewatch.world.WorldSettings;
  * sensors created from it. The order of drones and sensors is kept.
  *
  * @param world the site
- * @param drones drones by id
+ * @param drones drones by id; at most 1000 fly, with those of their swarms
  * @param sensors sensors by id
  * @param alert when the site is alerted, and what is to be protected
  * @param run duration and seed
@@ -41,6 +41,7 @@ public record SceneSettings(
         drones = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("drones", drones)));
         sensors = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("sensors", sensors)));
         drones.keySet().forEach(SceneSettings::checkId);
+        Fliers.of(drones);
         sensors.keySet().forEach(SceneSettings::checkId);
         Map<String, SensorSettings<?>> all = sensors;
         sensors.forEach((id, sensor) ->
@@ -68,6 +69,14 @@ public record SceneSettings(
             throw new IllegalArgumentException(
                     "id '" + id + "' must be 1 to 64 letters, digits, '-' or '_': it is part of settings' paths");
         }
+    }
+
+    /**
+     * What flies, by id: each drone, but for one with a swarm, say {@code x}, the drones of the swarm, {@code x-1}, {@code
+     * x-2} and so on. Detections are theirs; overrides and sweeps change {@link #drones()}.
+     */
+    public Map<String, DroneSettings> fliers() {
+        return Fliers.of(drones);
     }
 
     /** An empty site that runs for a minute. */

@@ -45,9 +45,10 @@ public final class Stage {
         this.colours = Map.copyOf(models.colours(site.models()));
         warn(settings, models);
         this.runSeed = runSeed;
-        settings.drones().forEach((id, drone) -> {
-            Drone created = drone.create(id, models.tree(List.of(drone.model())));
-            fliers.add(new Flier(created, drone.createFlight()));
+        FlightPaths paths = new FlightPaths(world.newGround());
+        settings.fliers().forEach((id, drone) -> {
+            Drone created = new Drone(id, drone, models.tree(List.of(drone.model())));
+            fliers.add(new Flier(created, paths.of(id, drone)));
         });
         settings.sensors().forEach((id, sensor) -> lookers.add(new Looker(id, lookers.size(), sensor)));
     }

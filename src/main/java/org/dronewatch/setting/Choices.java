@@ -9,11 +9,16 @@ import java.util.Map;
 public final class Choices {
     private Choices() {}
 
-    /** The kinds of a sealed interface by the names that people write: {@code EnergyModel} is {@code energy-model}. */
+    /**
+     * The kinds of a sealed interface by the names that people write: {@code EnergyModel} is {@code energy-model}. Those that
+     * are no records are not for people to write.
+     */
     public static Map<String, Class<?>> of(Class<?> sealedType) {
         Map<String, Class<?>> kinds = new LinkedHashMap<>();
         for (Class<?> kind : sealedType.getPermittedSubclasses()) {
-            kinds.put(name(kind.getSimpleName()), kind);
+            if (kind.isRecord()) {
+                kinds.put(name(kind.getSimpleName()), kind);
+            }
         }
         return Collections.unmodifiableMap(kinds);
     }

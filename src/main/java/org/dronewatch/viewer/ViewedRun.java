@@ -3,6 +3,7 @@ package org.dronewatch.viewer;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.picture.RaySet;
 import org.dronewatch.picture.SitePicture;
@@ -16,11 +17,13 @@ final class ViewedRun {
     private final RecordedRun run;
     private final Stage stage;
     private final SitePicture picture;
+    private final Set<String> drones;
 
     ViewedRun(String title, RecordedRun run, Stage stage) {
         this.title = title;
         this.run = run;
         this.stage = stage;
+        this.drones = settings().fliers().keySet();
         this.picture = new SitePicture(settings(), stage);
     }
 
@@ -53,13 +56,13 @@ final class ViewedRun {
 
     /** Whether a sensor detects any drone at a time. */
     boolean isDetecting(String sensor, double time) {
-        return settings().drones().keySet().stream().anyMatch(drone -> run.isDetected(sensor, drone, time));
+        return drones.stream().anyMatch(drone -> run.isDetected(sensor, drone, time));
     }
 
     /** What a sensor told last of each drone. */
     Map<String, Reading> readings(String sensor, double time) {
         Map<String, Reading> told = new HashMap<>();
-        for (String drone : settings().drones().keySet()) {
+        for (String drone : drones) {
             run.reading(sensor, drone, time).ifPresent(reading -> told.put(drone, reading));
         }
         return told;

@@ -1,13 +1,18 @@
 package org.dronewatch.world;
 
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSound;
 import org.dronewatch.sound.DroneSounds;
@@ -27,6 +32,8 @@ import org.dronewatch.sound.DroneSounds;
  * @param glideReduction how much quieter it is with its motors off, when only the air about it is heard, 0 to 100 dB
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}
  * @param directivity at which elevation how much of the sound leaves, for physical propagation
+ * @param swarm how many of it fly in formation; it alone if empty
+ * @param label what it is to the site, for those who read the results; no sensor knows it
  */
 public record DroneSettings(
         ModelSettings model,
@@ -39,7 +46,9 @@ public record DroneSettings(
         @In(value = Quantity.LEVEL, from = 0, to = 200) double soundPowerLevel,
         @In(value = Quantity.LEVEL, from = 0, to = 100) double glideReduction,
         String sound,
-        Directivity directivity) {
+        Directivity directivity,
+        Optional<Swarm> swarm,
+        ThreatLabel label) {
     /**
      * Checks the limits.
      *
@@ -58,7 +67,9 @@ public record DroneSettings(
                 soundPowerLevel,
                 glideReduction,
                 sound,
-                directivity);
+                directivity,
+                swarm,
+                label);
         try {
             DroneSounds.get(sound);
         } catch (InputException e) {
@@ -80,55 +91,24 @@ public record DroneSettings(
                 85.0,
                 30.0,
                 DroneSounds.SMALL_QUADROTOR,
-                Directivity.OMNIDIRECTIONAL);
+                Directivity.OMNIDIRECTIONAL,
+                Optional.empty(),
+                ThreatLabel.DEFAULT);
     }
 
     /** These settings with another mesh. */
     public DroneSettings withModel(ModelSettings other) {
-        return new DroneSettings(
-                other,
-                flight,
-                speed,
-                acceleration,
-                radar,
-                radio,
-                soundLevel,
-                soundPowerLevel,
-                glideReduction,
-                sound,
-                directivity);
+        return with("model", other);
     }
 
     /** These settings with another way to fly. */
     public DroneSettings withFlight(FlightPathSettings other) {
-        return new DroneSettings(
-                model,
-                other,
-                speed,
-                acceleration,
-                radar,
-                radio,
-                soundLevel,
-                soundPowerLevel,
-                glideReduction,
-                sound,
-                directivity);
+        return with("flight", other);
     }
 
     /** These settings with another cruise speed, m/s. */
     public DroneSettings withSpeed(double metresPerSecond) {
-        return new DroneSettings(
-                model,
-                flight,
-                metresPerSecond,
-                acceleration,
-                radar,
-                radio,
-                soundLevel,
-                soundPowerLevel,
-                glideReduction,
-                sound,
-                directivity);
+        return with("speed", metresPerSecond);
     }
 
     /** These settings with another radar cross-section, m2. */
@@ -138,82 +118,56 @@ public record DroneSettings(
 
     /** These settings with something else for a radar to see. */
     public DroneSettings withRadar(RadarSignature other) {
-        return new DroneSettings(
-                model,
-                flight,
-                speed,
-                acceleration,
-                other,
-                radio,
-                soundLevel,
-                soundPowerLevel,
-                glideReduction,
-                sound,
-                directivity);
+        return with("radar", other);
     }
 
     /** These settings controlled in another way. */
     public DroneSettings withRadio(RadioLink other) {
-        return new DroneSettings(
-                model,
-                flight,
-                speed,
-                acceleration,
-                radar,
-                other,
-                soundLevel,
-                soundPowerLevel,
-                glideReduction,
-                sound,
-                directivity);
+        return with("radio", other);
     }
 
     /** These settings with another level for the level model, dB. */
     public DroneSettings withSoundLevel(double level) {
-        return new DroneSettings(
-                model,
-                flight,
-                speed,
-                acceleration,
-                radar,
-                radio,
-                level,
-                soundPowerLevel,
-                glideReduction,
-                sound,
-                directivity);
+        return with("soundLevel", level);
     }
 
     /** These settings with the sound of another kind of drone, spectrum and loudness. */
     public DroneSettings withSound(DroneSound other) {
-        return new DroneSettings(
-                model,
-                flight,
-                speed,
-                acceleration,
-                radar,
-                radio,
-                soundLevel,
-                other.level(),
-                glideReduction,
-                other.name(),
-                directivity);
+        return with(Map.of("soundPowerLevel", other.level(), "sound", other.name()));
     }
 
     /** These settings with sound that leaves in other directions. */
     public DroneSettings withDirectivity(Directivity other) {
-        return new DroneSettings(
-                model,
-                flight,
-                speed,
-                acceleration,
-                radar,
-                radio,
-                soundLevel,
-                soundPowerLevel,
-                glideReduction,
-                sound,
-                other);
+        return with("directivity", other);
+    }
+
+    /** These settings as a swarm. */
+    public DroneSettings withSwarm(Swarm other) {
+        return with("swarm", Optional.of(Check.present("swarm", other)));
+    }
+
+    /** These settings with another label. */
+    public DroneSettings withLabel(ThreatLabel other) {
+        return with("label", other);
+    }
+
+    private DroneSettings with(String part, Object value) {
+        return with(Collections.singletonMap(part, value));
+    }
+
+    private DroneSettings with(Map<String, Object> parts) {
+        return (DroneSettings) SettingsForm.of(DroneSettings.class).with(this, parts);
+    }
+
+    /** What flies: this drone, or each drone of its swarm by itself, the leader first. */
+    public List<DroneSettings> fliers() {
+        if (swarm.isEmpty()) {
+            return List.of(this);
+        }
+        DroneSettings alone = with("swarm", Optional.empty());
+        return swarm.get().offsets().stream()
+                .map(offset -> alone.withFlight(new Displaced(flight, offset)))
+                .toList();
     }
 
     /** Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's own loudness. */
@@ -228,40 +182,37 @@ public record DroneSettings(
 
     /** These settings quieter or louder with the motors off, dB below the sound of the motors. */
     public DroneSettings withGlideReduction(double decibels) {
-        return new DroneSettings(
-                model,
-                flight,
-                speed,
-                acceleration,
-                radar,
-                radio,
-                soundLevel,
-                soundPowerLevel,
-                decibels,
-                sound,
-                directivity);
-    }
-
-    /** The path that this drone flies. */
-    public FlightPath createFlight() {
-        return flight.create(speed, acceleration);
+        return with("glideReduction", decibels);
     }
 
     /**
-     * A drone of these settings at the start of its path.
+     * The path that this drone flies, or the leader of its swarm.
+     *
+     * @param ground what lies below, as {@link World#newGround()} gives it
+     * @throws IllegalArgumentException when the flight follows the ground and there is none
+     */
+    public FlightPath createFlight(Ground ground) {
+        return flight.create(speed, acceleration, ground);
+    }
+
+    /**
+     * A drone of these settings at the start of its path, which must not be one that follows the ground.
      *
      * @param id its name
      * @param tree tree over its loaded mesh
+     * @throws IllegalArgumentException when the flight follows the ground
      */
     public Drone create(String id, KDTree tree) {
-        return new Drone(id, this, tree).at(createFlight().at(0.0));
+        return new Drone(id, this, tree).at(createFlight(Ground.NONE).at(0.0));
     }
 
     /**
-     * A drone of these settings at the start of its path; loads the mesh and builds its tree.
+     * A drone of these settings at the start of its path, which must not be one that follows the ground; loads the mesh
+     * and builds its tree.
      *
      * @param id its name
      * @param directory where a relative model path starts
+     * @throws IllegalArgumentException when the flight follows the ground
      * @throws org.dronewatch.setting.InputException when the model cannot be loaded
      */
     public Drone create(String id, Path directory) {

@@ -9,15 +9,28 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /** The way a drone flies; how fast is the drone's own setting. */
-public sealed interface FlightPathSettings {
+public sealed interface FlightPathSettings
+        permits FlightPathSettings.Hover,
+                FlightPathSettings.Approach,
+                FlightPathSettings.Inbound,
+                FlightPathSettings.Waypoints,
+                FlightPathSettings.Glide,
+                FlightPathSettings.Orbit,
+                TerrainFollowing,
+                LowApproach,
+                Dive,
+                PopUp,
+                Displaced {
 
     /**
      * The path for a drone.
      *
      * @param speed cruise speed, m/s, above 0
      * @param acceleration largest acceleration along the path, m/s2, above 0
+     * @param ground what lies below; asked only before this returns
+     * @throws IllegalArgumentException when the path follows the ground and there is none
      */
-    FlightPath create(double speed, double acceleration);
+    FlightPath create(double speed, double acceleration, Ground ground);
 
     /** The compass heading of a displacement, rad clockwise from north; of a vertical one, north. */
     private static double headingOf(Position way) {
@@ -43,7 +56,7 @@ public sealed interface FlightPathSettings {
         }
 
         @Override
-        public FlightPath create(double speed, double acceleration) {
+        public FlightPath create(double speed, double acceleration, Ground ground) {
             FlightState state = new FlightState(position, new Position(0, 0, 0), heading);
             return time -> state;
         }
@@ -63,7 +76,7 @@ public sealed interface FlightPathSettings {
         }
 
         @Override
-        public FlightPath create(double speed, double acceleration) {
+        public FlightPath create(double speed, double acceleration, Ground ground) {
             Position way = to.minus(from);
             double length = way.length();
             Position direction = way.times(1.0 / length);
@@ -113,8 +126,8 @@ public sealed interface FlightPathSettings {
         }
 
         @Override
-        public FlightPath create(double speed, double acceleration) {
-            return new Approach(at(distance), at(nearest)).create(speed, acceleration);
+        public FlightPath create(double speed, double acceleration, Ground ground) {
+            return new Approach(at(distance), at(nearest)).create(speed, acceleration, ground);
         }
     }
 
@@ -137,7 +150,7 @@ public sealed interface FlightPathSettings {
         }
 
         @Override
-        public FlightPath create(double speed, double acceleration) {
+        public FlightPath create(double speed, double acceleration, Ground ground) {
             return new WaypointPath(points, speed, acceleration);
         }
     }
@@ -167,9 +180,9 @@ public sealed interface FlightPathSettings {
         }
 
         @Override
-        public FlightPath create(double speed, double acceleration) {
-            FlightPath climb = new Approach(from, release).create(speed, acceleration);
-            FlightPath glide = new Approach(release, to).create(speed, acceleration);
+        public FlightPath create(double speed, double acceleration, Ground ground) {
+            FlightPath climb = new Approach(from, release).create(speed, acceleration, ground);
+            FlightPath glide = new Approach(release, to).create(speed, acceleration, ground);
             double climbing = from.distance(release) / speed;
             return time -> {
                 FlightState state = time < climbing ? climb.at(time) : glide.at(time - climbing);
@@ -200,7 +213,7 @@ public sealed interface FlightPathSettings {
         }
 
         @Override
-        public FlightPath create(double speed, double acceleration) {
+        public FlightPath create(double speed, double acceleration, Ground ground) {
             return time -> {
                 double now = bearing + speed / radius * time;
                 Position place = centre.plus(new Position(radius * Math.sin(now), radius * Math.cos(now), 0.0));

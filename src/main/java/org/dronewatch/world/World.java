@@ -159,11 +159,16 @@ public final class World {
      * @return its z in metres, empty where the world has nothing
      */
     public OptionalDouble surfaceHeight(double x, double y) {
-        AABB bounds = bounds();
-        double above = bounds.maxZ() + 1.0;
-        return closestHit(new Ray(new Point3d(x, y, above), new Vector3d(0, 0, -1)))
-                .map(hit -> OptionalDouble.of(above - hit.distance()))
-                .orElse(OptionalDouble.empty());
+        return newGround().height(x, y);
+    }
+
+    /** The heights of the highest surfaces, for the use of one thread: faster than {@link #surfaceHeight} for many places. */
+    public Ground newGround() {
+        KDTraversal traversal = newTraversal();
+        double above = bounds().maxZ() + 1.0;
+        return (x, y) -> traversal.closestHit(x, y, above, 0.0, 0.0, -1.0, 0.0, Double.POSITIVE_INFINITY)
+                ? OptionalDouble.of(above - traversal.distance())
+                : OptionalDouble.empty();
     }
 
     /**

@@ -12,6 +12,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronewatch.catalog.Catalog;
+import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
@@ -28,7 +29,11 @@ class GuideTest {
 
     /** The first block of YAML in a page. */
     private static String firstExample(Path page) throws IOException {
-        Matcher block = Pattern.compile("```yaml\n(.*?)```", Pattern.DOTALL).matcher(Files.readString(page));
+        return firstExample(Files.readString(page));
+    }
+
+    private static String firstExample(String text) {
+        Matcher block = Pattern.compile("```yaml\n(.*?)```", Pattern.DOTALL).matcher(text);
         assertThat(block.find()).isTrue();
         return block.group(1);
     }
@@ -56,6 +61,26 @@ class GuideTest {
 
         assertThat(Math.toDegrees(origin.latitude())).isCloseTo(50.08, within(1e-9));
         assertThat(Math.toDegrees(origin.longitude())).isCloseTo(14.42, within(1e-9));
+    }
+
+    @Test
+    void theSceneOfThreatsRuns() throws IOException {
+        String guide = Files.readString(PAGES.resolve("guide.md"));
+        Path file = directory.resolve("threats.yaml");
+        Files.writeString(file, firstExample(guide.substring(guide.indexOf("## Threats"))));
+        SceneRunner runner = new SceneRunner(new SceneFile(file)).set("drones.creeper.swarm", "3");
+        SceneResult result = runner.run();
+
+        assertThat(result.pairs()).hasSize(2 * 11);
+        assertThat(result.firstDetectionRange("radar", "diver")).isPresent();
+        assertThat(result.firstDetectionRange("radar", "decoys-5")).isPresent();
+        // It is seen only once it has risen: from behind the brow it does not show before 118 m.
+        PairResult seen = result.pairs().stream()
+                .filter(pair -> pair.sensor().equals("eye") && pair.drone().equals("watcher"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(seen.firstDetected().orElseThrow()).isBetween(11.0, 20.0);
+        assertThat(result.firstDetectionRange("radar", "watcher")).isEmpty();
     }
 
     @Test

@@ -10,6 +10,7 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.world.GroundPoint;
 
 /** Makes a settings record with nothing filled in but what must be, to see what the rest is by default. */
 final class Samples {
@@ -33,6 +34,10 @@ final class Samples {
 
     private static Object value(Type type) {
         if (type instanceof ParameterizedType several) {
+            if (several.getActualTypeArguments()[0] == GroundPoint.class) {
+                // A way needs two places.
+                return List.of(new GroundPoint(1, 2), new GroundPoint(3, 4));
+            }
             return several.getRawType() == Map.class ? Map.of() : List.of(value(several.getActualTypeArguments()[0]));
         }
         Class<?> plain = (Class<?>) type;
@@ -41,6 +46,9 @@ final class Samples {
         }
         if (plain == double.class) {
             return 1.0;
+        }
+        if (plain == int.class) {
+            return 1;
         }
         if (plain == String.class) {
             return "some";

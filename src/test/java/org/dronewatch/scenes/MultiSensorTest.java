@@ -12,6 +12,7 @@ import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.FlightPath;
+import org.dronewatch.world.Ground;
 import org.jogamp.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -54,7 +55,7 @@ class MultiSensorTest {
                 .toList();
 
         int byLaw = 0;
-        FlightPath flight = settings.drones().get("quadrotor").createFlight();
+        FlightPath flight = settings.drones().get("quadrotor").createFlight(Ground.NONE);
         for (PairResult pair : cameras) {
             CameraSettings camera = (CameraSettings) settings.sensors().get(pair.sensor());
             Position place = flight.at(pair.firstDetected().orElseThrow()).position();

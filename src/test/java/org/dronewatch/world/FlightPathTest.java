@@ -20,14 +20,16 @@ class FlightPathTest {
     @Test
     void aHoveringDroneStaysWhereItIs() {
         Position place = new Position(1, 2, 3);
-        FlightState state = new Hover(place, 0.7).create(SPEED, ACCELERATION).at(1234.5);
+        FlightState state =
+                new Hover(place, 0.7).create(SPEED, ACCELERATION, Ground.NONE).at(1234.5);
 
         assertThat(state).isEqualTo(new FlightState(place, new Position(0, 0, 0), 0.7));
     }
 
     @Test
     void anApproachFliesAtCruiseSpeedFromTheFirstMomentAndEndsAtItsEnd() {
-        FlightPath path = new Approach(new Position(100, 0, 20), new Position(0, 0, 20)).create(SPEED, ACCELERATION);
+        FlightPath path =
+                new Approach(new Position(100, 0, 20), new Position(0, 0, 20)).create(SPEED, ACCELERATION, Ground.NONE);
 
         assertThat(path.at(4.0).position()).isEqualTo(new Position(80, 0, 20));
         assertThat(path.at(4.0).velocity()).isEqualTo(new Position(-5, 0, 0));
@@ -105,7 +107,7 @@ class FlightPathTest {
     }
 
     private static FlightPath waypoints(Position... points) {
-        return new Waypoints(List.of(points)).create(SPEED, ACCELERATION);
+        return new Waypoints(List.of(points)).create(SPEED, ACCELERATION, Ground.NONE);
     }
 
     @Test
@@ -113,7 +115,7 @@ class FlightPathTest {
         Position from = new Position(0, 900, 10);
         Position release = new Position(0, 600, 410);
         Position to = new Position(0, -400, 310);
-        FlightPath path = new FlightPathSettings.Glide(from, release, to).create(20.0, 3.0);
+        FlightPath path = new FlightPathSettings.Glide(from, release, to).create(20.0, 3.0, Ground.NONE);
 
         assertThat(path.at(0).position()).isEqualTo(from);
         assertThat(path.at(24.9).powered()).isTrue();
@@ -137,7 +139,7 @@ class FlightPathTest {
     @Test
     void anOrbitIsAClockwiseCircleAtCruiseSpeed() {
         Position centre = new Position(10, 20, 50);
-        FlightPath path = FlightPathSettings.Orbit.about(centre, 40.0).create(8.0, 3.0);
+        FlightPath path = FlightPathSettings.Orbit.about(centre, 40.0).create(8.0, 3.0, Ground.NONE);
         double round = 2 * Math.PI * 40 / 8;
 
         assertThat(path.at(0).position().distance(new Position(10, 60, 50))).isLessThan(1e-9);

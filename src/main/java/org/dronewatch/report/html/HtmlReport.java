@@ -18,7 +18,6 @@ import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.world.DroneSettings;
 
 /**
  * One file for a browser or for paper: who was detected when and by whom, what was missed and why, the site, the settings,
@@ -40,6 +39,9 @@ public final class HtmlReport {
             tr, h2 { break-inside: avoid; } h2 { break-after: avoid; }
             @media print { body { margin: 0; max-width: none; font-size: 9.5pt; } img { max-height: 95mm; } }
             """;
+
+    /** Of more drones than these, as in a large swarm, only the table tells. */
+    private static final int MOST_SENTENCES = 20;
 
     private final SceneResult result;
     private final Looks looks;
@@ -101,8 +103,9 @@ public final class HtmlReport {
     /** One sentence a drone: who detects it first, how far away, how early. */
     private String verdict() {
         List<String> sentences = new ArrayList<>();
+        List<String> drones = List.copyOf(settings().fliers().keySet());
         RunResult run = result.runs().get(0);
-        for (String drone : settings().drones().keySet()) {
+        for (String drone : drones.subList(0, Math.min(drones.size(), MOST_SENTENCES))) {
             Optional<PairResult> first = run.pairs().stream()
                     .filter(pair ->
                             pair.drone().equals(drone) && pair.firstDetected().isPresent())
@@ -122,6 +125,9 @@ public final class HtmlReport {
                                     ? "all sensors detect it"
                                     : missing + " of " + settings().sensors().size() + " sensors never detect it"))
                     .orElse("'" + drone + "' is not detected by any sensor."));
+        }
+        if (drones.size() > MOST_SENTENCES) {
+            sentences.add("The table tells of " + (drones.size() - MOST_SENTENCES) + " more drones.");
         }
         String note = result.complete() ? "" : " The run was cut short.";
         return String.join(" ", sentences) + note;
@@ -214,20 +220,10 @@ public final class HtmlReport {
                         place(sensor.position()),
                         format("%s Hz", Reasons.number(sensor.rate())),
                         name(sensor))));
-        List<List<String>> drones = new ArrayList<>();
-        settings()
-                .drones()
-                .forEach((id, drone) -> drones.add(List.of(
-                        id,
-                        drone.model().file(),
-                        format("%s m/s", Reasons.number(drone.speed())),
-                        sound(drone),
-                        format("%s m2", Double.toString(drone.radar().crossSection())),
-                        drone.radio().control().toString().toLowerCase(Locale.ROOT))));
         return Html.plain("h2", "Sensors")
                 + Html.table(List.of("sensor", "kind", "east, north, up [m]", "looks", "settings"), sensors)
                 + Html.plain("h2", "Drones")
-                + Html.table(List.of("drone", "model", "speed", "sound", "radar cross-section", "control"), drones)
+                + DroneRows.table(settings().fliers())
                 + Html.plain("h2", "Site")
                 + Html.table(
                         List.of("models", "background noise", "visibility", "rain", "simulated", "seed"),
@@ -249,12 +245,6 @@ public final class HtmlReport {
                                         Reasons.number(settings().world().rain())),
                                 format("%s s", Reasons.number(result.simulated())),
                                 Long.toString(result.seed()))));
-    }
-
-    private static String sound(DroneSettings drone) {
-        return format(
-                "%s dB(A) sound power; %s dB in the level model",
-                Reasons.number(drone.soundPowerLevel()), Reasons.number(drone.soundLevel()));
     }
 
     private static String name(SensorSettings<?> sensor) {

@@ -2,9 +2,10 @@ package org.dronewatch.report.map;
 
 import java.awt.Color;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.OptionalDouble;
+import org.dronewatch.fusion.Alert;
+import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.picture.KindColours;
 import org.dronewatch.scene.DetectionEvent;
@@ -12,9 +13,10 @@ import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.world.FlightPath;
 import org.dronewatch.world.Origin;
 
 /** What a map of a run shows: its first run, if there were several. */
@@ -22,20 +24,22 @@ final class MapContent {
     /** A flight is drawn with so many straight lines at most, each of the same time. */
     static final int STEPS = 300;
 
+    private static final Color ZONE = new Color(0xc0392b);
+
     private final SceneResult result;
     private final RunResult run;
     private final SceneSettings settings;
     private final Geodesy geodesy;
     private final KindColours colours;
-    private final Map<String, FlightPath> flights = new LinkedHashMap<>();
+    private final Stage stage;
 
-    MapContent(SceneResult result, Origin origin) {
+    MapContent(SceneResult result, Stage stage, Origin origin) {
+        this.stage = stage;
         this.result = result;
         this.run = result.runs().get(0);
         this.settings = run.settings();
         this.geodesy = new Geodesy(origin);
         this.colours = KindColours.of(settings.sensors().values());
-        settings.drones().forEach((id, drone) -> flights.put(id, drone.createFlight()));
     }
 
     /** The scene's name. */
@@ -60,7 +64,9 @@ final class MapContent {
         settings.sensors().forEach((id, sensor) -> sensor.outline()
                 .map(outline -> Footprint.of(sensor.position(), outline, run.firstDetectionRange(id)))
                 .ifPresent(rings -> features.add(field(id, sensor, rings))));
-        flights.forEach((id, path) -> features.add(flight(id, path)));
+        settings.alert().protect().ifPresent(zone -> features.add(zone(zone)));
+        settings.fliers().keySet().forEach(id -> features.add(flight(id)));
+        run.alerts().stream().flatMap(result -> result.alert().stream()).forEach(alert -> features.add(alert(alert)));
         run.events().forEach(event -> features.add(event(event)));
         return features;
     }
@@ -84,18 +90,36 @@ final class MapContent {
     }
 
     private MapFeature field(String id, SensorSettings<?> sensor, List<List<Position>> rings) {
-        Shape area = new Shape.Area(rings.stream()
-                .map(ring -> ring.stream().map(geodesy::at).toList())
-                .toList());
         Properties properties = new Properties().put("sensor", id).put("kind", sensor.kind());
-        return new MapFeature(Role.FIELD, "field of view of " + id, area, colour(id), properties);
+        return new MapFeature(Role.FIELD, "field of view of " + id, area(rings), colour(id), properties);
+    }
+
+    private MapFeature zone(ProtectedZone zone) {
+        Properties properties = new Properties()
+                .put("radius_m", zone.radius())
+                .put("height_m", zone.centre().z());
+        Shape shape = zone.radius() > 0.0
+                ? area(Footprint.of(zone.centre(), new Outline.Ball(zone.radius()), OptionalDouble.empty()))
+                : point(zone.centre());
+        return new MapFeature(Role.ZONE, "protected", shape, ZONE, properties);
+    }
+
+    /** Where the drone was when the site was alerted to it. */
+    private MapFeature alert(Alert alert) {
+        Position place = stage.placeOf(alert.drone(), alert.time());
+        Properties properties = new Properties()
+                .put("drone", alert.drone())
+                .put("time_s", alert.time())
+                .put("height_m", place.z())
+                .put("sensors", String.join(", ", alert.sensors()));
+        return new MapFeature(Role.ALERT, "alert to " + alert.drone(), point(place), ZONE, properties);
     }
 
     /** The way of a drone; a point for one that stays where it is. */
-    private MapFeature flight(String id, FlightPath path) {
+    private MapFeature flight(String id) {
         List<GeoPoint> places = new ArrayList<>();
         for (int i = 0; i <= STEPS; i++) {
-            GeoPoint place = geodesy.at(path.at(run.simulated() * i / STEPS).position());
+            GeoPoint place = geodesy.at(stage.placeOf(id, run.simulated() * i / STEPS));
             if (places.isEmpty() || !places.get(places.size() - 1).inSpace().equals(place.inSpace())) {
                 places.add(place);
             }
@@ -108,7 +132,7 @@ final class MapContent {
     /** The drone as it was when what was sensed left it. */
     private MapFeature event(DetectionEvent event) {
         Observation o = event.observation();
-        Position place = flights.get(o.drone()).at(o.time()).position();
+        Position place = stage.placeOf(o.drone(), o.time());
         Properties properties = new Properties()
                 .put("event", event.gained() ? "gained" : "lost")
                 .put("sensor", o.sensor())
@@ -124,6 +148,12 @@ final class MapContent {
         String name = o.sensor() + (event.gained() ? " gains " : " loses ") + o.drone();
         return new MapFeature(
                 event.gained() ? Role.GAINED : Role.LOST, name, point(place), colour(o.sensor()), properties);
+    }
+
+    private Shape area(List<List<Position>> rings) {
+        return new Shape.Area(rings.stream()
+                .map(ring -> ring.stream().map(geodesy::at).toList())
+                .toList());
     }
 
     private Shape point(Position place) {

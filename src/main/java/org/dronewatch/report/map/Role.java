@@ -8,8 +8,12 @@ enum Role {
     SENSOR("Sensors", Size.LARGE),
     /** What a sensor looks into. */
     FIELD("Fields of view", Size.MEDIUM),
+    /** What must not be reached. */
+    ZONE("Protected", Size.LARGE),
     /** The way of a drone. */
     FLIGHT("Flights", Size.MEDIUM),
+    /** Where a drone was when the site was alerted to it. */
+    ALERT("Alerts", Size.LARGE),
     /** Where a drone was when a sensor gained it. */
     GAINED("Detections", Size.MEDIUM),
     /** Where a drone was when a sensor lost it. */

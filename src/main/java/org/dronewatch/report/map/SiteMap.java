@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.Stage;
 
 /**
  * A map of a run, for programs that show maps: sensors, what they look into, the flights, and where each drone was when a
@@ -27,14 +28,18 @@ public final class SiteMap {
         this.content = content;
     }
 
-    /** The map of a result's first run; none unless its scene says where on earth its origin lies. */
-    public static Optional<SiteMap> of(SceneResult result) {
+    /**
+     * The map of a result's first run; none unless its scene says where on earth its origin lies.
+     *
+     * @param stage the site of that run
+     */
+    public static Optional<SiteMap> of(SceneResult result, Stage stage) {
         return result.runs()
                 .get(0)
                 .settings()
                 .world()
                 .origin()
-                .map(origin -> new SiteMap(new MapContent(result, origin)));
+                .map(origin -> new SiteMap(new MapContent(result, stage, origin)));
     }
 
     /** Writes the map as GeoJSON. */

@@ -6,6 +6,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -83,6 +84,31 @@ class HtmlReportTest {
         // Nothing is asked for from anywhere.
         assertThat(page.replace("http://www.w3.org/", "")).doesNotContain("http:", "https:", "<script", "<link");
         assertThat(texts(document, "td")).noneMatch(text -> text.contains("NaN") || text.contains("Infinity"));
+    }
+
+    @Test
+    void tellsOfEachDroneOfASwarmWithItsLabel() throws IOException {
+        Path file = directory.resolve("swarm.yaml");
+        Files.writeString(
+                file,
+                """
+                world: {models: [packaged:hill.obj]}
+                drones:
+                  x:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: hover, position: [0, 50, 150]}
+                    swarm: 25
+                    label: {role: decoy, platform: fixed-wing}
+                sensors:
+                  radar: {use: droneshield-radarone, position: [0, 0, 140], aim: {azimuth: 0, elevation: 0}}
+                run: {duration: 1}
+                """);
+        Document document = parsed(report(new SceneFile(file), List.of()));
+
+        assertThat(texts(document, "td").stream().filter("decoy, fixed-wing"::equals))
+                .hasSize(25);
+        assertThat(texts(document, "td")).contains("x-1", "x-25");
+        assertThat(texts(document, "p")).anyMatch(text -> text.endsWith("The table tells of 5 more drones."));
     }
 
     @Test

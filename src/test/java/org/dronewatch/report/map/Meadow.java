@@ -5,6 +5,8 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.RunSettings;
 import org.dronewatch.scene.Scene;
@@ -62,6 +64,7 @@ final class Meadow extends Scene {
     protected void build() {
         loadWorld(load("meadow.obj").withUpAxis(UpAxis.Z));
         origin.ifPresent(this::setOrigin);
+        setAlert(AlertSettings.DEFAULT.withProtectedZone(new ProtectedZone(new Position(0, 0, 0), 25), 5));
         Approach flight = new Approach(new Position(0, 160, 30), new Position(0, 5, 4));
         add("visitor", DroneSettings.of(loadPackaged("quadrotor.obj"), flight).withSpeed(20));
         add("kite", DroneSettings.of(loadPackaged("quadrotor.obj"), Hover.at(AFAR)));

@@ -50,11 +50,17 @@ class SiteMapTest {
         result = Meadow.somewhere(directory).run();
         geoJson = directory.resolve("map.geojson");
         kml = directory.resolve("map.kml");
-        write(result, geoJson, kml);
+        write(new SceneRunner(Meadow.somewhere(directory)), geoJson, kml);
     }
 
-    private static void write(SceneResult result, Path geoJson, Path kml) throws IOException {
-        SiteMap map = SiteMap.of(result).orElseThrow();
+    /** The map of a scene's run. */
+    private static Optional<SiteMap> map(SceneRunner runner) {
+        SceneResult finished = runner.run();
+        return SiteMap.of(finished, runner.stage(finished.runs().get(0).settings()));
+    }
+
+    private static void write(SceneRunner scene, Path geoJson, Path kml) throws IOException {
+        SiteMap map = map(scene).orElseThrow();
         map.writeGeoJson(geoJson);
         map.writeKml(kml);
     }
@@ -132,7 +138,7 @@ class SiteMapTest {
                 }
             }
         }
-        assertThat(areas).isEqualTo(4);
+        assertThat(areas).isEqualTo(5);
         assertThat(holes).isEqualTo(1);
     }
 
@@ -141,6 +147,14 @@ class SiteMapTest {
         assertThat(features("Sensors")).hasSize(5);
         assertThat(features("Fields of view")).hasSize(4);
         assertThat(features("Flights")).hasSize(2);
+        JsonNode zone = feature("protected");
+        assertThat(zone.get("properties").get("radius_m").asDouble()).isEqualTo(25.0);
+        assertThat(zone.get("geometry").get("type").asString()).isEqualTo("Polygon");
+        JsonNode alert = feature("alert to visitor").get("properties");
+        assertThat(alert.get("time_s").asDouble())
+                .isEqualTo(result.alert("visitor").time().orElseThrow(), within(1e-6));
+        assertThat(alert.get("sensors").asString())
+                .isEqualTo(String.join(", ", result.alert("visitor").sensors()));
         assertThat(features("Detections"))
                 .hasSize(result.runs().get(0).events().size())
                 .hasSizeGreaterThan(3);
@@ -210,7 +224,7 @@ class SiteMapTest {
         Element root = document.getDocumentElement();
         assertThat(root.getNamespaceURI()).isEqualTo("http://www.opengis.net/kml/2.2");
         List<String> expected = new ArrayList<>(List.of("meadow"));
-        for (String folder : List.of("Sensors", "Fields of view", "Flights", "Detections")) {
+        for (String folder : List.of("Sensors", "Fields of view", "Protected", "Flights", "Alerts", "Detections")) {
             expected.add(folder);
             for (JsonNode feature : features(folder)) {
                 expected.add(feature.get("properties").get("name").asString());
@@ -233,7 +247,7 @@ class SiteMapTest {
     void theSameResultsGiveTheSameBytes() throws IOException {
         Path again = directory.resolve("again.geojson");
         Path kmlAgain = directory.resolve("again.kml");
-        write(new SceneRunner(Meadow.somewhere(directory)).threads(3).run(), again, kmlAgain);
+        write(new SceneRunner(Meadow.somewhere(directory)).threads(3), again, kmlAgain);
 
         assertThat(Files.readString(again)).isEqualTo(Files.readString(geoJson));
         assertThat(Files.readString(kmlAgain)).isEqualTo(Files.readString(kml));
@@ -244,7 +258,7 @@ class SiteMapTest {
         Origin origin = new Origin(-0.3, -3);
         Path odd = directory.resolve("odd.geojson");
         Path oddKml = directory.resolve("odd.kml");
-        write(new Meadow(directory, ODD + "\u0001\ud800", Optional.of(origin)).run(), odd, oddKml);
+        write(new SceneRunner(new Meadow(directory, ODD + "\u0001\ud800", Optional.of(origin))), odd, oddKml);
 
         assertThat(JSON.readTree(Files.readString(odd)).get("name").asString()).startsWith(ODD + "\u0001");
         assertThat(schema().validate(Files.readString(odd), InputFormat.JSON)).isEmpty();
@@ -256,7 +270,7 @@ class SiteMapTest {
     void areasStayInOnePieceAcrossTheDateLine() throws Exception {
         Origin origin = new Origin(Math.toRadians(-17), Math.PI);
         Path file = directory.resolve("fiji.geojson");
-        write(new Meadow(directory, "fiji", Optional.of(origin)).run(), file, directory.resolve("fiji.kml"));
+        write(new SceneRunner(new Meadow(directory, "fiji", Optional.of(origin))), file, directory.resolve("fiji.kml"));
 
         int areas = 0;
         for (JsonNode feature : features(file)) {
@@ -266,25 +280,13 @@ class SiteMapTest {
             assertThat(geometry.getEnvelopeInternal().getWidth()).isLessThan(0.2);
             areas += geometry instanceof Polygon ? 1 : 0;
         }
-        assertThat(areas).isEqualTo(4);
+        assertThat(areas).isEqualTo(5);
         new KmlSchema().validate(directory.resolve("fiji.kml"));
     }
 
     @Test
-    void aRunThatWasCutShortAtOnceHasAMap() throws Exception {
-        SceneResult cut = new SceneRunner(Meadow.somewhere(directory))
-                .cancelWhen(() -> true)
-                .run();
-        Path file = directory.resolve("cut.geojson");
-        write(cut, file, directory.resolve("cut.kml"));
-
-        assertThat(schema().validate(Files.readString(file), InputFormat.JSON)).isEmpty();
-        new KmlSchema().validate(directory.resolve("cut.kml"));
-    }
-
-    @Test
     void withoutAnOriginThereIsNoMap() {
-        assertThat(SiteMap.of(new Meadow(directory, "nowhere", Optional.empty()).run()))
+        assertThat(map(new SceneRunner(new Meadow(directory, "nowhere", Optional.empty()))))
                 .isEmpty();
     }
 }

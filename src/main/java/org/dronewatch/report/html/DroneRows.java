@@ -1,0 +1,45 @@
+package org.dronewatch.report.html;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dronewatch.setting.Choices;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.ThreatLabel;
+
+/** The table of all that flies. */
+final class DroneRows {
+    private static final List<String> HEAD =
+            List.of("drone", "model", "speed", "sound", "radar cross-section", "control", "label");
+
+    private DroneRows() {}
+
+    static String table(Map<String, DroneSettings> fliers) {
+        List<List<String>> rows = new ArrayList<>();
+        fliers.forEach((id, drone) -> rows.add(List.of(
+                id,
+                drone.model().file(),
+                Reasons.number(drone.speed()) + " m/s",
+                sound(drone),
+                drone.radar().crossSection() + " m2",
+                drone.radio().control().toString().toLowerCase(Locale.ROOT),
+                label(drone.label()))));
+        return Html.table(HEAD, rows);
+    }
+
+    private static String sound(DroneSettings drone) {
+        return Reasons.number(drone.soundPowerLevel()) + " dB(A) sound power; " + Reasons.number(drone.soundLevel())
+                + " dB in the level model";
+    }
+
+    /** What is known of it: {@code attack, strike, fixed-wing}. */
+    private static String label(ThreatLabel label) {
+        return Stream.of(label.role(), label.purpose(), label.platform())
+                .filter(part -> part != ThreatLabel.Purpose.UNKNOWN && part != ThreatLabel.Platform.UNKNOWN)
+                .map(part -> Choices.name(part.name()))
+                .collect(Collectors.joining(", "));
+    }
+}

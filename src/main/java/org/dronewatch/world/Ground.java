@@ -1,0 +1,22 @@
+package org.dronewatch.world;
+
+import java.util.OptionalDouble;
+
+/**
+ * What a flight knows of the site below it. {@link World#newGround()} gives that of a world; it is for one thread, while it
+ * makes paths: finished paths do not ask any more.
+ */
+@FunctionalInterface
+public interface Ground {
+    /** Nothing anywhere: enough for a flight that does not follow the ground. */
+    Ground NONE = (x, y) -> OptionalDouble.empty();
+
+    /**
+     * The height of the highest surface at a place: ground, roof or tree.
+     *
+     * @param x east, m
+     * @param y north, m
+     * @return its z in metres, empty where there is nothing
+     */
+    OptionalDouble height(double x, double y);
+}

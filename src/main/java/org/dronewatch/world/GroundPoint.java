@@ -1,0 +1,23 @@
+package org.dronewatch.world;
+
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A place on the plan, without a height of its own: {@code [120, -40]} in a scene file.
+ *
+ * @param x east, m
+ * @param y north, m
+ */
+public record GroundPoint(@In(Quantity.LENGTH) double x, @In(Quantity.LENGTH) double y) {
+    /** Checks that it is a place. */
+    public GroundPoint {
+        Limits.check(GroundPoint.class, x, y);
+    }
+
+    /** The level way to another place, m. */
+    public double distance(GroundPoint other) {
+        return Math.hypot(other.x - x, other.y - y);
+    }
+}
