@@ -145,6 +145,19 @@ class ThreatFlightTest {
         assertThat(end).isCloseTo(length / SPEED, within(2 * GroundTrack.STEP / SPEED));
     }
 
+    /** A gable whose ridge lies in the middle between two cuts, where no height is asked for. */
+    @Test
+    void aRidgeBetweenTwoCutsCounts() {
+        Ground gable = (x, y) -> OptionalDouble.of(Math.max(0.0, 10 - 0.6 * Math.abs(y - 50.25)));
+        FlightPath path = fly(north(100, 5, "45 deg"), gable);
+        for (double time = 0.0; time < 9.0; time += 0.003) {
+            Position at = path.at(time).position();
+            double over = at.z() - gable.height(at.x(), at.y()).orElseThrow();
+            // Land may count as up to a cut before and behind: 0.6 times a cut or two.
+            assertThat(over).isBetween(5 - 1e-9, 5 + 0.6 * 2 * GroundTrack.STEP + 1e-9);
+        }
+    }
+
     @Test
     void whereNothingIsBelowTheNearestKnownHeightCounts() {
         Ground island = (x, y) -> y < 40
