@@ -68,7 +68,7 @@ public record Swarm(
         /** Every other drone to the right, the others to the left. */
         private static int sideways(int number) {
             int steps = (number + 1) / 2;
-            return number % 2 == 1 ? steps : -steps;
+            return number % 2 == 0 ? -steps : steps;
         }
     }
 

@@ -10,8 +10,9 @@ import org.dronewatch.setting.Quantity;
 /**
  * Flies from place to place low over the highest surface below, ground, roof or tree, at cruise speed along its path from
  * the first moment on, and stays at the end. It never climbs or sinks steeper than it may: before a wall it climbs early,
- * behind it sinks late. It knows the heights every half metre of its way: what is thinner than that may be missed. Where the
- * world has nothing below, the nearest known height on the way counts.
+ * behind it sinks late. It knows the heights every half metre of its way: what is thinner than that may be missed, and over
+ * a ridge between its height may lack a few millimetres. Where the world has nothing below, the nearest known height on the
+ * way counts.
  *
  * @param points the way on the plan, as pairs of east and north: at least two, neighbours 1 mm or
  *     more apart, at most 50 km long in all, m

@@ -81,7 +81,8 @@ class ThreatFlightTest {
             FlightState state = path.at(time);
             Position at = state.position();
             double below = ground.height(at.x(), at.y()).orElseThrow();
-            assertThat(at.z() - below).as("at %s, seed %d", at, seed).isGreaterThan(height - 1e-6);
+            // Where the land has several ridges within half a metre, a few millimetres may be missing.
+            assertThat(at.z() - below).as("at %s, seed %d", at, seed).isGreaterThan(height - 0.006);
             assertThat(Math.abs(state.velocity().z()) / SPEED).isLessThan(steepestSine + 1e-9);
             assertThat(state.velocity().length()).isCloseTo(SPEED, EXACT);
             assertThat(Math.sin(state.heading()) * state.velocity().y())
@@ -142,6 +143,19 @@ class ThreatFlightTest {
         double ramp = 20 / slope;
         double length = 300 - 2 * ramp + 2 * Math.hypot(20, ramp);
         assertThat(end).isCloseTo(length / SPEED, within(2 * GroundTrack.STEP / SPEED));
+    }
+
+    /** A gable whose ridge lies in the middle between two cuts, where no height is asked for. */
+    @Test
+    void aRidgeBetweenTwoCutsCounts() {
+        Ground gable = (x, y) -> OptionalDouble.of(Math.max(0.0, 10 - 0.6 * Math.abs(y - 50.25)));
+        FlightPath path = fly(north(100, 5, "45 deg"), gable);
+        for (double time = 0.0; time < 9.0; time += 0.003) {
+            Position at = path.at(time).position();
+            double over = at.z() - gable.height(at.x(), at.y()).orElseThrow();
+            // Land may count as up to a cut before and behind: 0.6 times a cut or two.
+            assertThat(over).isBetween(5 - 1e-9, 5 + 0.6 * 2 * GroundTrack.STEP + 1e-9);
+        }
     }
 
     @Test
