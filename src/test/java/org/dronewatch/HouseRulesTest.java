@@ -47,6 +47,8 @@ class HouseRulesTest {
             .definedBy("org.dronewatch.sensor.radar..")
             .layer("rf")
             .definedBy("org.dronewatch.sensor.rf..")
+            .layer("thermal")
+            .definedBy("org.dronewatch.sensor.thermal..")
             .layer("optics")
             .definedBy("org.dronewatch.sensor.optics..")
             .layer("positioner")
@@ -87,11 +89,13 @@ class HouseRulesTest {
             .mayOnlyBeAccessedByLayers("picture", "app", "scenes", "scene")
             .whereLayer("camera")
             .mayOnlyBeAccessedByLayers("app", "bench", "scenes", "catalog")
+            .whereLayer("thermal")
+            .mayOnlyBeAccessedByLayers("app", "scenes", "catalog")
             .whereLayer("optics")
-            .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "bench", "scenes", "camera")
+            .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "bench", "scenes", "camera", "thermal")
             .whereLayer("positioner")
             .mayOnlyBeAccessedByLayers(
-                    "viewer", "picture", "report", "scene", "catalog", "camera", "optics", "radar", "sensor")
+                    "viewer", "picture", "report", "scene", "catalog", "camera", "optics", "radar", "sensor", "thermal")
             .whereLayer("acoustic")
             .mayOnlyBeAccessedByLayers("app", "bench", "scenes", "catalog")
             .whereLayer("radar")
@@ -113,7 +117,8 @@ class HouseRulesTest {
                     "radar",
                     "rf",
                     "optics",
-                    "fusion")
+                    "fusion",
+                    "thermal")
             .whereLayer("world")
             .mayOnlyBeAccessedByLayers(
                     "viewer",
@@ -129,7 +134,8 @@ class HouseRulesTest {
                     "radar",
                     "rf",
                     "sensor",
-                    "optics")
+                    "optics",
+                    "thermal")
             .whereLayer("sound")
             .mayOnlyBeAccessedByLayers("scenes", "scene", "acoustic", "sensor", "world")
             .whereLayer("kdtree")
@@ -164,7 +170,8 @@ class HouseRulesTest {
                     "kdtree",
                     "optics",
                     "positioner",
-                    "fusion")
+                    "fusion",
+                    "thermal")
             .whereLayer("parallel")
             .mayOnlyBeAccessedByLayers(
                     "viewer",

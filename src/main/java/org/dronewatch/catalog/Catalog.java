@@ -36,6 +36,9 @@ public final class Catalog implements Kinds.NamedSettings {
             "droneshield-v2",
             "droneshield-widealert",
             "droneshield-droneopt",
+            "droneshield-droneheat",
+            "cooled-thermal-camera",
+            "cooled-thermal-camera-tele",
             "piranha-46-hr",
             "piranha-46-hr-tele");
 

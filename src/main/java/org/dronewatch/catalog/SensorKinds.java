@@ -12,6 +12,7 @@ import org.dronewatch.sensor.camera.TargetTask;
 import org.dronewatch.sensor.positioner.PositionerSettings;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.rf.RfSettings;
+import org.dronewatch.sensor.thermal.ThermalSettings;
 import org.dronewatch.setting.file.Kinds;
 
 /** The kinds of sensors that files may name. A new kind is one more line here. */
@@ -23,6 +24,7 @@ public final class SensorKinds {
         SENSORS.put("acoustic", AcousticSettings.class);
         SENSORS.put("radar", RadarSettings.class);
         SENSORS.put("rf", RfSettings.class);
+        SENSORS.put("thermal", ThermalSettings.class);
     }
 
     /** Parts of sensors of which there are several kinds, where anyone may add one. */

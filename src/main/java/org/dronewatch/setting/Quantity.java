@@ -15,6 +15,7 @@ import org.djunits.value.vdouble.scalar.Length;
 import org.djunits.value.vdouble.scalar.Power;
 import org.djunits.value.vdouble.scalar.Pressure;
 import org.djunits.value.vdouble.scalar.Speed;
+import org.djunits.value.vdouble.scalar.Temperature;
 
 /** A physical quantity, the SI unit in which it is kept, and how it is read from a text such as {@code 39.6 deg}. */
 public enum Quantity {
@@ -36,6 +37,8 @@ public enum Quantity {
     AREA("m2", unit -> Area.valueOf(unit).si),
     /** Kelvin; as degrees Celsius or Fahrenheit a temperature, not a difference of two. */
     TEMPERATURE("K", unit -> AbsoluteTemperature.valueOf(unit).si),
+    /** Kelvin, between two temperatures. */
+    TEMPERATURE_DIFFERENCE("K", unit -> Temperature.valueOf(unit).si),
     /** Pascal. */
     PRESSURE("Pa", unit -> Pressure.valueOf(unit).si),
     /** Watts. */

@@ -35,7 +35,7 @@ public final class Displaced implements FlightPathSettings {
                 offset.x() * north + offset.y() * east, offset.y() * north - offset.x() * east, offset.z());
         return time -> {
             FlightState state = leading.at(time);
-            return new FlightState(state.position().plus(way), state.velocity(), state.heading(), state.powered());
+            return new FlightState(state.position().plus(way), state.velocity(), state.heading(), state.gliding());
         };
     }
 

@@ -1,6 +1,7 @@
 package org.dronewatch.world;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
@@ -22,21 +23,26 @@ public final class Drone {
     private final Matrix4d modelMatrix;
     private final Matrix4d worldToModel;
     private final Vector3d velocity;
-    private final boolean powered;
+    private final OptionalDouble gliding;
 
     /** A drone whose model space is the world's: at the origin, nose to the north, at rest. */
     public Drone(String id, DroneSettings settings, KDTree tree) {
-        this(id, settings, tree, identity(), new Vector3d(), true);
+        this(id, settings, tree, identity(), new Vector3d(), OptionalDouble.empty());
     }
 
     private Drone(
-            String id, DroneSettings settings, KDTree tree, Matrix4d modelMatrix, Vector3d velocity, boolean powered) {
+            String id,
+            DroneSettings settings,
+            KDTree tree,
+            Matrix4d modelMatrix,
+            Vector3d velocity,
+            OptionalDouble gliding) {
         this.id = id;
         this.settings = settings;
         this.tree = tree;
         this.modelMatrix = modelMatrix;
         this.velocity = velocity;
-        this.powered = powered;
+        this.gliding = gliding;
         if (!(Math.abs(modelMatrix.determinant()) > 0.0)) {
             throw new IllegalArgumentException("model matrix of drone '" + id + "' must be invertible: " + modelMatrix);
         }
@@ -68,7 +74,7 @@ public final class Drone {
     private Drone turned(Matrix4d turn) {
         Matrix4d next = new Matrix4d();
         next.mul(modelMatrix, turn);
-        return new Drone(id, settings, tree, next, velocity, powered);
+        return new Drone(id, settings, tree, next, velocity, gliding);
     }
 
     /** This drone displaced in the world, m; its velocity stays as it was. */
@@ -77,7 +83,7 @@ public final class Drone {
         next.m03 += displacement.x;
         next.m13 += displacement.y;
         next.m23 += displacement.z;
-        return new Drone(id, settings, tree, next, velocity, powered);
+        return new Drone(id, settings, tree, next, velocity, gliding);
     }
 
     /** This drone in a state of its flight: its model unscaled, nose along the heading. */
@@ -85,7 +91,7 @@ public final class Drone {
         Matrix4d pose = new Matrix4d();
         pose.rotZ(-state.heading());
         pose.setTranslation(state.position().toVector3d());
-        return new Drone(id, settings, tree, pose, state.velocity().toVector3d(), state.powered());
+        return new Drone(id, settings, tree, pose, state.velocity().toVector3d(), state.gliding());
     }
 
     /**
@@ -94,7 +100,7 @@ public final class Drone {
      * @throws IllegalArgumentException when the matrix cannot be inverted
      */
     public Drone withModelMatrix(Matrix4d matrix) {
-        return new Drone(id, settings, tree, new Matrix4d(matrix), velocity, powered);
+        return new Drone(id, settings, tree, new Matrix4d(matrix), velocity, gliding);
     }
 
     /** Its name in the scene. */
@@ -162,7 +168,7 @@ public final class Drone {
 
     /** Whether its motors run. */
     public boolean isPowered() {
-        return powered;
+        return gliding.isEmpty();
     }
 
     /** Its level for the level model as it flies now, dB: with its motors off it is quieter. */
@@ -175,8 +181,13 @@ public final class Drone {
         return settings.soundPower(settings.soundPowerLevel() - quieter());
     }
 
+    /** How much warmer it looks than what is behind it as it flies now, K: with its motors off it cools. */
+    public double heat() {
+        return settings.heat().after(gliding.orElse(0.0));
+    }
+
     private double quieter() {
-        return powered ? 0.0 : settings.glideReduction();
+        return isPowered() ? 0.0 : settings.glideReduction();
     }
 
     /** The distance from a place to the drone's origin, m. */

@@ -25,6 +25,7 @@ import org.dronewatch.sound.DroneSounds;
  * @param speed cruise speed, above 0 and at most 400 m/s
  * @param acceleration largest acceleration along the path, above 0, m/s2
  * @param radar what a radar sees of it
+ * @param heat what a thermal camera sees of it
  * @param radio how it is controlled, and what of that can be heard by radio
  * @param soundLevel level of the thesis's level model, which falls by the air's attenuation only, dB; 50 to 55 there
  * @param soundPowerLevel A-weighted sound power level for physical propagation, dB re 1e-12 W; near 85 for a real
@@ -41,6 +42,7 @@ public record DroneSettings(
         @In(value = Quantity.SPEED, above = 0, to = 400) double speed,
         @In(value = Quantity.ACCELERATION, above = 0) double acceleration,
         RadarSignature radar,
+        HeatSignature heat,
         RadioLink radio,
         @In(value = Quantity.LEVEL, from = 0, to = 200) double soundLevel,
         @In(value = Quantity.LEVEL, from = 0, to = 200) double soundPowerLevel,
@@ -62,6 +64,7 @@ public record DroneSettings(
                 speed,
                 acceleration,
                 radar,
+                heat,
                 radio,
                 soundLevel,
                 soundPowerLevel,
@@ -86,6 +89,7 @@ public record DroneSettings(
                 5.0,
                 2.5,
                 RadarSignature.DEFAULT,
+                HeatSignature.DEFAULT,
                 RadioLink.DEFAULT,
                 55.0,
                 85.0,
@@ -119,6 +123,11 @@ public record DroneSettings(
     /** These settings with something else for a radar to see. */
     public DroneSettings withRadar(RadarSignature other) {
         return with("radar", other);
+    }
+
+    /** These settings with something else for a thermal camera to see. */
+    public DroneSettings withHeat(HeatSignature other) {
+        return with("heat", other);
     }
 
     /** These settings controlled in another way. */

@@ -1,6 +1,7 @@
 package org.dronewatch.world;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
@@ -186,7 +187,13 @@ public sealed interface FlightPathSettings
             double climbing = from.distance(release) / speed;
             return time -> {
                 FlightState state = time < climbing ? climb.at(time) : glide.at(time - climbing);
-                return new FlightState(state.position(), state.velocity(), state.heading(), time < climbing);
+                return time < climbing
+                        ? state
+                        : new FlightState(
+                                state.position(),
+                                state.velocity(),
+                                state.heading(),
+                                OptionalDouble.of(time - climbing));
             };
         }
     }

@@ -1,5 +1,6 @@
 package org.dronewatch.world;
 
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
@@ -8,12 +9,17 @@ import org.dronewatch.geometry.Position;
  * @param position place of the drone's origin, m
  * @param velocity m/s
  * @param heading where its nose points, clockwise from north, rad
- * @param powered whether its motors run
+ * @param gliding for how long its motors have been off, s; empty while they run
  */
-public record FlightState(Position position, Position velocity, double heading, boolean powered) {
+public record FlightState(Position position, Position velocity, double heading, OptionalDouble gliding) {
 
     /** A state with running motors. */
     public FlightState(Position position, Position velocity, double heading) {
-        this(position, velocity, heading, true);
+        this(position, velocity, heading, OptionalDouble.empty());
+    }
+
+    /** Whether its motors run. */
+    public boolean isPowered() {
+        return gliding.isEmpty();
     }
 }

@@ -118,15 +118,15 @@ class FlightPathTest {
         FlightPath path = new FlightPathSettings.Glide(from, release, to).create(20.0, 3.0, Ground.NONE);
 
         assertThat(path.at(0).position()).isEqualTo(from);
-        assertThat(path.at(24.9).powered()).isTrue();
-        assertThat(path.at(25.1).powered()).isFalse();
+        assertThat(path.at(24.9).isPowered()).isTrue();
+        assertThat(path.at(25.1).isPowered()).isFalse();
         assertThat(path.at(25.0).position().distance(release)).isLessThan(1e-9);
         // 10 to 1: 5.71 degrees down.
         Position velocity = path.at(40.0).velocity();
         assertThat(velocity.length()).isCloseTo(20.0, within(1e-12));
         assertThat(Math.toDegrees(Math.atan2(-velocity.z(), -velocity.y()))).isCloseTo(5.71, within(0.005));
         assertThat(path.at(1000).position()).isEqualTo(to);
-        assertThat(path.at(1000).powered()).isFalse();
+        assertThat(path.at(1000).isPowered()).isFalse();
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new FlightPathSettings.Glide(from, release, new Position(0, -400, 500)))

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.camera;
 
 import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
+import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -29,7 +30,7 @@ import org.dronewatch.setting.Quantity;
  * @param glare angle about the sun within which nothing is seen, 0 to pi/2, rad
  */
 public record TargetTask(
-        Task task,
+        Discrimination task,
         @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
         boolean byChance,
         @In(value = Quantity.RATIO, above = 0, to = 1) double contrast,
@@ -44,28 +45,7 @@ public record TargetTask(
      */
     @Defaults
     public static final TargetTask DEFAULT =
-            new TargetTask(Task.DETECTION, 0.5, false, 0.5, 0.02, 100.0, 0.01, Math.toRadians(5.0));
-
-    /** What is to be done with a picture, by the line pairs across the target that give an even chance. */
-    public enum Task {
-        /** Something is there: 1 line pair. */
-        DETECTION(1.0),
-        /** It is a drone: 4 line pairs. */
-        RECOGNITION(4.0),
-        /** Which drone: 6.4 line pairs. */
-        IDENTIFICATION(6.4);
-
-        private final double linePairs;
-
-        Task(double linePairs) {
-            this.linePairs = linePairs;
-        }
-
-        /** Line pairs across the target that give an even chance (Johnson). */
-        public double linePairs() {
-            return linePairs;
-        }
-    }
+            new TargetTask(Discrimination.DETECTION, 0.5, false, 0.5, 0.02, 100.0, 0.01, Math.toRadians(5.0));
 
     /** Checks the limits. */
     public TargetTask {
@@ -74,7 +54,7 @@ public record TargetTask(
     }
 
     /** These settings for another task. */
-    public TargetTask withTask(Task other) {
+    public TargetTask withTask(Discrimination other) {
         return new TargetTask(other, probability, byChance, contrast, leastContrast, goodLight, exposure, glare);
     }
 
@@ -98,15 +78,6 @@ public record TargetTask(
         return new TargetTask(task, probability, byChance, contrast, leastContrast, goodLight, seconds, glare);
     }
 
-    /** The target transfer probability function of resolved over needed line pairs. */
-    public static double transfer(double ratio) {
-        if (ratio <= 0.0) {
-            return 0.0;
-        }
-        double odds = Math.pow(ratio, 2.7 + 0.7 * ratio);
-        return odds == Double.POSITIVE_INFINITY ? 1.0 : odds / (1.0 + odds);
-    }
-
     /** Line pairs that are resolved across a drone. */
     public double resolved(DroneView view) {
         if (view.sunAngle() < glare) {
@@ -124,7 +95,7 @@ public record TargetTask(
 
     @Override
     public double value(DroneView view) {
-        return transfer(resolved(view) / task.linePairs());
+        return task.probability(resolved(view));
     }
 
     @Override

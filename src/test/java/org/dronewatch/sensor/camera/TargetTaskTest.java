@@ -11,9 +11,9 @@ import org.dronewatch.Wilson;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
-import org.dronewatch.sensor.camera.TargetTask.Task;
 import org.dronewatch.sensor.optics.*;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;
@@ -30,7 +30,8 @@ class TargetTaskTest {
     private static final double NO_SUN = Double.POSITIVE_INFINITY;
 
     /** Everything about the target but its size is perfect. */
-    private static final TargetTask PERFECT = new TargetTask(Task.DETECTION, 0.5, false, 1.0, 1e-9, 1e-3, 0.0, 0.0);
+    private static final TargetTask PERFECT =
+            new TargetTask(Discrimination.DETECTION, 0.5, false, 1.0, 1e-9, 1e-3, 0.0, 0.0);
 
     private static DroneView view(double pixels, double range, double crossing, Light light) {
         return new DroneView((int) Math.round(pixels), range, 1000.0, crossing, light, NO_SUN);
@@ -41,14 +42,14 @@ class TargetTaskTest {
     @CsvSource({"0.5, 0.1077", "0.75, 0.2834", "1, 0.5", "1.5, 0.8206", "1.75, 0.8999", "2, 0.9449", "3, 0.9949", "0, 0"
     })
     void theTransferFunctionHasItsPublishedForm(double ratio, double probability) {
-        assertThat(TargetTask.transfer(ratio)).isCloseTo(probability, within(5.1e-5));
+        assertThat(Discrimination.transfer(ratio)).isCloseTo(probability, within(5.1e-5));
     }
 
     @Test
     void theTransferFunctionRisesFromNoneToCertain() {
         double last = 0.0;
         for (double ratio = 0.0; ratio < 1e4; ratio = 1.1 * ratio + 0.01) {
-            double now = TargetTask.transfer(ratio);
+            double now = Discrimination.transfer(ratio);
             assertThat(now).isBetween(last, 1.0);
             last = now;
         }
@@ -58,7 +59,7 @@ class TargetTaskTest {
     /** Pixels across the critical dimension for a probability of 0.9: 3.5, 14.0, 22.4 by Johnson's line pairs. */
     @ParameterizedTest
     @CsvSource({"DETECTION, 3.5", "RECOGNITION, 14.0", "IDENTIFICATION, 22.4"})
-    void nineInTenTakeJohnsonsPixels(Task task, double across) {
+    void nineInTenTakeJohnsonsPixels(Discrimination task, double across) {
         TargetTask function = PERFECT.withTask(task);
         double below = function.value(view((across - 0.4) * (across - 0.4), 100, 0, Light.DAY));
         double at = function.value(view(across * across, 100, 0, Light.DAY));

@@ -1,0 +1,44 @@
+package org.dronewatch.sensor;
+
+/**
+ * What is to be done with a drone's picture, by the line pairs across it that give an even chance (Johnson 1958), and how
+ * likely more or fewer make it: the target transfer probability function (Howe, in "The Infrared and Electro-Optical Systems
+ * Handbook", vol. 4, 1993).
+ */
+public enum Discrimination {
+    /** Something is there: 1 line pair. */
+    DETECTION(1.0),
+    /** It is a drone: 4 line pairs. */
+    RECOGNITION(4.0),
+    /** Which drone: 6.4 line pairs. */
+    IDENTIFICATION(6.4);
+
+    private final double linePairs;
+
+    Discrimination(double linePairs) {
+        this.linePairs = linePairs;
+    }
+
+    /** Line pairs across the target that give an even chance. */
+    public double linePairs() {
+        return linePairs;
+    }
+
+    /**
+     * How likely it succeeds, 0 to 1.
+     *
+     * @param resolved line pairs that are resolved across the target, 0 or more
+     */
+    public double probability(double resolved) {
+        return transfer(resolved / linePairs);
+    }
+
+    /** {@code P = x^E / (1 + x^E)} with {@code E = 2.7 + 0.7 x} and x the line pairs that are resolved over those needed. */
+    public static double transfer(double ratio) {
+        if (ratio <= 0.0) {
+            return 0.0;
+        }
+        double odds = Math.pow(ratio, 2.7 + 0.7 * ratio);
+        return odds == Double.POSITIVE_INFINITY ? 1.0 : odds / (1.0 + odds);
+    }
+}

@@ -1,0 +1,105 @@
+package org.dronewatch.sensor.thermal;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.VisibleArea;
+import org.dronewatch.sensor.positioner.Direction;
+import org.dronewatch.sensor.positioner.Pointing;
+import org.dronewatch.sensor.positioner.PositionerSettings;
+import org.dronewatch.sensor.positioner.Sighting;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.World;
+
+/**
+ * A thermal camera. Its signal is the drone's difference of temperature, less by the air and by the part of a pixel that the
+ * drone does not fill, over the noise: {@code SNR = |dT| t^R f / NETD}, t per kilometre, R in kilometres. The line pairs that
+ * it resolves are half the square root of the drone's pixels, fewer the weaker the signal:
+ * {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}. One thread at a time.
+ */
+public final class ThermalSensor implements Sensor {
+    private static final double KILOMETRE = 1000.0;
+
+    private final ThermalSettings settings;
+    private Optional<Pointing> pointing = Optional.empty();
+    private VisibleArea area;
+
+    /** A camera of some settings. */
+    public ThermalSensor(ThermalSettings settings) {
+        this.settings = settings;
+    }
+
+    @Override
+    public List<Observation> observe(World world, List<Drone> drones, Sample sample) {
+        if (area == null || area.world() != world || !pointing.equals(sample.pointing())) {
+            pointing = sample.pointing();
+            area = new VisibleArea(
+                    new CameraObject(pointing.map(settings::pointed).orElse(settings)), world);
+        }
+        return drones.stream().map(drone -> look(drone, sample)).toList();
+    }
+
+    private Observation look(Drone drone, Sample sample) {
+        double range = drone.distance(settings.position());
+        double pixels = area.of(drone);
+        double signal = signalToNoise(drone.heat(), range, pixels);
+        double probability = settings.task().probability(resolved(pixels, signal));
+        double threshold = settings.byChance() ? 1.0 - sample.random().nextDouble() : settings.probability();
+        Map<String, Double> figures = new LinkedHashMap<>();
+        figures.put("pixels", pixels);
+        figures.put("signal_to_noise", signal);
+        figures.put(Observation.PROBABILITY, probability);
+        boolean locked =
+                pixels >= settings.positioner().map(PositionerSettings::lock).orElse(Double.POSITIVE_INFINITY);
+        boolean told = probability >= threshold || locked && signal > settings.leastSignal();
+        return new Observation(
+                sample.sensor(),
+                settings.kind(),
+                drone.id(),
+                sample.index(),
+                sample.time(),
+                sample.time(),
+                range,
+                probability,
+                threshold,
+                Quantity.RATIO.unit(),
+                figures,
+                told ? Optional.of(sighting(drone)) : Optional.empty());
+    }
+
+    private Sighting sighting(Drone drone) {
+        Position way = Position.of(drone.position()).minus(settings.position());
+        return new Sighting(settings.position(), Direction.of(way), OptionalDouble.empty());
+    }
+
+    /**
+     * How far a drone stands out of the noise.
+     *
+     * @param excess how much warmer or colder it is than what is behind it, K
+     * @param range m
+     * @param pixels that it covers
+     */
+    double signalToNoise(double excess, double range, double pixels) {
+        double air = Math.pow(settings.transmission(), range / KILOMETRE);
+        return Math.abs(excess) * air * Math.min(1.0, pixels) / settings.noise();
+    }
+
+    private double resolved(double pixels, double signal) {
+        return signal > settings.leastSignal()
+                ? 0.5 * Math.sqrt(pixels) * (1.0 - settings.leastSignal() / signal)
+                : 0.0;
+    }
+
+    /** What this camera was made from. */
+    public ThermalSettings settings() {
+        return settings;
+    }
+}

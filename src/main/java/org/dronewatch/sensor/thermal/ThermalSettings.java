@@ -1,0 +1,176 @@
+package org.dronewatch.sensor.thermal;
+
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Discrimination;
+import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.FieldOfView;
+import org.dronewatch.sensor.optics.Mounts;
+import org.dronewatch.sensor.optics.PictureSettings;
+import org.dronewatch.sensor.positioner.Pointing;
+import org.dronewatch.sensor.positioner.Positioner;
+import org.dronewatch.sensor.positioner.PositionerSettings;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * A thermal camera, on a fixed mount or on one that turns.
+ *
+ * @param position where its centre of projection is, m
+ * @param aim where its axis points; the horizon is level
+ * @param width pixels in a row, 1 to 16384
+ * @param height rows, 1 to 16384
+ * @param fov field of view, above 0 and below pi, rad
+ * @param fovAxis the side of the picture that the field of view spans
+ * @param rate frames a second, above 0, Hz
+ * @param noise difference of temperature that stands out of the noise as much as the noise itself (NETD), above 0 and at most
+ *     100 K
+ * @param transmission what a kilometre of air leaves in its band and the weather meant, above 0 and at most 1
+ * @param leastSignal ratio of signal to noise below which nothing is resolved, above 0 and at most 1000
+ * @param task what is to be done with the picture
+ * @param probability from which on that counts as done, above 0 and below 1; without meaning by chance
+ * @param byChance whether each frame decides by drawing a random number instead
+ * @param positioner the mount that turns it about its aim, or empty for a fixed one
+ */
+public record ThermalSettings(
+        Position position,
+        Aim aim,
+        @In(value = Quantity.PIXELS, from = 1, to = 16_384) int width,
+        @In(value = Quantity.PIXELS, from = 1, to = 16_384) int height,
+        @In(value = Quantity.ANGLE, above = 0, below = Math.PI) double fov,
+        FieldOfView fovAxis,
+        @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
+        @In(value = Quantity.TEMPERATURE_DIFFERENCE, above = 0, to = 100) double noise,
+        @In(value = Quantity.RATIO, above = 0, to = 1) double transmission,
+        @In(value = Quantity.NUMBER, above = 0, to = 1000) double leastSignal,
+        Discrimination task,
+        @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
+        boolean byChance,
+        Optional<PositionerSettings> positioner)
+        implements SensorSettings<ThermalSensor>, PictureSettings {
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public ThermalSettings {
+        Limits.check(
+                ThermalSettings.class,
+                position,
+                aim,
+                width,
+                height,
+                fov,
+                fovAxis,
+                rate,
+                noise,
+                transmission,
+                leastSignal,
+                task,
+                probability,
+                byChance,
+                positioner);
+        aim.from(position);
+        Mounts.check(fov, positioner);
+    }
+
+    /**
+     * 640 x 512 pixels over 24 degrees, 25 frames a second, 50 mK, 85 % left by a kilometre of air, twice the noise needed;
+     * detection at one half.
+     */
+    @Defaults("position")
+    public static ThermalSettings at(Position position) {
+        return new ThermalSettings(
+                position,
+                Aim.Direction.DEFAULT,
+                640,
+                512,
+                Math.toRadians(24.0),
+                FieldOfView.HORIZONTAL,
+                25.0,
+                0.05,
+                0.85,
+                2.0,
+                Discrimination.DETECTION,
+                0.5,
+                false,
+                Optional.empty());
+    }
+
+    /** These settings at another place, m. */
+    public ThermalSettings withPosition(Position place) {
+        return with(Map.of("position", place));
+    }
+
+    /** These settings looking at a point, m. */
+    public ThermalSettings withLookAt(Position point) {
+        return with(Map.of("aim", new Aim.Target(point)));
+    }
+
+    /** These settings with another horizontal field of view, rad. */
+    public ThermalSettings withHorizontalFov(double angle) {
+        return with(Map.of("fov", angle, "fovAxis", FieldOfView.HORIZONTAL));
+    }
+
+    /** These settings with another noise, K, and air that leaves another share of a kilometre. */
+    public ThermalSettings withNoise(double netd, double perKilometre) {
+        return with(Map.of("noise", netd, "transmission", perKilometre));
+    }
+
+    /** These settings for another task. */
+    public ThermalSettings withTask(Discrimination other) {
+        return with(Map.of("task", other));
+    }
+
+    /** These settings, deciding by chance or not. */
+    public ThermalSettings withChance(boolean drawn) {
+        return with(Map.of("byChance", drawn));
+    }
+
+    /** These settings on a mount that turns. */
+    public ThermalSettings withPositioner(PositionerSettings mount) {
+        return with(Map.of("positioner", Optional.of(mount)));
+    }
+
+    private ThermalSettings with(Map<String, Object> parts) {
+        return (ThermalSettings) SettingsForm.of(ThermalSettings.class).with(this, parts);
+    }
+
+    @Override
+    public ThermalSettings pointed(Pointing pointing) {
+        return with(Map.of(
+                "aim", Aim.Direction.of(pointing.direction()), "fov", pointing.fov(), "positioner", Optional.empty()));
+    }
+
+    @Override
+    public Optional<Positioner> createPositioner() {
+        return Mounts.create(this, positioner);
+    }
+
+    @Override
+    public boolean tellsDirection() {
+        return true;
+    }
+
+    @Override
+    public Optional<Outline> outline() {
+        return Optional.of(new CameraObject(this).outline());
+    }
+
+    @Override
+    public String kind() {
+        return "thermal";
+    }
+
+    @Override
+    public ThermalSensor create() {
+        return new ThermalSensor(this);
+    }
+}

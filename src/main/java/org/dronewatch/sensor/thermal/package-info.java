@@ -1,0 +1,2 @@
+/** Cameras that see heat. */
+package org.dronewatch.sensor.thermal;

@@ -1,0 +1,204 @@
+package org.dronewatch.sensor.thermal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.Wilson;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sensor.Discrimination;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.VisibleArea;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.FlightPathSettings.Hover;
+import org.dronewatch.world.FlightState;
+import org.dronewatch.world.HeatSignature;
+import org.dronewatch.world.ModelSettings;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class ThermalSensorTest {
+    private static final Position CAMERA = new Position(0, 0, 50);
+    private static final Position REST = new Position(0, 0, 0);
+
+    /** A plate that faces south, of a width and height in metres. */
+    private static TriangleMesh plate(double width, double height, double north) {
+        float w = (float) (0.5 * width);
+        float h = (float) (0.5 * height);
+        float y = (float) north;
+        return new TriangleMesh(
+                new float[] {-w, y, -h, w, y, -h, w, y, h, -w, y, h},
+                new int[] {0, 1, 2, 0, 2, 3},
+                new int[2],
+                new int[] {0, 1},
+                List.of("plate"));
+    }
+
+    private static World empty() {
+        return World.of(new TriangleMesh(
+                new float[] {-9, -9, -9, 9, -9, -9, 9, 9, -9},
+                new int[] {0, 1, 2},
+                new int[1],
+                new int[1],
+                List.of("floor")));
+    }
+
+    private static Drone plateDrone(double width, double height, double kelvins, FlightState state) {
+        DroneSettings settings = DroneSettings.of(ModelSettings.of("plate.obj"), Hover.at(REST))
+                .withHeat(HeatSignature.DEFAULT.withExcess(kelvins));
+        return new Drone("drone", settings, KDTree.of(plate(width, height, 0))).at(state);
+    }
+
+    private static Drone at(double width, double height, double kelvins, double range) {
+        return plateDrone(width, height, kelvins, new FlightState(new Position(0, range, 50), REST, 0.0));
+    }
+
+    private static Observation look(ThermalSettings settings, World world, Drone drone) {
+        return settings.create()
+                .observe(world, List.of(drone), Sample.of(1, 0, "heat", 0, 0.0))
+                .get(0);
+    }
+
+    /** 640 pixels and 0.35 m at 1 km: 7.13 pixels across at 1.8 degrees, 0.53 at 24. */
+    @ParameterizedTest
+    @CsvSource({"1.8, 7.13", "24, 0.53"})
+    void aDroneCoversAsManyPixelsAsGeometrySays(double fov, double across) {
+        ThermalSettings settings = ThermalSettings.at(CAMERA).withHorizontalFov(Math.toRadians(fov));
+        Observation seen = look(settings, empty(), at(0.35, 0.35, 5, 1000));
+
+        assertThat(Math.sqrt(seen.figures().get("pixels"))).isCloseTo(across, within(0.01 * across));
+        assertThat(0.35 / 1000 * settings.focalLength()).isCloseTo(across, within(0.005));
+    }
+
+    /** Two pixels across 0.35 m, a line pair, are an even chance where heat is no limit: 3565 m at 1.8 degrees, 263 m at 24. */
+    @ParameterizedTest
+    @CsvSource({"1.8, 3565", "24, 263"})
+    void withHeatToSpareTwoPixelsAcrossAreAnEvenChance(double fov, double range) {
+        ThermalSettings settings = ThermalSettings.at(CAMERA)
+                .withHorizontalFov(Math.toRadians(fov))
+                .withNoise(1e-6, 1.0);
+        assertThat(0.5 * 0.35 * settings.focalLength()).isCloseTo(range, within(0.5));
+
+        assertThat(look(settings, empty(), at(0.35, 0.35, 5, 0.97 * range)).isDetected())
+                .isTrue();
+        assertThat(look(settings, empty(), at(0.35, 0.35, 5, 1.03 * range)).isDetected())
+                .isFalse();
+    }
+
+    /** 5 K, 85 % a kilometre, 1 km, 50 mK, a resolved drone: 85. */
+    @Test
+    void theSignalIsWhatTheAirLeavesOverTheNoise() {
+        ThermalSensor sensor = ThermalSettings.at(CAMERA).create();
+
+        assertThat(sensor.signalToNoise(5, 1000, 40)).isCloseTo(85.0, within(1e-9));
+        assertThat(sensor.signalToNoise(-5, 1000, 40)).isCloseTo(85.0, within(1e-9));
+        // A quarter of a pixel gives a quarter of the signal.
+        assertThat(sensor.signalToNoise(5, 1000, 0.25)).isCloseTo(21.25, within(1e-9));
+    }
+
+    @Test
+    void lessHeatShortensTheRange() {
+        ThermalSettings settings = ThermalSettings.at(CAMERA);
+        double warm = look(settings, empty(), at(0.35, 0.35, 5, 250)).value();
+        double cool = look(settings, empty(), at(0.35, 0.35, 0.5, 250)).value();
+        // N = 1/2 sqrt(area) (1 - 2/SNR), SNR = dT 0.85^0.25 / 0.05.
+        double sqrt = 0.35 / 250 * settings.focalLength();
+        double air = Math.pow(0.85, 0.25) / 0.05;
+
+        assertThat(warm).isCloseTo(Discrimination.transfer(0.5 * sqrt * (1 - 2 / (5 * air))), within(0.02));
+        assertThat(cool).isCloseTo(Discrimination.transfer(0.5 * sqrt * (1 - 2 / (0.5 * air))), within(0.02));
+        assertThat(look(settings, empty(), at(0.35, 0.35, 0.1, 250)).value()).isZero();
+    }
+
+    @Test
+    void aDroneThatGlidesCools() {
+        FlightState gliding =
+                new FlightState(new Position(0, 500, 50), REST, 0.0, OptionalDouble.of(120 * Math.log(2)));
+        Drone cooled = plateDrone(1, 1, 8, gliding);
+
+        assertThat(cooled.heat()).isCloseTo(4.0, within(1e-12));
+        assertThat(plateDrone(1, 1, 8, new FlightState(REST, REST, 0.0)).heat()).isEqualTo(8.0);
+    }
+
+    @Test
+    void aWallHidesWhatIsBehindIt() {
+        World wall = World.of(plate(20, 200, 100));
+        ThermalSettings settings = ThermalSettings.at(CAMERA);
+
+        assertThat(look(settings, wall, at(2, 2, 5, 200)).figures()).containsEntry("pixels", 0.0);
+        assertThat(look(settings, wall, at(2, 2, 5, 90)).isDetected()).isTrue();
+        // Half of a plate that looks out beside the wall's edge.
+        Drone half = plateDrone(4, 4, 5, new FlightState(new Position(20, 200, 50), REST, 0.0));
+        double whole = look(settings, empty(), half).figures().get("pixels");
+        assertThat(look(settings, wall, half).figures().get("pixels")).isCloseTo(0.5 * whole, within(0.05 * whole));
+    }
+
+    /** Anywhere in the picture, against a square's area times the square of the focal length: 1/cos^3 for what faces the camera. */
+    @Test
+    void theAreaIsRightOffTheAxisAndNoneIsCountedOutsideThePicture() {
+        ThermalSettings settings = ThermalSettings.at(CAMERA).withHorizontalFov(Math.toRadians(60));
+        CameraObject camera = new CameraObject(settings);
+        VisibleArea area = new VisibleArea(camera, empty());
+        double focal = settings.focalLength();
+        for (double aside : new double[] {0, 30, 55}) {
+            // The plate's plane is across the camera's axis: pixels are as many wherever it stands.
+            Drone drone = plateDrone(1, 1, 5, new FlightState(new Position(aside, 100, 50), REST, 0.0));
+            assertThat(area.of(drone)).isCloseTo(focal * focal / 1e4, within(0.04 * focal * focal / 1e4));
+        }
+        double edge = 100 * Math.tan(Math.toRadians(30));
+        Drone cut = plateDrone(1, 1, 5, new FlightState(new Position(edge, 100, 50), REST, 0.0));
+        assertThat(area.of(cut)).isCloseTo(0.5 * focal * focal / 1e4, within(0.04 * focal * focal / 1e4));
+        Drone behind = plateDrone(1, 1, 5, new FlightState(new Position(0, -100, 50), REST, 0.0));
+        assertThat(area.of(behind)).isZero();
+    }
+
+    /** The same drone in a camera of many pixels, counted one by one. */
+    @Test
+    void theAreaAgreesWithCountedPixels() {
+        Drone quadrotor = DroneSettings.of(ModelSettings.packaged("quadrotor.obj"), Hover.at(new Position(3, 60, 52)))
+                .create("drone", java.nio.file.Path.of(""));
+        CameraSettings fine =
+                CameraSettings.at(CAMERA).withLookAt(new Position(0, 60, 50)).withResolution(8000, 6000);
+        int counted = fine.create().pixels(empty(), quadrotor);
+        double area = new VisibleArea(new CameraObject(fine), empty()).of(quadrotor);
+
+        assertThat(counted).isGreaterThan(300);
+        assertThat(area).isCloseTo(counted, within(0.06 * counted));
+    }
+
+    @Test
+    void chanceDecidesAsOftenAsTheProbabilitySays() {
+        long seed = 4711;
+        ThermalSettings settings = ThermalSettings.at(CAMERA).withChance(true);
+        Drone drone = at(0.35, 0.35, 5, 280);
+        ThermalSensor sensor = settings.create();
+        World world = empty();
+        int hits = 0;
+        double probability = 0.0;
+        for (int run = 0; run < 1000; run++) {
+            Sample sample = Sample.of(Sample.mix(seed, run), 0, "heat", 0, 0.0);
+            Observation look = sensor.observe(world, List.of(drone), sample).get(0);
+            probability = look.probability();
+            hits += look.isDetected() ? 1 : 0;
+        }
+        System.out.println("seed " + seed + ": " + hits + " of 1000, expected " + probability);
+        double[] interval = Wilson.interval(hits, 1000, 3.0);
+        assertThat(probability).isBetween(interval[0], interval[1]).isBetween(0.2, 0.8);
+    }
+
+    @Test
+    void impossibleCamerasAreRefused() {
+        assertThatThrownBy(() -> ThermalSettings.at(CAMERA).withNoise(0, 0.85))
+                .hasMessage("noise 0 K must be above 0 and at most 100");
+    }
+}
