@@ -84,7 +84,7 @@ class HouseRulesTest {
             .whereLayer("scene")
             .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "report", "scenes")
             .whereLayer("fusion")
-            .mayOnlyBeAccessedByLayers("picture", "report", "scenes", "scene", "viewer")
+            .mayOnlyBeAccessedByLayers("app", "picture", "report", "scenes", "scene", "viewer")
             .whereLayer("catalog")
             .mayOnlyBeAccessedByLayers("picture", "app", "scenes", "scene")
             .whereLayer("camera")

@@ -8,10 +8,12 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
+import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.report.RayPaths;
 import org.dronewatch.report.RunReport;
 import org.dronewatch.report.SweptValue;
 import org.dronewatch.report.WholeFile;
+import org.dronewatch.scene.AlertResult;
 import org.dronewatch.scene.Pace;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.Scene;
@@ -133,6 +135,7 @@ final class RunCommand implements Callable<Integer> {
             report.finish(result);
             progress.finish();
             print(result, spec.commandLine().getOut());
+            printAlerts(result, spec.commandLine().getOut());
             err.println("results in " + directory);
         }
     }
@@ -177,6 +180,27 @@ final class RunCommand implements Callable<Integer> {
             target.printf(
                     "%-4d %-34s %-16s %-16s %14s %10s%n",
                     pair.run(), with, pair.sensor(), pair.drone(), text(pair.firstDetected()), text(pair.range()));
+        }
+    }
+
+    /** How early the alerts are, where the scene asks for more than the first detection. */
+    private static void printAlerts(SceneResult result, PrintWriter target) {
+        if (result.runs().get(0).settings().alert().equals(AlertSettings.DEFAULT)) {
+            return;
+        }
+        target.printf(
+                "%n%-4s %-16s %10s %12s %14s %8s  %s%n",
+                "run", "drone", "alert [s]", "to zone [m]", "warning [s]", "in time", "by");
+        for (AlertResult alert : result.alerts()) {
+            target.printf(
+                    "%-4d %-16s %10s %12s %14s %8s  %s%n",
+                    alert.run(),
+                    alert.drone(),
+                    text(alert.time()),
+                    alert.zoneDistance().isPresent() ? text(alert.zoneDistance()) : "-",
+                    alert.warning().isPresent() ? text(alert.warning()) : "-",
+                    alert.inTime().map(enough -> enough ? "yes" : "no").orElse("-"),
+                    alert.sensors().isEmpty() ? "-" : String.join(", ", alert.sensors()));
         }
     }
 

@@ -17,6 +17,7 @@ import org.dronewatch.geometry.Ray;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
+import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.world.Drone;
@@ -32,6 +33,7 @@ public final class SitePicture {
     private static final int TRACK = 0xd62f1f;
     private static final int WAY = 0x5a1a14;
     private static final int PLUMB = 0x20262e;
+    private static final int ZONE = 0xc0392b;
 
     /** How far pyramids of cameras are drawn, as a share of the box that matters. */
     private static final double OUTLINE = 0.16;
@@ -158,6 +160,7 @@ public final class SitePicture {
         LinePainter lines = new LinePainter(camera, cut, canvas);
         if (style.outlines()) {
             drawOutlines(lines, state, pixel);
+            drawZone(lines, pixel);
         }
         if (style.flights()) {
             state.drones().forEach(drone -> drawFlight(lines, drone, pixel));
@@ -249,6 +252,11 @@ public final class SitePicture {
                 }
             }
         });
+    }
+
+    private void drawZone(LinePainter lines, double pixel) {
+        settings.alert().protect().ifPresent(zone -> new OutlinePainter(lines, zone.radius())
+                .draw(zone.centre(), new Outline.Ball(zone.radius()), 1.6 * pixel, ZONE, 0.85));
     }
 
     private void drawOutlines(LinePainter lines, SiteState state, double pixel) {

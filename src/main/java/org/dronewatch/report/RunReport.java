@@ -13,7 +13,6 @@ import org.dronewatch.report.html.Looks;
 import org.dronewatch.report.map.SiteMap;
 import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.Frame;
-import org.dronewatch.scene.Pointings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneListener;
 import org.dronewatch.scene.SceneResult;
@@ -36,7 +35,6 @@ public final class RunReport implements SceneListener, AutoCloseable {
     private final OutputDirectory directory;
     private final Table detections;
     private final Table observations;
-    private final Pointings pointings = new Pointings();
     private final RangePlots rangePlots = new RangePlots();
     private final Looks looks = new Looks();
     private Stage stage;
@@ -93,9 +91,6 @@ public final class RunReport implements SceneListener, AutoCloseable {
     public void observed(Frame frame) {
         rangePlots.add(frame);
         looks.observed(frame);
-        if (frame.run() == 0) {
-            pointings.add(frame);
-        }
         if (observations == null) {
             return;
         }
@@ -161,7 +156,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         SweepPlot.of(scene, result).ifPresent(plot -> plot.write(plotFile("range-over-" + plot.fileName())));
         rangePlots.write(result, name -> plotFile(SiteReport.VALUES + name));
         if (stage != null) {
-            new SiteReport(result, looks, stage, pointings).write(directory);
+            new SiteReport(result, looks, stage).write(directory);
         }
         List<String> obsolete = new ArrayList<>();
         if (stage == null) {

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import javax.imageio.ImageIO;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.picture.Backdrop;
@@ -22,8 +23,8 @@ import org.dronewatch.picture.SiteStyle;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.HtmlReport;
 import org.dronewatch.report.html.Looks;
+import org.dronewatch.scene.AlertResult;
 import org.dronewatch.scene.DetectionEvent;
-import org.dronewatch.scene.Pointings;
 import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.Stage;
@@ -44,10 +45,8 @@ final class SiteReport {
     private final SceneResult result;
     private final Looks looks;
     private final Stage stage;
-    private final Pointings pointings;
 
-    SiteReport(SceneResult result, Looks looks, Stage stage, Pointings pointings) {
-        this.pointings = pointings;
+    SiteReport(SceneResult result, Looks looks, Stage stage) {
         this.result = result;
         this.looks = looks;
         this.stage = stage;
@@ -75,17 +74,26 @@ final class SiteReport {
         RunResult run = result.runs().get(0);
         SitePicture picture = new SitePicture(run.settings(), stage);
         Optional<DetectionEvent> first = run.events().stream().findFirst();
-        double time = first.map(event -> event.observation().arrival()).orElse(0.0);
+        OptionalDouble alert = run.alerts().stream()
+                .map(AlertResult::time)
+                .filter(OptionalDouble::isPresent)
+                .mapToDouble(OptionalDouble::getAsDouble)
+                .min();
+        double time =
+                alert.orElse(first.map(event -> event.observation().arrival()).orElse(0.0));
         SiteState state = picture.state(
                 result.scene(),
                 time,
                 (sensor, drone) -> isDetected(run, sensor, drone, time),
-                sensor -> pointings.at(sensor, time),
+                sensor -> looks.pointings().at(sensor, time),
                 Optional.empty(),
                 Optional.empty());
-        String when = first.isPresent()
-                ? String.format(Locale.ROOT, "when the first sensor detects a drone, %.1f s after the start", time)
-                : "at the start";
+        String when = alert.isPresent()
+                ? String.format(Locale.ROOT, "at the first alert, %.1f s after the start", time)
+                : first.isPresent()
+                        ? String.format(
+                                Locale.ROOT, "when the first sensor detects a drone, %.1f s after the start", time)
+                        : "at the start";
         double aspect = (double) WIDTH / HEIGHT;
         return List.of(
                 figure(picture, Orbit.about(picture.interest(), aspect), state, "The site " + when),

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.OptionalDouble;
+import org.dronewatch.scene.AlertResult;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SweepPoint;
@@ -48,6 +49,8 @@ final class Summary {
         root.put("complete", result.complete());
         ArrayNode pairs = root.putArray("pairs");
         result.pairs().forEach(pair -> add(pairs.addObject(), pair));
+        ArrayNode alerts = root.putArray("alerts");
+        result.alerts().forEach(alert -> add(alerts.addObject(), alert));
         if (!result.sweep().isEmpty()) {
             ArrayNode sweep = root.putArray("sweep");
             result.sweep().forEach(point -> add(sweep.addObject(), point));
@@ -63,6 +66,20 @@ final class Summary {
         put(node, "first_detected_s", pair.firstDetected());
         put(node, "range_m", pair.range());
         put(node, "max_range_m", pair.maxRange());
+    }
+
+    private static void add(ObjectNode node, AlertResult alert) {
+        node.put("run", alert.run());
+        node.put("drone", alert.drone());
+        put(node, "first_sight_s", alert.firstSight());
+        put(node, "alert_s", alert.time());
+        put(node, "time_to_alert_s", alert.timeToAlert());
+        ArrayNode sensors = node.putArray("sensors");
+        alert.sensors().forEach(sensors::add);
+        put(node, "zone_distance_m", alert.zoneDistance());
+        put(node, "warning_s", alert.warning());
+        put(node, "entered_s", alert.entered());
+        alert.inTime().ifPresentOrElse(enough -> node.put("in_time", enough), () -> node.putNull("in_time"));
     }
 
     private static void add(ObjectNode node, SweepPoint point) {

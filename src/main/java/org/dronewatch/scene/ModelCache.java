@@ -6,7 +6,9 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -53,6 +55,17 @@ final class ModelCache {
             models.computeIfAbsent(model, this::load).colours().forEach(colours::putIfAbsent);
         }
         return colours;
+    }
+
+    /** The files of some models, in their order, by the number of the first triangle of each in their tree's mesh. */
+    synchronized NavigableMap<Integer, String> firstTriangles(List<ModelSettings> settings) {
+        NavigableMap<Integer, String> files = new TreeMap<>();
+        int first = 0;
+        for (ModelSettings model : settings) {
+            files.put(first, model.file().replaceFirst("^packaged:", ""));
+            first += models.computeIfAbsent(model, this::load).mesh().triangleCount();
+        }
+        return files;
     }
 
     private KDTree build(List<ModelSettings> settings) {

@@ -161,6 +161,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().setAlert(alert);
     }
 
+    /** Notes what the sensors cost, for the report. */
+    protected final void setPrices(PriceSettings prices) {
+        building().setPrices(prices);
+    }
+
     /** Sets duration and seed of a run. */
     protected final void setRun(RunSettings run) {
         building().setRun(run);

@@ -27,6 +27,7 @@ final class SceneBuilder {
     private final Map<String, DroneSettings> drones = new LinkedHashMap<>();
     private final Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
     private AlertSettings alert = AlertSettings.DEFAULT;
+    private PriceSettings prices = PriceSettings.DEFAULT;
     private RunSettings run = RunSettings.DEFAULT;
     private Optional<SweepSettings> sweep = Optional.empty();
 
@@ -82,6 +83,10 @@ final class SceneBuilder {
         alert = settings;
     }
 
+    void setPrices(PriceSettings settings) {
+        prices = settings;
+    }
+
     void setSweep(SweepSettings settings) {
         sweep = Optional.of(settings);
     }
@@ -99,6 +104,6 @@ final class SceneBuilder {
                 .withRain(rain)
                 .withLight(light);
         WorldSettings site = origin.map(anywhere::withOrigin).orElse(anywhere);
-        return new SceneSettings(site, drones, sensors, alert, run, sweep);
+        return new SceneSettings(site, drones, sensors, alert, prices, run, sweep);
     }
 }

@@ -21,6 +21,7 @@ import org.dronewatch.world.WorldSettings;
  * @param drones drones by id; at most 1000 fly, with those of their swarms
  * @param sensors sensors by id
  * @param alert when the site is alerted, and what is to be protected
+ * @param prices what the sensors cost
  * @param run duration and seed
  * @param sweep a setting that changes from run to run, or empty for a single run
  */
@@ -29,6 +30,7 @@ public record SceneSettings(
         Map<String, DroneSettings> drones,
         Map<String, SensorSettings<?>> sensors,
         AlertSettings alert,
+        PriceSettings prices,
         RunSettings run,
         Optional<SweepSettings> sweep) {
 
@@ -36,6 +38,7 @@ public record SceneSettings(
     public SceneSettings {
         Check.present("world", world);
         Check.present("alert", alert);
+        Check.present("prices", prices);
         Check.present("run", run);
         Check.present("sweep", sweep);
         drones = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("drones", drones)));
@@ -44,8 +47,16 @@ public record SceneSettings(
         Fliers.of(drones);
         sensors.keySet().forEach(SceneSettings::checkId);
         Map<String, SensorSettings<?>> all = sensors;
+        prices.sensors().keySet().forEach(id -> checkPriced(id, all));
         sensors.forEach((id, sensor) ->
                 sensor.positioner().ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
+    }
+
+    private static void checkPriced(String id, Map<String, SensorSettings<?>> sensors) {
+        if (!sensors.containsKey(id)) {
+            throw new IllegalArgumentException("prices.sensors." + id + ": there is no such sensor; nearest are "
+                    + String.join(", ", Spelling.nearest(id, sensors.keySet(), 3)));
+        }
     }
 
     private static void checkCue(String id, String cue, Map<String, SensorSettings<?>> sensors) {
@@ -83,24 +94,30 @@ public record SceneSettings(
     @Defaults("world")
     public static SceneSettings of(WorldSettings world) {
         return new SceneSettings(
-                world, Map.of(), Map.of(), AlertSettings.DEFAULT, RunSettings.DEFAULT, Optional.empty());
+                world,
+                Map.of(),
+                Map.of(),
+                AlertSettings.DEFAULT,
+                PriceSettings.DEFAULT,
+                RunSettings.DEFAULT,
+                Optional.empty());
     }
 
     /** These settings with a sensor in the place of the one of this id. */
     public SceneSettings withSensor(String id, SensorSettings<?> sensor) {
         Map<String, SensorSettings<?>> others = new LinkedHashMap<>(sensors);
         others.put(id, sensor);
-        return new SceneSettings(world, drones, others, alert, run, sweep);
+        return new SceneSettings(world, drones, others, alert, prices, run, sweep);
     }
 
     /** These settings as one run of a sweep: what is swept has this value only. */
     SceneSettings asRunWith(String value) {
         Optional<SweepSettings> one = sweep.map(all -> new SweepSettings.Values(all.parameter(), List.of(value)));
-        return new SceneSettings(world, drones, sensors, alert, run, one);
+        return new SceneSettings(world, drones, sensors, alert, prices, run, one);
     }
 
     /** These settings without a sweep. */
     public SceneSettings withoutSweep() {
-        return new SceneSettings(world, drones, sensors, alert, run, Optional.empty());
+        return new SceneSettings(world, drones, sensors, alert, prices, run, Optional.empty());
     }
 }

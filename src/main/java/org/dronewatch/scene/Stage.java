@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
@@ -32,6 +33,7 @@ import org.dronewatch.world.WorldSettings;
 public final class Stage {
     private final World world;
     private final Map<String, Integer> colours;
+    private final NavigableMap<Integer, String> modelsByFirstTriangle;
     private final List<Flier> fliers = new ArrayList<>();
     private final List<Looker> lookers = new ArrayList<>();
     private final Map<String, Pointing> pointings = new LinkedHashMap<>();
@@ -42,6 +44,7 @@ public final class Stage {
         this.world = new World(models.tree(site.models()), site.noise(), site.surfaces(), site.atmosphere())
                 .withRain(site.rain())
                 .withLight(site.light());
+        this.modelsByFirstTriangle = models.firstTriangles(site.models());
         this.colours = Map.copyOf(models.colours(site.models()));
         warn(settings, models);
         this.runSeed = runSeed;
@@ -83,6 +86,15 @@ public final class Stage {
     /** What the world's materials look like in daylight, by name: red, green and blue in the lowest 24 bits. */
     public Map<String, Integer> colours() {
         return colours;
+    }
+
+    /**
+     * The file of the model to which a triangle belongs.
+     *
+     * @param triangle number in the world's mesh
+     */
+    public String modelOf(int triangle) {
+        return modelsByFirstTriangle.floorEntry(triangle).getValue();
     }
 
     /** The drones at a time, seconds since the start of the run. */

@@ -5,6 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.sensor.positioner.Positioner;
 import org.dronewatch.sensor.positioner.PositionerSettings;
+import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
 /**
@@ -59,6 +60,20 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
      */
     default SensorSettings<S> pointed(Pointing pointing) {
         return this;
+    }
+
+    /**
+     * Why this sensor cannot notice a drone even where it looks, in words such as {@code too slow for it}; empty when it could.
+     *
+     * @param drone as it flies now
+     */
+    default Optional<String> blindTo(Drone drone) {
+        return Optional.empty();
+    }
+
+    /** What is said of a drone of which it has too little, such as {@code too quiet}. */
+    default String weakness() {
+        return "too weak";
     }
 
     /** Whether it matters to this sensor what the world's surfaces are to sound. */

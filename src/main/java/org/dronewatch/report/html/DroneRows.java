@@ -13,7 +13,7 @@ import org.dronewatch.world.ThreatLabel;
 /** The table of all that flies. */
 final class DroneRows {
     private static final List<String> HEAD =
-            List.of("drone", "model", "speed", "sound", "radar cross-section", "control", "label");
+            List.of("drone", "model", "speed", "sound", "radar cross-section", "heat", "control", "label");
 
     private DroneRows() {}
 
@@ -22,16 +22,17 @@ final class DroneRows {
         fliers.forEach((id, drone) -> rows.add(List.of(
                 id,
                 drone.model().file(),
-                Reasons.number(drone.speed()) + " m/s",
+                Numbers.number(drone.speed()) + " m/s",
                 sound(drone),
                 drone.radar().crossSection() + " m2",
+                Numbers.number(drone.heat().excess()) + " K",
                 drone.radio().control().toString().toLowerCase(Locale.ROOT),
                 label(drone.label()))));
         return Html.table(HEAD, rows);
     }
 
     private static String sound(DroneSettings drone) {
-        return Reasons.number(drone.soundPowerLevel()) + " dB(A) sound power; " + Reasons.number(drone.soundLevel())
+        return Numbers.number(drone.soundPowerLevel()) + " dB(A) sound power; " + Numbers.number(drone.soundLevel())
                 + " dB in the level model";
     }
 

@@ -4,20 +4,11 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.Set;
-import org.dronewatch.geometry.Position;
-import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.SceneResult;
-import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
-import org.dronewatch.sensor.SensorSettings;
 
 /**
  * One file for a browser or for paper: who was detected when and by whom, what was missed and why, the site, the settings,
@@ -40,10 +31,8 @@ public final class HtmlReport {
             @media print { body { margin: 0; max-width: none; font-size: 9.5pt; } img { max-height: 95mm; } }
             """;
 
-    /** Of more drones than these, as in a large swarm, only the table tells. */
-    private static final int MOST_SENTENCES = 20;
-
     private final SceneResult result;
+    private final RunResult run;
     private final Looks looks;
     private final Stage stage;
     private final List<Figure> site;
@@ -59,14 +48,11 @@ public final class HtmlReport {
      */
     public HtmlReport(SceneResult result, Looks looks, Stage stage, List<Figure> site, List<Figure> plots) {
         this.result = result;
+        this.run = result.runs().get(0);
         this.looks = looks;
         this.stage = stage;
         this.site = List.copyOf(site);
         this.plots = List.copyOf(plots);
-    }
-
-    private SceneSettings settings() {
-        return result.runs().get(0).settings();
     }
 
     /** Writes the file. */
@@ -79,205 +65,56 @@ public final class HtmlReport {
                 .append(Html.element("style", STYLE))
                 .append("</head>\n<body>\n");
         page.append(Html.plain("h1", result.scene()));
-        page.append("<p class=\"verdict\">").append(Html.text(verdict())).append("</p>\n");
-        site.forEach(figure -> page.append(Html.figure(figure.png(), figure.caption())));
-        page.append(detections());
-        page.append(Html.plain("h2", "Over time"))
-                .append(Html.plain("p", "A bar where a sensor detects a drone" + ofFirstRun() + "."))
-                .append(new TimelineSvg(result.runs().get(0)).draw());
-        page.append(misses());
+        String cut = result.complete() ? "" : " The run was cut short.";
+        page.append("<p class=\"verdict\">")
+                .append(Html.text(new Verdict(run).inWords() + cut))
+                .append("</p>\n");
+        figures(page, site);
+        ResultTables tables = new ResultTables(result, looks);
+        SettingTables settings = new SettingTables(result);
+        section(page, "Alert", tables.alerts() + settings.rule());
+        section(page, "Who detects what", tables.detections());
+        section(
+                page,
+                "Over time",
+                Html.plain("p", "A bar where a sensor detects a drone" + ofFirstRun() + ".")
+                        + new TimelineSvg(run).draw());
+        section(page, "What was missed, and why", misses());
         if (!plots.isEmpty()) {
-            page.append(Html.plain("h2", "What they measured"));
-            plots.forEach(figure -> page.append(Html.figure(figure.png(), figure.caption())));
+            section(page, "What they measured", "");
+            figures(page, plots);
         }
-        page.append(parameters());
-        page.append(limits());
+        section(page, "Sensors", settings.sensors());
+        section(page, "Drones", settings.drones());
+        section(page, "Site", settings.site());
+        section(page, "What not to believe", settings.limits());
         page.append("</body>\n</html>\n");
         target.write(page.toString().getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static void section(StringBuilder page, String title, String content) {
+        page.append(Html.plain("h2", title)).append(content);
+    }
+
+    private static void figures(StringBuilder page, List<Figure> figures) {
+        figures.forEach(figure -> page.append(Html.figure(figure.png(), figure.caption())));
     }
 
     private String ofFirstRun() {
         return result.runs().size() > 1 ? ", in the first of " + result.runs().size() + " runs" : "";
     }
 
-    /** One sentence a drone: who detects it first, how far away, how early. */
-    private String verdict() {
-        List<String> sentences = new ArrayList<>();
-        List<String> drones = List.copyOf(settings().fliers().keySet());
-        RunResult run = result.runs().get(0);
-        for (String drone : drones.subList(0, Math.min(drones.size(), MOST_SENTENCES))) {
-            Optional<PairResult> first = run.pairs().stream()
-                    .filter(pair ->
-                            pair.drone().equals(drone) && pair.firstDetected().isPresent())
-                    .min(Comparator.comparingDouble(pair -> pair.firstDetected().getAsDouble()));
-            long missing = run.pairs().stream()
-                    .filter(pair ->
-                            pair.drone().equals(drone) && pair.firstDetected().isEmpty())
-                    .count();
-            sentences.add(first.map(pair -> format(
-                            "'%s' is first detected by '%s' (%s), %s m away, %s s after the start; %s.",
-                            drone,
-                            pair.sensor(),
-                            pair.kind(),
-                            Reasons.number(pair.range().orElseThrow()),
-                            Reasons.number(pair.firstDetected().getAsDouble()),
-                            missing == 0
-                                    ? "all sensors detect it"
-                                    : missing + " of " + settings().sensors().size() + " sensors never detect it"))
-                    .orElse("'" + drone + "' is not detected by any sensor."));
-        }
-        if (drones.size() > MOST_SENTENCES) {
-            sentences.add("The table tells of " + (drones.size() - MOST_SENTENCES) + " more drones.");
-        }
-        String note = result.complete() ? "" : " The run was cut short.";
-        return String.join(" ", sentences) + note;
-    }
-
-    private String detections() {
-        boolean sweeps = result.runs().size() > 1;
-        List<String> head = new ArrayList<>(List.of(
-                "sensor",
-                "kind",
-                "drone",
-                "first detected [s]",
-                "at [m]",
-                "last [s]",
-                "farthest [m]",
-                "looks that detect"));
-        if (sweeps) {
-            head.add(0, "run");
-        }
-        List<List<String>> rows = new ArrayList<>();
-        for (PairResult pair : result.pairs()) {
-            List<String> row = new ArrayList<>(List.of(
-                    pair.sensor(),
-                    pair.kind(),
-                    pair.drone(),
-                    number(pair.firstDetected()),
-                    number(pair.range()),
-                    last(pair),
-                    number(pair.maxRange()),
-                    format("%.0f %%", 100.0 * looks.share(pair.run(), pair.sensor(), pair.drone()))));
-            if (sweeps) {
-                row.add(0, withSwept(pair.run()));
-            }
-            rows.add(row);
-        }
-        return Html.plain("h2", "Who detects what") + Html.table(head, rows);
-    }
-
-    /** Until when a sensor detects a drone: when it loses it for the last time. */
-    private String last(PairResult pair) {
-        RunResult run = result.runs().get(pair.run());
-        String last = "never";
-        for (DetectionEvent event : run.events()) {
-            if (event.observation().sensor().equals(pair.sensor())
-                    && event.observation().drone().equals(pair.drone())) {
-                last = event.gained()
-                        ? "to the end"
-                        : format("%.1f", event.observation().arrival());
-            }
-        }
-        return last;
-    }
-
-    private String withSwept(int run) {
-        SceneSettings settings = result.runs().get(run).settings();
-        return run
-                + settings.sweep()
-                        .map(sweep -> ": "
-                                + sweep.parameter().substring(sweep.parameter().lastIndexOf('.') + 1) + " "
-                                + shortNumber(sweep.valueIn(settings)))
-                        .orElse("");
-    }
-
-    private static String shortNumber(Object value) {
-        return value instanceof Double number ? format("%.4g", number) : value.toString();
-    }
-
     private String misses() {
-        Reasons reasons = new Reasons(settings(), stage);
+        Reasons reasons = new Reasons(run.settings(), stage, looks.pointings(), run.simulated());
         List<List<String>> rows = new ArrayList<>();
-        for (PairResult pair : result.runs().get(0).pairs()) {
+        for (PairResult pair : run.pairs()) {
             if (pair.firstDetected().isEmpty()) {
                 String why = reasons.of(pair.sensor(), pair.drone(), looks.best(0, pair.sensor(), pair.drone()));
                 rows.add(List.of(pair.sensor(), pair.kind(), pair.drone(), why));
             }
         }
-        String head = Html.plain("h2", "What was missed, and why");
         return rows.isEmpty()
-                ? head + Html.plain("p", "Nothing: every sensor detects every drone" + ofFirstRun() + ".")
-                : head + Html.table(List.of("sensor", "kind", "drone", "why"), rows);
-    }
-
-    private String parameters() {
-        List<List<String>> sensors = new ArrayList<>();
-        settings()
-                .sensors()
-                .forEach((id, sensor) -> sensors.add(List.of(
-                        id,
-                        sensor.kind(),
-                        place(sensor.position()),
-                        format("%s Hz", Reasons.number(sensor.rate())),
-                        name(sensor))));
-        return Html.plain("h2", "Sensors")
-                + Html.table(List.of("sensor", "kind", "east, north, up [m]", "looks", "settings"), sensors)
-                + Html.plain("h2", "Drones")
-                + DroneRows.table(settings().fliers())
-                + Html.plain("h2", "Site")
-                + Html.table(
-                        List.of("models", "background noise", "visibility", "rain", "simulated", "seed"),
-                        List.of(List.of(
-                                String.join(
-                                        ", ",
-                                        settings().world().models().stream()
-                                                .map(model -> model.file())
-                                                .toList()),
-                                format(
-                                        "%s dB(A)",
-                                        Reasons.number(settings().world().backgroundNoise())),
-                                format(
-                                        "%s m",
-                                        Reasons.number(
-                                                settings().world().light().visibility())),
-                                format(
-                                        "%s mm/h",
-                                        Reasons.number(settings().world().rain())),
-                                format("%s s", Reasons.number(result.simulated())),
-                                Long.toString(result.seed()))));
-    }
-
-    private static String name(SensorSettings<?> sensor) {
-        return sensor instanceof Record settings
-                ? Described.of(settings, Set.of("position", "rate"))
-                : sensor.toString();
-    }
-
-    private static String place(Position at) {
-        return format("%.1f, %.1f, %.1f", at.x(), at.y(), at.z());
-    }
-
-    private static String limits() {
-        return Html.plain("h2", "What not to believe")
-                + Html.element(
-                        "ul",
-                        List.of(
-                                        "Ranges are those of the models and settings above: a real sensor's have to be measured.",
-                                        "A camera that counts pixels knows no contrast, haze, light or compression.",
-                                        "A radar here knows no clutter, no birds and no rotor Doppler.",
-                                        "Sound by the level model is calibrated, not physical; wind and interference are left out.",
-                                        "Nothing here gives a false alarm.",
-                                        "A flight is one of many: other bearings, heights and times give other results.")
-                                .stream()
-                                .map(item -> Html.plain("li", item))
-                                .reduce("", String::concat));
-    }
-
-    private static String number(OptionalDouble value) {
-        return value.isPresent() ? format("%.1f", value.getAsDouble()) : "never";
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
+                ? Html.plain("p", "Nothing: every sensor detects every drone" + ofFirstRun() + ".")
+                : Html.table(List.of("sensor", "kind", "drone", "why"), rows);
     }
 }

@@ -5,16 +5,21 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.scene.Frame;
+import org.dronewatch.scene.Pointings;
 import org.dronewatch.scene.SceneListener;
 import org.dronewatch.sensor.Observation;
 
-/** Keeps of all looks of a sensor at a drone the best, and how many of them detected it. */
+/** Keeps of all looks of a sensor at a drone the best, how many of them detected it, and where mounts pointed. */
 public final class Looks implements SceneListener {
     private final Map<List<Object>, Look> best = new HashMap<>();
     private final Map<List<Object>, long[]> counts = new HashMap<>();
+    private final Pointings pointings = new Pointings();
 
     @Override
     public void observed(Frame frame) {
+        if (frame.run() == 0) {
+            pointings.add(frame);
+        }
         for (Observation o : frame.observations()) {
             List<Object> pair = List.of(frame.run(), o.sensor(), o.drone());
             Look look = new Look(o.arrival(), o.range(), o.value(), o.threshold(), o.unit());
@@ -23,6 +28,11 @@ public final class Looks implements SceneListener {
             count[0]++;
             count[1] += o.isDetected() ? 1 : 0;
         }
+    }
+
+    /** Where the mounts of the first run's sensors pointed. */
+    public Pointings pointings() {
+        return pointings;
     }
 
     /** The best look of a sensor at a drone in a run. */

@@ -1,104 +1,136 @@
 package org.dronewatch.report.html;
 
-import java.util.Locale;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.scene.Pointings;
 import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Sightline;
 import org.dronewatch.scene.Stage;
-import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.world.Drone;
-import org.dronewatch.world.World;
 
-/** Says why a sensor did not detect a drone: never in its field of view, hidden, out of range, or too weak. */
+/**
+ * Says why a sensor did not detect a drone, and for which share of the time: out of range, out of its field of view, hidden
+ * and by what, of a kind that it cannot notice, or too weak.
+ */
 final class Reasons {
     /** So many moments of a run are looked at. */
     private static final int MOMENTS = 400;
 
     private final SceneSettings settings;
     private final Stage stage;
+    private final Pointings pointings;
+    private final Sightline sightline;
+    private final List<List<Drone>> moments = new ArrayList<>();
+    private final double step;
 
-    Reasons(SceneSettings settings, Stage stage) {
+    /**
+     * Of a run.
+     *
+     * @param simulated how far it went, s
+     */
+    Reasons(SceneSettings settings, Stage stage, Pointings pointings, double simulated) {
         this.settings = settings;
         this.stage = stage;
+        this.pointings = pointings;
+        this.sightline = new Sightline(stage.world());
+        this.step = simulated / MOMENTS;
+        for (int i = 0; i <= MOMENTS; i++) {
+            moments.add(stage.dronesAt(i * step));
+        }
     }
 
-    /** Why a sensor missed a drone, in words, by its best look. */
+    /** Why a sensor missed a drone, in words, the reason that held longest first. */
     String of(String sensor, String drone, Optional<Look> best) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
-        int inView = 0;
-        int free = 0;
+        Map<String, Integer> counts = new LinkedHashMap<>();
+        String weak = weakness(missing, best);
         double nearest = Double.POSITIVE_INFINITY;
-        World world = stage.world();
+        int gliding = 0;
         for (int i = 0; i <= MOMENTS; i++) {
-            Position place = placeOf(drone, settings.run().duration() * i / MOMENTS);
+            Drone flying = find(moments.get(i), drone);
+            Position place = Position.of(flying.position());
             nearest = Math.min(nearest, place.distance(missing.position()));
-            if (isInside(missing, place)) {
-                inView++;
-                free += world.isOccluded(missing.position().toPoint3d(), place.toPoint3d()) ? 0 : 1;
+            gliding += flying.isPowered() ? 0 : 1;
+            Optional<Pointing> pointing = pointings.at(sensor, i * step);
+            counts.merge(reason(missing, pointing, flying, place).orElse(weak), 1, Integer::sum);
+        }
+        String why = inWords(counts);
+        boolean told =
+                counts.containsKey(weak) && best.filter(Reasons::isReading).isPresent();
+        String distance = told ? "" : format("; it came as near as %.0f m", nearest);
+        boolean quiet = !Sightline.looks(missing) && counts.containsKey(weak) && gliding > 0;
+        return why + distance + (quiet ? "; its motors are off " + share(gliding) + " of the time" : "");
+    }
+
+    private static Drone find(List<Drone> drones, String id) {
+        return drones.stream()
+                .filter(drone -> drone.id().equals(id))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no drone '" + id + "'"));
+    }
+
+    /** Why it cannot notice the drone now, if there is a reason besides weakness. */
+    private Optional<String> reason(
+            SensorSettings<?> sensor, Optional<Pointing> pointing, Drone drone, Position place) {
+        if (!Sightline.isInRange(sensor, place)) {
+            return Optional.of("out of range");
+        }
+        if (!Sightline.isInField(sensor, pointing, place)) {
+            return Optional.of("out of its field of view");
+        }
+        if (Sightline.looks(sensor)) {
+            OptionalInt triangle = sightline.obstacle(sensor.position(), place);
+            if (triangle.isPresent()) {
+                return Optional.of("hidden by " + stage.modelOf(triangle.getAsInt()));
             }
         }
-        boolean looks = missing.outline()
-                .filter(outline -> !(outline instanceof Outline.Ball))
-                .isPresent();
-        if (looks && inView == 0) {
-            return missing.outline().orElseThrow() instanceof Outline.Sector sector && nearest > sector.maxRange()
-                    ? format(
-                            "out of range: it looks %.0f m far, the drone came as near as %.0f m",
-                            sector.maxRange(), nearest)
-                    : format("never in its field of view; nearest at %.0f m", nearest);
-        }
-        if (looks && free == 0) {
-            return "hidden by the site whenever it was in its field of view";
-        }
-        return best.filter(look -> Double.isFinite(look.value()) && look.value() != 0.0)
-                .map(look -> format(
-                        "too weak: at best %s of %s %s, at %.0f m",
-                        number(look.value()), number(look.threshold()), look.unit(), look.range()))
-                .orElse(looks ? "too weak for any reading" : "nothing of it arrived that the sensor could hear");
+        return sensor.blindTo(drone);
     }
 
-    private Position placeOf(String drone, double time) {
-        for (Drone one : stage.dronesAt(time)) {
-            if (one.id().equals(drone)) {
-                return Position.of(one.position());
-            }
-        }
-        throw new IllegalArgumentException("no drone '" + drone + "'");
+    private static boolean isReading(Look look) {
+        return Double.isFinite(look.value()) && look.value() != 0.0;
     }
 
-    private static boolean isInside(SensorSettings<?> sensor, Position place) {
-        Position way = place.minus(sensor.position());
-        Outline outline = sensor.outline().orElse(null);
-        if (outline instanceof Outline.Pyramid pyramid) {
-            double ahead = dot(way, pyramid.forward());
-            return ahead > 0.0
-                    && Math.abs(dot(way, pyramid.right())) <= pyramid.halfWidth() * ahead
-                    && Math.abs(dot(way, pyramid.up())) <= pyramid.halfHeight() * ahead;
-        }
-        if (outline instanceof Outline.Sector sector) {
-            double range = way.length();
-            double level = Math.hypot(way.x(), way.y());
-            double aside = Math.IEEEremainder(Math.atan2(way.x(), way.y()) - sector.azimuth(), 2.0 * Math.PI);
-            double above = Math.atan2(way.z(), level) - sector.elevation();
-            return range >= sector.minRange()
-                    && range <= sector.maxRange()
-                    && Math.abs(aside) <= 0.5 * sector.azimuthWidth() + 1e-9
-                    && Math.abs(above) <= 0.5 * sector.elevationWidth() + 1e-9;
-        }
-        return true;
+    private static String weakness(SensorSettings<?> sensor, Optional<Look> best) {
+        return sensor.weakness()
+                + best.filter(Reasons::isReading)
+                        .map(look -> format(
+                                ": at best %s (needs %s), %.0f m away",
+                                Numbers.measured(look.value(), look.unit()), threshold(look), look.range()))
+                        .orElse(" for any reading");
     }
 
-    private static double dot(Position a, Position b) {
-        return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+    private static String threshold(Look look) {
+        return look.unit().isEmpty() ? Numbers.measured(look.threshold(), "") : Numbers.number(look.threshold());
+    }
+
+    private static String inWords(Map<String, Integer> counts) {
+        List<Map.Entry<String, Integer>> sorted = new ArrayList<>(counts.entrySet());
+        sorted.sort(Map.Entry.comparingByValue(Comparator.reverseOrder()));
+        if (sorted.size() == 1) {
+            return "always " + sorted.get(0).getKey();
+        }
+        List<String> parts = new ArrayList<>();
+        for (Map.Entry<String, Integer> one : sorted) {
+            parts.add(share(one.getValue()) + " of the time " + one.getKey());
+        }
+        return String.join("; ", parts);
+    }
+
+    private static String share(int count) {
+        double percent = 100.0 * count / (MOMENTS + 1);
+        return percent < 1.0 ? "less than 1 %" : format("%.0f %%", percent);
     }
 
     private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
-    }
-
-    /** Three digits at most. */
-    static String number(double value) {
-        return Math.abs(value) >= 100.0 || value == Math.rint(value) ? format("%.0f", value) : format("%.1f", value);
+        return Numbers.format(pattern, values);
     }
 }

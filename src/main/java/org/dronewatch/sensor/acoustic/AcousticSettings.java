@@ -88,6 +88,11 @@ public record AcousticSettings(
     }
 
     @Override
+    public String weakness() {
+        return "too quiet";
+    }
+
+    @Override
     public String kind() {
         return "acoustic";
     }

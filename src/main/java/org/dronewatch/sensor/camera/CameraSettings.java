@@ -144,6 +144,11 @@ public record CameraSettings(
     }
 
     @Override
+    public String weakness() {
+        return "too small or too faint";
+    }
+
+    @Override
     public String kind() {
         return "camera";
     }

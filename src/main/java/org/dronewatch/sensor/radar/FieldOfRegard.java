@@ -1,7 +1,11 @@
 package org.dronewatch.sensor.radar;
 
+import java.util.Locale;
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
+import org.dronewatch.world.Drone;
+import org.jogamp.vecmath.Vector3d;
 
 /** Where and how fast a drone must be for a radar to look for it. */
 final class FieldOfRegard {
@@ -18,6 +22,27 @@ final class FieldOfRegard {
     /** Whether a drone is within the angles and ranges. */
     boolean contains(Position way) {
         return outline.contains(way);
+    }
+
+    /** Speed at which a drone comes (negative) or goes, m/s. */
+    double radialSpeed(Drone drone) {
+        Vector3d way = Position.of(drone.position()).minus(settings.position()).toVector3d();
+        return way.dot(drone.velocity()) / Math.max(way.length(), Double.MIN_NORMAL);
+    }
+
+    /** Why its speed hides a drone, in words; empty when it does not. */
+    Optional<String> blindness(Drone drone) {
+        double radial = radialSpeed(drone);
+        if (hasSpeed(radial)) {
+            return Optional.empty();
+        }
+        boolean slow = Math.abs(radial) < settings.minSpeed();
+        return Optional.of(String.format(
+                Locale.ROOT,
+                slow
+                        ? "too slow for it (less than %.1f m/s nearer or farther)"
+                        : "too fast for it (more than %.0f m/s)",
+                slow ? settings.minSpeed() : fastest));
     }
 
     /** Whether a drone comes or goes fast enough to be told from the ground, and not too fast. */

@@ -12,7 +12,6 @@ import org.dronewatch.sensor.positioner.Sighting;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
-import org.jogamp.vecmath.Vector3d;
 
 /**
  * A radar. Its value is the signal-to-noise ratio of the drone's echo; minus infinity for a drone that it does not look for,
@@ -46,9 +45,8 @@ public final class RadarSensor implements Sensor {
     private Observation look(Drone drone, Sample sample) {
         Position place = Position.of(drone.position());
         double range = Math.max(place.distance(settings.position()), Double.MIN_NORMAL);
-        Vector3d velocity = drone.velocity();
         Position way = place.minus(settings.position());
-        double speed = way.toVector3d().dot(velocity) / range;
+        double speed = field.radialSpeed(drone);
         double share = field.contains(way) && field.hasSpeed(speed) ? visible.of(drone) : 0.0;
         double area = share * drone.settings().radar().towards(aspect(drone));
         double echo = echo(way, range, area);

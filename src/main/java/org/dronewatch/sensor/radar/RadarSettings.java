@@ -11,6 +11,7 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.world.Drone;
 
 /**
  * A radar that stands still and looks with the same gain everywhere in its field of view, as one with an electronically
@@ -168,6 +169,16 @@ public record RadarSettings(
                 elevationWidth,
                 minRange,
                 maxRange));
+    }
+
+    @Override
+    public Optional<String> blindTo(Drone drone) {
+        return new FieldOfRegard(this).blindness(drone);
+    }
+
+    @Override
+    public String weakness() {
+        return "its echo too weak";
     }
 
     @Override

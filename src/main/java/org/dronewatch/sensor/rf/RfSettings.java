@@ -1,11 +1,15 @@
 package org.dronewatch.sensor.rf;
 
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.RadioLink;
 
 /**
  * A radio receiver that hears all round.
@@ -82,6 +86,19 @@ public record RfSettings(
     /** Power of the noise in it, dBm. */
     public double noise() {
         return THERMAL + 10.0 * Math.log10(bandwidth) + noiseFigure;
+    }
+
+    @Override
+    public String weakness() {
+        return "its signal too weak";
+    }
+
+    @Override
+    public Optional<String> blindTo(Drone drone) {
+        RadioLink link = drone.settings().radio();
+        return link.emits()
+                ? Optional.empty()
+                : Optional.of("silent by radio (" + Choices.name(link.control().name()) + ")");
     }
 
     @Override

@@ -165,6 +165,11 @@ public record ThermalSettings(
     }
 
     @Override
+    public String weakness() {
+        return "too small or too cool";
+    }
+
+    @Override
     public String kind() {
         return "thermal";
     }

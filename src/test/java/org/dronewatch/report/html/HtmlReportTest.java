@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.picture.Yard;
+import org.dronewatch.scene.Pointings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneResult;
@@ -72,11 +73,16 @@ class HtmlReportTest {
 
         assertThat(texts(document, "p"))
                 .anyMatch(text -> text.equals("'glider' is first detected by 'radar' (radar), 664 m away, 8 s after the"
-                        + " start; 6 of 7 sensors never detect it."));
+                        + " start; 6 of 7 sensors never detect it. The alert comes after 8 s, by 'radar', 609 m and 40.6 s"
+                        + " of flight before what is protected; 30 s are needed: in time."));
         assertThat(texts(document, "td"))
-                .contains("nothing of it arrived that the sensor could hear")
-                .anyMatch(text -> text.matches("too weak: at best \\d+ of 12 px, at \\d+ m"))
-                .anyMatch(text -> text.matches("too weak: at best \\d+(\\.\\d)? of 47 dB, at \\d+ m"));
+                .anyMatch(text -> text.startsWith("always silent by radio (autonomous)"))
+                .anyMatch(text ->
+                        text.matches("81 % of the time out of its field of view; 19 % of the time too small or too"
+                                + " faint: at best 8 px \\(needs 12\\), 159 m away"))
+                .anyMatch(text ->
+                        text.matches("always too quiet: at best [0-9.]+ dB \\(needs 47\\), \\d+ m away; its motors"
+                                + " are off 79 % of the time"));
         // The radar loses it at 38 s.
         assertThat(texts(document, "td")).contains("38.0");
         assertThat(texts(document, "figcaption")).containsExactly("a <picture>");
@@ -168,19 +174,21 @@ class HtmlReportTest {
                 .withSensor(
                         "covered", CameraSettings.at(new Position(0, -0.5, 0.5)).withLookAt(new Position(0, 25, 14)))
                 .withSensor("short", radar.withRanges(0.1, 3.0));
-        Reasons reasons = new Reasons(more, yard.stage());
+        Reasons reasons = new Reasons(more, yard.stage(), new Pointings(), 8.0);
         Optional<Look> weak = Optional.of(new Look(1, 30, 7, 12, "px"));
 
-        assertThat(reasons.of("away", "quadrotor", weak)).startsWith("never in its field of view; nearest at 5 m");
-        assertThat(reasons.of("covered", "quadrotor", weak))
-                .isEqualTo("hidden by the site whenever it was in its field of view");
-        assertThat(reasons.of("short", "quadrotor", weak))
-                .isEqualTo("out of range: it looks 3 m far, the drone came as near as 5 m");
-        assertThat(reasons.of("camera", "quadrotor", weak)).isEqualTo("too weak: at best 7 of 12 px, at 30 m");
+        assertThat(reasons.of("away", "quadrotor", weak))
+                .isEqualTo("always out of its field of view; it came as near as 5 m");
+        assertThat(reasons.of("covered", "quadrotor", weak)).contains("hidden by yard.obj");
+        assertThat(reasons.of("short", "quadrotor", weak)).isEqualTo("always out of range; it came as near as 5 m");
+        assertThat(reasons.of("camera", "quadrotor", weak))
+                .contains("too small or too faint: at best 7 px (needs 12), 30 m away");
         assertThat(reasons.of("microphone", "quadrotor", Optional.of(new Look(1, 30, 41.26, 45, "dB"))))
-                .isEqualTo("too weak: at best 41.3 of 45 dB, at 30 m");
+                .isEqualTo("always too quiet: at best 41.3 dB (needs 45), 30 m away");
         assertThat(reasons.of(
                         "microphone", "quadrotor", Optional.of(new Look(1, 30, Double.NEGATIVE_INFINITY, 45, "dB"))))
-                .isEqualTo("nothing of it arrived that the sensor could hear");
+                .startsWith("always too quiet for any reading; it came as near as");
+        assertThat(reasons.of("camera", "quadrotor", Optional.of(new Look(1, 30, 0.031, 0.5, ""))))
+                .contains("at best 3.1 % (needs 50 %), 30 m away");
     }
 }

@@ -1,0 +1,32 @@
+package org.dronewatch.report.html;
+
+import java.util.Locale;
+import java.util.OptionalDouble;
+
+/** Numbers for people. */
+final class Numbers {
+    private Numbers() {}
+
+    /** Three digits at most, or all before the point. */
+    static String number(double value) {
+        return Math.abs(value) >= 100.0 || value == Math.rint(value) ? format("%.0f", value) : format("%.1f", value);
+    }
+
+    /** With its unit; a number without one is a probability. */
+    static String measured(double value, String unit) {
+        if (!unit.isEmpty()) {
+            return number(value) + " " + unit;
+        }
+        double percent = 100.0 * value;
+        return percent < 0.1 ? "less than 0.1 %" : format(percent < 10.0 ? "%.1f %%" : "%.0f %%", percent);
+    }
+
+    /** With one decimal, or a word where there is none. */
+    static String orElse(OptionalDouble value, String none) {
+        return value.isPresent() ? format("%.1f", value.getAsDouble()) : none;
+    }
+
+    static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}

@@ -1,0 +1,142 @@
+package org.dronewatch.report.html;
+
+import static org.dronewatch.report.html.Numbers.format;
+import static org.dronewatch.report.html.Numbers.orElse;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.scene.AlertResult;
+import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.scene.PairResult;
+import org.dronewatch.scene.RunResult;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.ThreatLabel;
+
+/** Who detects what, and how early the site is alerted: all runs in tables. */
+final class ResultTables {
+    private final SceneResult result;
+    private final Looks looks;
+    private final boolean sweeps;
+
+    ResultTables(SceneResult result, Looks looks) {
+        this.result = result;
+        this.looks = looks;
+        this.sweeps = result.runs().size() > 1;
+    }
+
+    /** A row for each sensor with each drone. */
+    String detections() {
+        List<String> head = head(
+                "sensor",
+                "kind",
+                "drone",
+                "first detected [s]",
+                "at [m]",
+                "last [s]",
+                "farthest [m]",
+                "looks that detect");
+        List<List<String>> rows = new ArrayList<>();
+        for (PairResult pair : result.pairs()) {
+            rows.add(row(
+                    pair.run(),
+                    pair.sensor(),
+                    pair.kind(),
+                    pair.drone(),
+                    orElse(pair.firstDetected(), "never"),
+                    orElse(pair.range(), "never"),
+                    last(pair),
+                    orElse(pair.maxRange(), "never"),
+                    format("%.0f %%", 100.0 * looks.share(pair.run(), pair.sensor(), pair.drone()))));
+        }
+        return Html.table(head, rows);
+    }
+
+    /** A row for each drone. */
+    String alerts() {
+        boolean zone = result.runs().stream()
+                .anyMatch(run -> run.settings().alert().protect().isPresent());
+        List<String> head = head("drone", "to be seen from [s]", "alert [s]", "took [s]", "by");
+        if (zone) {
+            head.addAll(List.of("then to go [m]", "warning [s]", "reaches zone [s]", "in time"));
+        }
+        List<List<String>> rows = new ArrayList<>();
+        for (AlertResult alert : result.alerts()) {
+            List<String> row = row(
+                    alert.run(),
+                    labelled(alert),
+                    orElse(alert.firstSight(), "never"),
+                    orElse(alert.time(), "never"),
+                    orElse(alert.timeToAlert(), "-"),
+                    alert.sensors().isEmpty() ? "-" : String.join(", ", alert.sensors()));
+            if (zone) {
+                row.addAll(List.of(
+                        orElse(alert.zoneDistance(), "-"),
+                        orElse(alert.warning(), "none"),
+                        orElse(alert.entered(), "not in this run"),
+                        alert.inTime().map(enough -> enough ? "yes" : "NO").orElse("not asked")));
+            }
+            rows.add(row);
+        }
+        return Html.table(head, rows);
+    }
+
+    /** A drone's name; with a word when an alert to it is no success. */
+    private String labelled(AlertResult alert) {
+        Map<String, DroneSettings> fliers =
+                result.runs().get(alert.run()).settings().fliers();
+        ThreatLabel.Role role = fliers.get(alert.drone()).label().role();
+        return switch (role) {
+            case ATTACK -> alert.drone();
+            case DECOY -> alert.drone() + " (decoy)";
+            case BYSTANDER -> alert.drone() + " (bystander)";
+        };
+    }
+
+    private List<String> head(String... names) {
+        List<String> head = new ArrayList<>(List.of(names));
+        if (sweeps) {
+            head.add(0, "run");
+        }
+        return head;
+    }
+
+    private List<String> row(int run, String... cells) {
+        List<String> row = new ArrayList<>(List.of(cells));
+        if (sweeps) {
+            row.add(0, withSwept(run));
+        }
+        return row;
+    }
+
+    /** Until when a sensor detects a drone: when it loses it for the last time. */
+    private String last(PairResult pair) {
+        RunResult run = result.runs().get(pair.run());
+        String last = "never";
+        for (DetectionEvent event : run.events()) {
+            if (event.observation().sensor().equals(pair.sensor())
+                    && event.observation().drone().equals(pair.drone())) {
+                last = event.gained()
+                        ? "to the end"
+                        : format("%.1f", event.observation().arrival());
+            }
+        }
+        return last;
+    }
+
+    private String withSwept(int run) {
+        SceneSettings settings = result.runs().get(run).settings();
+        return run
+                + settings.sweep()
+                        .map(sweep -> ": "
+                                + sweep.parameter().substring(sweep.parameter().lastIndexOf('.') + 1) + " "
+                                + shortNumber(sweep.valueIn(settings)))
+                        .orElse("");
+    }
+
+    private static String shortNumber(Object value) {
+        return value instanceof Double number ? format("%.4g", number) : value.toString();
+    }
+}
