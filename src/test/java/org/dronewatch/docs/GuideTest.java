@@ -12,6 +12,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronewatch.catalog.Catalog;
+import org.dronewatch.catalog.Positioners;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneResult;
@@ -19,6 +20,8 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.world.Origin;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What the pages show works as it stands there. */
 class GuideTest {
@@ -83,6 +86,18 @@ class GuideTest {
         assertThat(result.firstDetectionRange("radar", "watcher")).isEmpty();
     }
 
+    /** Pages whose first example is a whole scene. */
+    @ParameterizedTest
+    @CsvSource({"positioner, eye", "alert, radar", "thermal, heat"})
+    void theSceneOfAPageRuns(String page, String sensor) throws IOException {
+        Path file = directory.resolve(page + ".yaml");
+        Files.writeString(file, firstExample(PAGES.resolve(page + ".md")));
+        SceneResult result = new SceneRunner(new SceneFile(file)).run();
+
+        assertThat(result.firstDetectionRange(sensor, "intruder")).isPresent();
+        assertThat(result.alert("intruder").time()).isPresent();
+    }
+
     @Test
     void anEntryOfOnesOwnIsRead() throws IOException {
         Files.writeString(directory.resolve("mine.yaml"), firstExample(PAGES.resolve("catalogue.md")));
@@ -114,7 +129,7 @@ class GuideTest {
     @Test
     void thePageOfTheCatalogueNamesEveryEntry() throws IOException {
         String page = Files.readString(PAGES.resolve("catalogue.md"));
-        List<String> missing = Catalog.packagedNames().stream()
+        List<String> missing = Stream.concat(Catalog.packagedNames().stream(), Positioners.packagedNames().stream())
                 .filter(name -> !page.contains("`" + name + "`"))
                 .collect(Collectors.toList());
         assertThat(missing).isEmpty();
