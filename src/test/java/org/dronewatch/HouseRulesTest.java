@@ -86,7 +86,7 @@ class HouseRulesTest {
             .whereLayer("fusion")
             .mayOnlyBeAccessedByLayers("app", "picture", "report", "scenes", "scene", "viewer")
             .whereLayer("catalog")
-            .mayOnlyBeAccessedByLayers("picture", "app", "scenes", "scene")
+            .mayOnlyBeAccessedByLayers("picture", "app", "report", "scenes", "scene")
             .whereLayer("camera")
             .mayOnlyBeAccessedByLayers("app", "bench", "scenes", "catalog")
             .whereLayer("thermal")

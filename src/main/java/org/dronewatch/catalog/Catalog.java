@@ -3,6 +3,7 @@ package org.dronewatch.catalog;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.lang.reflect.RecordComponent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
@@ -13,6 +14,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Spelling;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Node;
@@ -120,6 +122,40 @@ public final class Catalog implements Kinds.NamedSettings {
                         + String.join(", ", Spelling.nearest(name, names(), 3))));
         Node.Mapping all = known.overlaidWith(Node.Mapping.ofReady(name, parts));
         return SettingsFile.read(all, SensorSettings.class, SensorKinds.kinds(this), directory.orElse(Path.of("")));
+    }
+
+    /**
+     * Which entry of the library a sensor is: the one of whose settings it has all, the one with the most of them if there are
+     * several. Where it stands and looks does not matter, and neither does what the entry leaves open.
+     */
+    public static Optional<String> nameOf(SensorSettings<?> sensor) {
+        Optional<String> best = Optional.empty();
+        int most = 0;
+        for (String name : PACKAGED) {
+            int parts = agreeing(name, sensor);
+            if (parts > most) {
+                most = parts;
+                best = Optional.of(name);
+            }
+        }
+        return best;
+    }
+
+    /** How many settings of an entry a sensor has; 0 unless it has all. */
+    private static int agreeing(String name, SensorSettings<?> sensor) {
+        CatalogEntry entry = packaged().entry(name).orElseThrow();
+        if (!entry.kind().equals(sensor.kind()) || !(sensor instanceof Record settings)) {
+            return 0;
+        }
+        Record its = (Record) packaged().settings(name, Map.of("position", sensor.position()));
+        SettingsForm form = SettingsForm.of(settings.getClass());
+        List<RecordComponent> stated = form.parts().stream()
+                .filter(part -> entry.sensor().values().containsKey(part.getName()))
+                .filter(part -> !part.getName().equals("aim"))
+                .toList();
+        boolean agrees = stated.stream()
+                .allMatch(part -> SettingsForm.get(settings, part).equals(SettingsForm.get(its, part)));
+        return agrees ? stated.size() : 0;
     }
 
     private Optional<Node.Mapping> document(String name) {

@@ -75,6 +75,22 @@ class CatalogTest {
         assertThat(settings.kind()).isEqualTo(entry.kind());
     }
 
+    @ParameterizedTest
+    @MethodSource("names")
+    void aSensorIsKnownByItsSettingsWhereverItStands(String name) {
+        SensorSettings<?> settings = Catalog.packaged().settings(name, Map.of("position", new Position(7, 8, 9)));
+
+        assertThat(Catalog.nameOf(settings)).contains(name);
+    }
+
+    @Test
+    void aSensorOfOtherSettingsIsNotInTheCatalogue() {
+        SensorSettings<?> radar =
+                Catalog.packaged().settings("spotterrf-c550", Map.of("position", SENSOR, "maxRange", 900.0));
+
+        assertThat(Catalog.nameOf(radar)).isEmpty();
+    }
+
     /** One sensor and one drone that comes straight at it over flat grass. */
     private static final class Promise extends Scene {
         private static final long serialVersionUID = 1L;

@@ -85,6 +85,7 @@ public final class HtmlReport {
             figures(page, plots);
         }
         section(page, "Sensors", settings.sensors());
+        section(page, "Where the settings come from", settings.sources());
         section(page, "Drones", settings.drones());
         section(page, "Site", settings.site());
         section(page, "What not to believe", settings.limits());

@@ -2,12 +2,16 @@ package org.dronewatch.report.html;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
+import java.util.TreeSet;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.scene.Pointings;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Sightline;
@@ -51,6 +55,7 @@ final class Reasons {
     String of(String sensor, String drone, Optional<Look> best) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
         Map<String, Integer> counts = new LinkedHashMap<>();
+        Map<String, Set<String>> materials = new HashMap<>();
         String weak = weakness(missing, best);
         double nearest = Double.POSITIVE_INFINITY;
         int gliding = 0;
@@ -60,9 +65,9 @@ final class Reasons {
             nearest = Math.min(nearest, place.distance(missing.position()));
             gliding += flying.isPowered() ? 0 : 1;
             Optional<Pointing> pointing = pointings.at(sensor, i * step);
-            counts.merge(reason(missing, pointing, flying, place).orElse(weak), 1, Integer::sum);
+            counts.merge(reason(missing, pointing, flying, place, materials).orElse(weak), 1, Integer::sum);
         }
-        String why = inWords(counts);
+        String why = inWords(named(counts, materials));
         boolean told =
                 counts.containsKey(weak) && best.filter(Reasons::isReading).isPresent();
         String distance = told ? "" : format("; it came as near as %.0f m", nearest);
@@ -79,7 +84,11 @@ final class Reasons {
 
     /** Why it cannot notice the drone now, if there is a reason besides weakness. */
     private Optional<String> reason(
-            SensorSettings<?> sensor, Optional<Pointing> pointing, Drone drone, Position place) {
+            SensorSettings<?> sensor,
+            Optional<Pointing> pointing,
+            Drone drone,
+            Position place,
+            Map<String, Set<String>> materials) {
         if (!Sightline.isInRange(sensor, place)) {
             return Optional.of("out of range");
         }
@@ -89,10 +98,24 @@ final class Reasons {
         if (Sightline.looks(sensor)) {
             OptionalInt triangle = sightline.obstacle(sensor.position(), place);
             if (triangle.isPresent()) {
-                return Optional.of("hidden by " + stage.modelOf(triangle.getAsInt()));
+                TriangleMesh mesh = stage.world().mesh();
+                String hidden = "hidden by " + stage.modelOf(triangle.getAsInt());
+                materials
+                        .computeIfAbsent(hidden, model -> new TreeSet<>())
+                        .add(mesh.materialNames().get(mesh.material(triangle.getAsInt())));
+                return Optional.of(hidden);
             }
         }
         return sensor.blindTo(drone);
+    }
+
+    /** Models that hide are told with what of them does. */
+    private static Map<String, Integer> named(Map<String, Integer> counts, Map<String, Set<String>> materials) {
+        Map<String, Integer> named = new LinkedHashMap<>();
+        counts.forEach((reason, count) -> named.put(
+                materials.containsKey(reason) ? reason + " (" + String.join(", ", materials.get(reason)) + ")" : reason,
+                count));
+        return named;
     }
 
     private static boolean isReading(Look look) {

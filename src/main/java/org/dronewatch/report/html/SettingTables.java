@@ -4,16 +4,21 @@ import static org.dronewatch.report.html.Numbers.format;
 import static org.dronewatch.report.html.Numbers.number;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.WorldSettings;
 
@@ -77,6 +82,24 @@ final class SettingTables {
 
     private static String place(Position at) {
         return format("%.1f, %.1f, %.1f", at.x(), at.y(), at.z());
+    }
+
+    /** Where the settings of sensors come from: a row for each entry of the catalogue, and one for all that is in none. */
+    String sources() {
+        Map<String, List<String>> users = new LinkedHashMap<>();
+        settings.sensors().forEach((id, sensor) -> users.computeIfAbsent(
+                        Catalog.nameOf(sensor).orElse(""), name -> new ArrayList<>())
+                .add(id));
+        List<List<String>> rows = new ArrayList<>();
+        users.forEach((name, ids) -> {
+            Optional<CatalogEntry> entry = Catalog.packaged().entry(name);
+            rows.add(List.of(
+                    String.join(", ", ids),
+                    entry.map(CatalogEntry::title).orElse("as the scene says"),
+                    entry.map(known -> Choices.name(known.basis().name())).orElse("the scene's own"),
+                    entry.map(known -> known.source() + ". " + known.note()).orElse("The scene names no source.")));
+        });
+        return Html.table(List.of("sensor", "taken as", "ranges are", "source, and what is assumed"), rows);
     }
 
     String drones() {

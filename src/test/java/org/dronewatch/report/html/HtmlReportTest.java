@@ -93,6 +93,51 @@ class HtmlReportTest {
     }
 
     @Test
+    void tellsWhatSensorsCostAndWhereTheirSettingsComeFrom() throws IOException {
+        Document document = parsed(report(new SceneFile(Path.of("scenes", "cued-camera.yaml")), List.of()));
+
+        assertThat(texts(document, "th")).contains("cost [EUR]");
+        assertThat(texts(document, "td"))
+                .contains("26\u202f000", "35\u202f000", "not known", "without 1 of unknown price")
+                .contains("Blighter A400 air security radar, antenna M10S", "fixed, cued")
+                .anyMatch(text -> text.startsWith("Piranha 46 HR data sheet: "))
+                .anyMatch(text ->
+                        text.contains("always too small or too faint: at best") && text.contains("(needs 50 %)"));
+    }
+
+    @Test
+    void aRadarThatIsTooSlowIsToldFromOneThatIsTooWeak() throws IOException {
+        Path file = directory.resolve("slow.yaml");
+        Files.writeString(
+                file,
+                """
+                world: {models: [packaged:hill.obj]}
+                drones:
+                  lurker: {model: packaged:quadrotor.obj, flight: {kind: hover, position: [0, 150, 180]}}
+                  circler: {model: packaged:quadrotor.obj, flight: {kind: orbit, centre: [0, 0, 180], radius: 150}}
+                  dart:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: approach, from: [0, 600, 200], to: [0, 100, 190]}
+                    speed: 90 m/s
+                sensors:
+                  radar:
+                    kind: radar
+                    position: [0, 0, 145]
+                    elevationWidth: 90 deg
+                    budget: {kind: data-sheet, range: 1000, crossSection: 0.01}
+                    maxSpeed: 60 m/s
+                run: {duration: 5}
+                """);
+        Document document = parsed(report(new SceneFile(file), List.of()));
+
+        assertThat(texts(document, "td").stream().filter(text -> text.contains("too slow for it")))
+                .hasSize(2)
+                .allMatch(text -> text.startsWith("always too slow for it (less than 1.0 m/s nearer or farther)"));
+        assertThat(texts(document, "td"))
+                .anyMatch(text -> text.startsWith("always too fast for it (more than 60 m/s)"));
+    }
+
+    @Test
     void tellsOfEachDroneOfASwarmWithItsLabel() throws IOException {
         Path file = directory.resolve("swarm.yaml");
         Files.writeString(
@@ -179,7 +224,7 @@ class HtmlReportTest {
 
         assertThat(reasons.of("away", "quadrotor", weak))
                 .isEqualTo("always out of its field of view; it came as near as 5 m");
-        assertThat(reasons.of("covered", "quadrotor", weak)).contains("hidden by yard.obj");
+        assertThat(reasons.of("covered", "quadrotor", weak)).contains("hidden by yard.obj (brick)");
         assertThat(reasons.of("short", "quadrotor", weak)).isEqualTo("always out of range; it came as near as 5 m");
         assertThat(reasons.of("camera", "quadrotor", weak))
                 .contains("too small or too faint: at best 7 px (needs 12), 30 m away");
