@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Quantity;
@@ -17,6 +18,8 @@ import org.dronewatch.setting.SettingsForm;
 
 /** Settings as people read them: names, values, units; angles in degrees. */
 final class Described {
+    private static final String OURS = "org.dronewatch.";
+
     private Described() {}
 
     /**
@@ -46,7 +49,11 @@ final class Described {
         if (value instanceof Record inner) {
             String parts = of(inner, Set.of());
             String kind = Choices.name(inner.getClass().getSimpleName().replaceAll("(?<=[a-z])(?=[A-Z])", "_"));
-            return Optional.of(parts.isEmpty() ? kind : kind + " (" + parts + ")");
+            if (parts.isEmpty()) {
+                return Optional.of(kind);
+            }
+            // The name of what can only be of one kind tells nothing.
+            return Optional.of((isChoice(inner) ? kind + " " : "") + "(" + parts + ")");
         }
         if (value instanceof Number number) {
             return Optional.of(number(number, quantity));
@@ -59,8 +66,16 @@ final class Described {
         return empty ? Optional.empty() : Optional.of(String.valueOf(value));
     }
 
+    private static boolean isChoice(Record settings) {
+        return Stream.of(settings.getClass().getInterfaces())
+                .anyMatch(type -> type.getName().startsWith(OURS));
+    }
+
     private static String number(Number number, Quantity quantity) {
         double value = number.doubleValue();
+        if (quantity == Quantity.ANGULAR_SPEED) {
+            return digits(Math.toDegrees(value)) + "\u00b0/s";
+        }
         if (quantity == Quantity.ANGLE) {
             return digits(Math.toDegrees(value)) + "\u00b0";
         }

@@ -6,6 +6,8 @@ import java.util.stream.Collectors;
 
 /** Pieces of a page as well-formed text; what comes from outside is escaped. */
 final class Html {
+    private static final int LONGEST_NAME = 24;
+
     private Html() {}
 
     /** Text in which nothing is mark-up. */
@@ -34,8 +36,13 @@ final class Html {
 
     private static String cells(String name, List<String> texts) {
         return texts.stream()
-                .map(text -> "<" + name + ">" + text(text) + "</" + name + ">")
+                .map(text -> "<" + name + (isName(text) ? " class=\"n\">" : ">") + text(text) + "</" + name + ">")
                 .collect(Collectors.joining());
+    }
+
+    /** Whether a text is to stay in one line: its hyphens would break it. */
+    private static boolean isName(String text) {
+        return text.contains("-") && !text.contains(" ") && text.length() <= LONGEST_NAME;
     }
 
     /** A picture that is part of the page, with what it shows. */

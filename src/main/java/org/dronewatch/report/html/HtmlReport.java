@@ -23,11 +23,11 @@ public final class HtmlReport {
             .verdict { font-size: 1.1em; background: #f3f5f7; border-left: 5px solid #1f5fbf; padding: .7em 1em; }
             table { border-collapse: collapse; width: 100%; margin: .5em 0; }
             th, td { text-align: left; padding: .28em .55em; border-bottom: 1px solid #dfe3e7; vertical-align: top; }
-            td:last-child { overflow-wrap: anywhere; }
+            td { overflow-wrap: break-word; } td.n { white-space: nowrap; }
             th { background: #f3f5f7; }
             figure { margin: 1em 0; break-inside: avoid; } img, svg { max-width: 100%; height: auto; }
             figcaption { color: #555f69; font-size: .92em; } svg text { font: 12px system-ui, sans-serif; fill: #20262e; }
-            tr, h2 { break-inside: avoid; } h2 { break-after: avoid; }
+            tr, h2 { break-inside: avoid; } h2, h2 + p { break-after: avoid; } svg { break-inside: avoid; }
             @media print { body { margin: 0; max-width: none; font-size: 9.5pt; } img { max-height: 95mm; } }
             """;
 
