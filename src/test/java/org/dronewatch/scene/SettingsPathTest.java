@@ -124,7 +124,7 @@ class SettingsPathTest {
                 "drones.crosser.flight.points.-1.x | 1    | no '-1'       | 0 to 1",
                 "run.seed                       | x       | 'x'           | whole number",
                 "world.models.0.scale           | -1      | scale -1    | above 0",
-                "nothing                        | 1       | no 'nothing'  | world, drones, sensors, run, sweep",
+                "nothing                        | 1       | no 'nothing'  | world, drones, sensors, alert, prices, run, sweep",
                 "''                             | 1       | no ''         | world",
                 "sweep.parameter                | 1       | parameter     | not set",
             })
