@@ -17,7 +17,7 @@ final class Overrides {
     private static final String SENSORS = "sensors.";
 
     /** What another sensor takes over from the one whose place it takes. */
-    private static final List<String> POSE = List.of("position", "aim");
+    private static final List<String> POSE = List.of("position", "aim", "positioner");
 
     private final Catalog catalog;
 

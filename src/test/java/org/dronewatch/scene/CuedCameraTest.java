@@ -3,6 +3,8 @@ package org.dronewatch.scene;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,10 +12,14 @@ import java.util.OptionalDouble;
 import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** A radar points a camera: what the same camera on a fixed mount sees, but cannot identify, is identified. */
 class CuedCameraTest {
     private static final Path SCENE = Path.of("scenes/cued-camera.yaml");
+
+    @TempDir
+    private Path directory;
 
     private static SceneRunner runner() {
         return new SceneRunner(new SceneFile(SCENE)).threads(2);
@@ -68,6 +74,37 @@ class CuedCameraTest {
         assertThat(one).hasSizeGreaterThan(1000).isEqualTo(two);
         assertThat(one.get(one.size() - 1).target()).contains("intruder");
         assertThat(one.get(one.size() - 1).fov()).isLessThan(Math.toRadians(2.3));
+    }
+
+    @Test
+    void aDecoyKeepsTheCameraFromTheIntruder() throws IOException {
+        String decoy =
+                """
+                drones:
+                  decoy:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: orbit, centre: [-60, 500, 200], radius: 150}
+                    speed: 12 m/s
+                    label: {role: decoy}
+                """;
+        Path file = directory.resolve("decoyed.yaml");
+        Files.writeString(file, Files.readString(SCENE).replaceFirst("drones:\n", decoy));
+        SceneResult result = new SceneRunner(new SceneFile(file)).threads(2).run();
+
+        assertThat(result.firstDetectionRange("cued", "decoy")).isPresent();
+        assertThat(result.firstDetectionRange("cued", "intruder")).isEmpty();
+        // The rule wants two sensors: the radar alone is not enough.
+        assertThat(result.alert("intruder").time()).isEmpty();
+    }
+
+    @Test
+    void anotherCameraTakesItsPlaceOnTheMount() {
+        SceneResult result = runner().set("sensors.cued", "cooled-thermal-camera")
+                .set("sensors.cued.task", "recognition")
+                .set("sensors.cued.positioner.zoom.tracked", "1.8 deg")
+                .run();
+
+        assertThat(result.firstDetectionRange("cued", "intruder")).isPresent();
     }
 
     @Test
