@@ -38,6 +38,10 @@ final class AlertWatch {
     }
 
     void add(Frame frame) {
+        int all = frame.drones().size();
+        if (firstSights.size() == all && placesAtAlert.size() == all) {
+            return;
+        }
         Map<String, Drone> drones = new HashMap<>();
         frame.drones().forEach(drone -> drones.put(drone.id(), drone));
         for (Observation observation : frame.observations()) {
