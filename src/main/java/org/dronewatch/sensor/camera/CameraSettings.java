@@ -3,14 +3,9 @@ package org.dronewatch.sensor.camera;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
-import org.dronewatch.sensor.Outline;
-import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.FieldOfView;
-import org.dronewatch.sensor.optics.Mounts;
-import org.dronewatch.sensor.optics.PictureSettings;
+import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.sensor.positioner.Pointing;
-import org.dronewatch.sensor.positioner.Positioner;
 import org.dronewatch.sensor.positioner.PositionerSettings;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -40,7 +35,7 @@ public record CameraSettings(
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         DetectionFunction detection,
         Optional<PositionerSettings> positioner)
-        implements SensorSettings<CameraSensor>, PictureSettings {
+        implements PictureSensorSettings<CameraSensor> {
     /**
      * Checks the limits.
      *
@@ -49,7 +44,7 @@ public record CameraSettings(
     public CameraSettings {
         Limits.check(CameraSettings.class, position, aim, width, height, fov, fovAxis, rate, detection, positioner);
         aim.from(position);
-        Mounts.check(fov, positioner);
+        PictureSensorSettings.checkZoom(fov, positioner);
     }
 
     /** A full HD camera, 0.6918 rad (39.6 degrees) vertically, 10 frames a second, detecting from 12 pixels on. */
@@ -126,21 +121,6 @@ public record CameraSettings(
                 rate,
                 detection,
                 Optional.empty());
-    }
-
-    @Override
-    public Optional<Positioner> createPositioner() {
-        return Mounts.create(this, positioner);
-    }
-
-    @Override
-    public boolean tellsDirection() {
-        return true;
-    }
-
-    @Override
-    public Optional<Outline> outline() {
-        return Optional.of(new CameraObject(this).outline());
     }
 
     @Override

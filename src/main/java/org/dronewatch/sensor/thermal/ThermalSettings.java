@@ -5,14 +5,9 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Discrimination;
-import org.dronewatch.sensor.Outline;
-import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.FieldOfView;
-import org.dronewatch.sensor.optics.Mounts;
-import org.dronewatch.sensor.optics.PictureSettings;
+import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.sensor.positioner.Pointing;
-import org.dronewatch.sensor.positioner.Positioner;
 import org.dronewatch.sensor.positioner.PositionerSettings;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -54,7 +49,7 @@ public record ThermalSettings(
         @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
         boolean byChance,
         Optional<PositionerSettings> positioner)
-        implements SensorSettings<ThermalSensor>, PictureSettings {
+        implements PictureSensorSettings<ThermalSensor> {
     /**
      * Checks the limits.
      *
@@ -78,7 +73,7 @@ public record ThermalSettings(
                 byChance,
                 positioner);
         aim.from(position);
-        Mounts.check(fov, positioner);
+        PictureSensorSettings.checkZoom(fov, positioner);
     }
 
     /**
@@ -147,21 +142,6 @@ public record ThermalSettings(
     public ThermalSettings pointed(Pointing pointing) {
         return with(Map.of(
                 "aim", Aim.Direction.of(pointing.direction()), "fov", pointing.fov(), "positioner", Optional.empty()));
-    }
-
-    @Override
-    public Optional<Positioner> createPositioner() {
-        return Mounts.create(this, positioner);
-    }
-
-    @Override
-    public boolean tellsDirection() {
-        return true;
-    }
-
-    @Override
-    public Optional<Outline> outline() {
-        return Optional.of(new CameraObject(this).outline());
     }
 
     @Override

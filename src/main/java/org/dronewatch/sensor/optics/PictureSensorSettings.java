@@ -1,0 +1,50 @@
+package org.dronewatch.sensor.optics;
+
+import java.util.Optional;
+import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.positioner.Direction;
+import org.dronewatch.sensor.positioner.Positioner;
+import org.dronewatch.sensor.positioner.PositionerSettings;
+
+/**
+ * Settings of a sensor that takes pictures: what it looks into is a pyramid, a picture tells directions, and a mount may turn
+ * it about its aim.
+ *
+ * @param <S> the sensor that they make
+ */
+public interface PictureSensorSettings<S extends Sensor> extends SensorSettings<S>, PictureSettings {
+
+    @Override
+    default Optional<Outline> outline() {
+        return Optional.of(new CameraObject(this).outline());
+    }
+
+    @Override
+    default boolean tellsDirection() {
+        return true;
+    }
+
+    @Override
+    default Optional<Positioner> createPositioner() {
+        return positioner()
+                .map(mount -> new Positioner(mount, position(), Direction.of(aim().from(position())), fov()));
+    }
+
+    /**
+     * Checks that a mount's lens zooms in, not out.
+     *
+     * @param fov the camera's own field of view, rad
+     * @throws IllegalArgumentException when it does not
+     */
+    static void checkZoom(double fov, Optional<PositionerSettings> mount) {
+        mount.flatMap(PositionerSettings::zoom).ifPresent(lens -> {
+            double widest = Math.max(lens.cued(), lens.tracked());
+            if (widest > fov) {
+                throw new IllegalArgumentException("zoom to " + (float) widest
+                        + " rad must be at most the camera's own field of view, fov " + (float) fov + " rad");
+            }
+        });
+    }
+}
