@@ -149,7 +149,7 @@ public final class Coverage {
                     double ground = heights.height[cell];
                     if (!Double.isNaN(ground)) {
                         Position place = new Position(grid.x(column), grid.y(row), ground + grid.height());
-                        Sample look = Sample.of(seed, number, id, cell, 0.0);
+                        Sample look = Sample.of(seed, number, id, cell, 0.0).withPointing(settings.turnedTo(place));
                         cells[cell] = sensor.observe(world, List.of(comingFrom(place)), look)
                                 .get(0)
                                 .isDetected();

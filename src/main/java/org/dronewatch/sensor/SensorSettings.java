@@ -54,6 +54,15 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
     }
 
     /**
+     * Where its mount points once it has turned to a place; empty for a sensor that stands still.
+     *
+     * @param place m
+     */
+    default Optional<Pointing> turnedTo(Position place) {
+        return Optional.empty();
+    }
+
+    /**
      * These settings as a mount points the sensor; the same for a sensor that stands still.
      *
      * @param pointing where, and with which field of view

@@ -7,6 +7,7 @@ import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.scene.Coverage;
 import org.dronewatch.scene.CoverageGrid;
@@ -14,6 +15,8 @@ import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.positioner.PositionerSettings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -78,6 +81,20 @@ class CoverageTest {
         assertThat(coverage.isReached("round", 50, 80))
                 .as("as far on the other side")
                 .isTrue();
+    }
+
+    /** A mount that turns all round makes of a camera's wedge a disc of the range that its narrowest field of view gives. */
+    @Test
+    void aCameraOnAPositionerReachesAllRound() {
+        PositionerSettings mount = PositionerSettings.DEFAULT.withCues("round");
+        CameraSettings fixed = CameraSettings.at(new Position(0, 0, 2)).withResolution(1600, 1200);
+        double near = Math.sqrt(0.0528 / 12) * fixed.focalLength();
+        settings = settings.withSensor("fixed", fixed).withSensor("turning", fixed.withPositioner(mount));
+        Coverage coverage = coverage(2);
+        double wedge = 2 * Math.atan(800 / fixed.focalLength()) / (2 * Math.PI);
+
+        assertThat(coverage.area("turning")).isBetween(0.7 * Math.PI * near * near, 1.6 * Math.PI * near * near);
+        assertThat(coverage.area("fixed") / coverage.area("turning")).isBetween(0.7 * wedge, 1.3 * wedge);
     }
 
     @Test

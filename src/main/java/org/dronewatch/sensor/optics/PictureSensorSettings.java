@@ -1,10 +1,12 @@
 package org.dronewatch.sensor.optics;
 
 import java.util.Optional;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.positioner.Direction;
+import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.sensor.positioner.Positioner;
 import org.dronewatch.sensor.positioner.PositionerSettings;
 
@@ -30,6 +32,11 @@ public interface PictureSensorSettings<S extends Sensor> extends SensorSettings<
     default Optional<Positioner> createPositioner() {
         return positioner()
                 .map(mount -> new Positioner(mount, position(), Direction.of(aim().from(position())), fov()));
+    }
+
+    @Override
+    default Optional<Pointing> turnedTo(Position place) {
+        return positioner().map(mount -> mount.turnedTo(position(), place, fov()));
     }
 
     /**

@@ -41,7 +41,7 @@ public final class Positioner {
         this.rest = rest;
         this.widest = widest;
         this.own = rest;
-        this.direction = tiltable(settings.search().at(rest, 0.0));
+        this.direction = settings.tilted(settings.search().at(rest, 0.0));
         this.fov = widest;
     }
 
@@ -82,7 +82,7 @@ public final class Positioner {
         }
         boolean holds = track.isPresent() && now - ownTime <= OWN;
         Direction seen = own;
-        Direction wanted = tiltable(track.map(followed -> holds ? seen : followed.from(place, now))
+        Direction wanted = settings.tilted(track.map(followed -> holds ? seen : followed.from(place, now))
                 .orElseGet(() -> settings.search().at(rest, now)));
         double since = now - time;
         direction = new Direction(
@@ -105,10 +105,5 @@ public final class Positioner {
 
     private static double limited(double wanted, double most) {
         return Math.max(-most, Math.min(most, wanted));
-    }
-
-    private Direction tiltable(Direction wanted) {
-        return new Direction(
-                wanted.azimuth(), Math.max(settings.lowest(), Math.min(settings.highest(), wanted.elevation())));
     }
 }

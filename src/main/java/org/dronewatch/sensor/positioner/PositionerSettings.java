@@ -2,6 +2,7 @@ package org.dronewatch.sensor.positioner;
 
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -64,6 +65,24 @@ public record PositionerSettings(
             throw new IllegalArgumentException(
                     "lowest " + (float) lowest + " rad must be at most highest " + (float) highest + " rad");
         }
+    }
+
+    /**
+     * Where it points once it has turned to a place and zoomed in as far as it may.
+     *
+     * @param mount where it stands, m
+     * @param widest its sensor's own field of view, rad
+     * @return the pointing; one that does not reach the place when that is too high or too low for it
+     */
+    public Pointing turnedTo(Position mount, Position place, double widest) {
+        Position way = place.minus(mount);
+        Direction wanted = way.length() > 0.0 ? Direction.of(way) : new Direction(0.0, 0.0);
+        return new Pointing(tilted(wanted), zoom.map(ZoomSettings::tracked).orElse(widest), Optional.empty());
+    }
+
+    /** A direction as far up or down as the mount can tilt. */
+    Direction tilted(Direction wanted) {
+        return new Direction(wanted.azimuth(), Math.max(lowest, Math.min(highest, wanted.elevation())));
     }
 
     /** These settings listening to some sensors. */
