@@ -3,6 +3,7 @@ package org.dronewatch.app;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
@@ -119,6 +120,12 @@ final class SiteView {
         if (rays && settings.fliers().isEmpty()) {
             throw new InputException("--rays: the scene has no drone");
         }
+        if (heardOnly && !rays) {
+            throw new InputException("--heard-only: shows nothing without --rays");
+        }
+        if (maxOrder != null && !rays) {
+            throw new InputException("--max-order " + maxOrder + ": shows nothing without --rays");
+        }
         bearing(0.0);
         givenCut();
     }
@@ -141,14 +148,24 @@ final class SiteView {
         }
     }
 
+    /** A cut below all that there is would leave nothing to see. */
+    private void checkCut(Stage stage) {
+        double lowest = stage.world().bounds().minZ();
+        givenCut().filter(plane -> plane.offset() <= lowest).ifPresent(plane -> {
+            throw new InputException(
+                    String.format(Locale.ROOT, "--cut %s: must be above the site's lowest point, %.1f m", cut, lowest));
+        });
+    }
+
     /** Draws the picture. */
     BufferedImage draw(String title, SceneSettings settings, Stage stage, From from, double time) {
         int[] pixels = pixels();
         SitePicture picture = new SitePicture(settings, stage);
         List<Drone> drones = stage.dronesAt(time);
+        checkCut(stage);
         Optional<Cut> taken = cut.equals(AUTO) ? picture.openRoof(time) : givenCut();
         Backdrop backdrop = picture.backdrop(
-                orbit(picture.interest(), settings, drones, from, pixels[0] / (double) pixels[1]),
+                orbit(picture.frame(), settings, drones, from, pixels[0] / (double) pixels[1]),
                 pixels[0],
                 pixels[1],
                 taken,

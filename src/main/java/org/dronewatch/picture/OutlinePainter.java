@@ -1,5 +1,6 @@
 package org.dronewatch.picture;
 
+import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
 
@@ -33,18 +34,10 @@ final class OutlinePainter {
     }
 
     private void drawPyramid(Position at, Outline.Pyramid pyramid, double width, int colour, double share) {
-        Position[] corners = new Position[4];
-        for (int i = 0; i < corners.length; i++) {
-            double aside = i == 0 || i == 3 ? -pyramid.halfWidth() : pyramid.halfWidth();
-            double above = i < 2 ? pyramid.halfHeight() : -pyramid.halfHeight();
-            corners[i] = at.plus(pyramid.forward()
-                    .plus(pyramid.right().times(aside))
-                    .plus(pyramid.up().times(above))
-                    .times(length));
-        }
-        for (int i = 0; i < corners.length; i++) {
-            lines.line(at, corners[i], width, colour, share);
-            lines.line(corners[i], corners[(i + 1) % corners.length], width, colour, share);
+        List<Position> corners = pyramid.corners(at, length);
+        for (int i = 0; i < corners.size(); i++) {
+            lines.line(at, corners.get(i), width, colour, share);
+            lines.line(corners.get(i), corners.get((i + 1) % corners.size()), width, colour, share);
         }
     }
 

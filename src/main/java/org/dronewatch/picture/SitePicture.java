@@ -101,6 +101,31 @@ public final class SitePicture {
         return interest;
     }
 
+    /** The box that a picture of the site frames: what matters, with what the sensors look into as far as it is drawn, m. */
+    public AABB frame() {
+        List<Position> corners = new ArrayList<>();
+        corners.add(new Position(interest.minX(), interest.minY(), interest.minZ()));
+        corners.add(new Position(interest.maxX(), interest.maxY(), interest.maxZ()));
+        double length = OUTLINE * interest.diagonal();
+        settings.sensors().values().forEach(sensor -> {
+            if (sensor.outline().orElse(null) instanceof Outline.Pyramid pyramid) {
+                corners.addAll(pyramid.corners(sensor.position(), length));
+            }
+        });
+        settings.alert().protect().ifPresent(zone -> {
+            Position reach = new Position(zone.radius(), zone.radius(), zone.radius());
+            corners.add(zone.centre().plus(reach));
+            corners.add(zone.centre().minus(reach));
+        });
+        return new AABB(
+                corners.stream().mapToDouble(Position::x).min().orElseThrow(),
+                corners.stream().mapToDouble(Position::y).min().orElseThrow(),
+                corners.stream().mapToDouble(Position::z).min().orElseThrow(),
+                corners.stream().mapToDouble(Position::x).max().orElseThrow(),
+                corners.stream().mapToDouble(Position::y).max().orElseThrow(),
+                corners.stream().mapToDouble(Position::z).max().orElseThrow());
+    }
+
     /** The colours of the kinds of sensors. */
     public KindColours colours() {
         return colours;

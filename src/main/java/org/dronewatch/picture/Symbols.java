@@ -35,6 +35,9 @@ final class Symbols {
     /** Sensors nearer to each other than this share a name, in pixels of a normal screen. */
     private static final double TOGETHER = 9.0;
 
+    /** So many names of sensors at one place are written. */
+    private static final int MOST_NAMES = 4;
+
     private final Graphics2D g;
     private final CameraObject camera;
     private final LinePainter sight;
@@ -45,9 +48,14 @@ final class Symbols {
     private final double[] view = new double[3];
 
     private record Name(double x, double y, List<String> ids, boolean hidden, boolean selected) {
-        /** Two names as they are, of more the first. */
-        String text() {
-            return ids.size() <= 2 ? String.join(", ", ids) : ids.get(0) + " +" + (ids.size() - 1);
+        /** A line for each; of many only the first. */
+        List<String> lines() {
+            if (ids.size() <= MOST_NAMES) {
+                return ids;
+            }
+            List<String> some = new ArrayList<>(ids.subList(0, MOST_NAMES - 1));
+            some.add("+" + (ids.size() - MOST_NAMES + 1));
+            return some;
         }
     }
 
@@ -202,8 +210,8 @@ final class Symbols {
         FontMetrics metrics = g.getFontMetrics();
         int pad = (int) Math.round(4 * scale);
         int gap = (int) Math.round(17 * scale);
-        int width = metrics.stringWidth(name.text()) + 2 * pad;
-        int height = metrics.getHeight() + pad / 2;
+        int width = name.lines().stream().mapToInt(metrics::stringWidth).max().orElse(0) + 2 * pad;
+        int height = name.lines().size() * metrics.getHeight() + pad / 2;
         int x = (int) Math.round(name.x);
         int y = (int) Math.round(name.y);
         int[][] corners = {
@@ -223,7 +231,10 @@ final class Symbols {
                 g.setColor(name.hidden && !name.selected ? HIDDEN_PLATE : PLATE);
                 g.fillRoundRect(plate.x, plate.y, width, height, 2 * pad, 2 * pad);
                 g.setColor(Color.WHITE);
-                g.drawString(name.text(), plate.x + pad, plate.y + pad / 4 + metrics.getAscent());
+                for (int line = 0; line < name.lines().size(); line++) {
+                    int base = plate.y + pad / 4 + line * metrics.getHeight() + metrics.getAscent();
+                    g.drawString(name.lines().get(line), plate.x + pad, base);
+                }
                 return;
             }
         }

@@ -22,6 +22,9 @@ final class RangePlots {
     /** Above so many thresholds the drone is certain, and the plot would only lose its scale. */
     private static final double TOP = 10.0;
 
+    /** The threshold is to be seen below the top, in thresholds. */
+    private static final double LEAST_TOP = 1.5;
+
     private final Map<String, Map<List<Object>, Series>> sensors = new LinkedHashMap<>();
     private int points;
 
@@ -48,7 +51,7 @@ final class RangePlots {
             XYChart chart = Charts.chart(
                     result.scene() + ": what '" + sensor + "' measured over the range",
                     "range [m]",
-                    "value [" + any.unit + "]");
+                    any.unit.isEmpty() ? "probability" : "value [" + any.unit + "]");
             double farthest =
                     series.values().stream().mapToDouble(Series::farthest).max().orElse(1.0);
             series.forEach((key, values) -> {
@@ -66,7 +69,12 @@ final class RangePlots {
                         Charts.asReference(chart.addSeries(name, ends, new double[] {threshold, threshold}));
                     });
             if (Double.isFinite(any.top())) {
-                chart.getStyler().setYAxisMax(any.top());
+                double most = series.values().stream()
+                        .mapToDouble(Series::highest)
+                        .max()
+                        .orElse(0.0);
+                chart.getStyler().setYAxisMin(0.0);
+                chart.getStyler().setYAxisMax(Math.min(any.top(), Math.max(1.05 * most, LEAST_TOP * any.threshold)));
             }
             Charts.write(chart, files.apply(sensor));
         });
@@ -99,7 +107,14 @@ final class RangePlots {
 
         /** Levels are logarithms: they need no top. */
         double top() {
-            return unit.equals(Quantity.LEVEL.unit()) ? Double.POSITIVE_INFINITY : TOP * threshold;
+            if (unit.equals(Quantity.LEVEL.unit())) {
+                return Double.POSITIVE_INFINITY;
+            }
+            return unit.isEmpty() ? 1.0 : TOP * threshold;
+        }
+
+        double highest() {
+            return value.stream().mapToDouble(Double::doubleValue).max().orElse(0.0);
         }
 
         double farthest() {

@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,6 +20,7 @@ import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.SensorSettings;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
@@ -35,6 +37,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     private final OutputDirectory directory;
     private final Table detections;
     private final Table observations;
+    private final Map<String, String> captions = new LinkedHashMap<>();
     private final RangePlots rangePlots = new RangePlots();
     private final Looks looks = new Looks();
     private Stage stage;
@@ -141,7 +144,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         chart.addSeries(sensor, curve.x(), curve.y()).setMarker(SeriesMarkers.NONE);
         chart.getStyler().setYAxisMin(Collections.min(curve.y()));
         chart.getStyler().setLegendVisible(false);
-        Charts.write(chart, plotFile(curve.name() + "-" + sensor));
+        Charts.write(chart, plotFile(curve.name() + "-" + sensor, sensor + ": " + curve.title()));
     }
 
     /** Takes the site of the first run: only with it there are a {@code report.html} and maps. */
@@ -153,10 +156,11 @@ public final class RunReport implements SceneListener, AutoCloseable {
     public void finish(SceneResult result) throws IOException {
         closeTables();
         new Summary(result).write(directory.file("summary.json"));
-        SweepPlot.of(scene, result).ifPresent(plot -> plot.write(plotFile("range-over-" + plot.fileName())));
-        rangePlots.write(result, name -> plotFile(SiteReport.VALUES + name));
+        SweepPlot.of(scene, result)
+                .ifPresent(plot -> plot.write(plotFile("range-over-" + plot.fileName(), plot.caption())));
+        rangePlots.write(result, name -> plotFile(SiteReport.VALUES + name, valueCaption(result, name)));
         if (stage != null) {
-            new SiteReport(result, looks, stage).write(directory);
+            new SiteReport(result, looks, stage, captions).write(directory);
         }
         List<String> obsolete = new ArrayList<>();
         if (stage == null) {
@@ -182,7 +186,14 @@ public final class RunReport implements SceneListener, AutoCloseable {
         return List.of();
     }
 
-    private Path plotFile(String name) {
+    private static String valueCaption(SceneResult result, String sensor) {
+        SensorSettings<?> settings = result.runs().get(0).settings().sensors().get(sensor);
+        return "What '" + sensor + "' (" + settings.kind()
+                + ") measured, over the distance of the drone, and the threshold that it had to reach.";
+    }
+
+    private Path plotFile(String name, String caption) {
+        captions.put(name + ".png", caption);
         try {
             return directory.file("plots/" + name + ".png");
         } catch (IOException e) {

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import javax.imageio.ImageIO;
@@ -45,8 +46,15 @@ final class SiteReport {
     private final SceneResult result;
     private final Looks looks;
     private final Stage stage;
+    private final Map<String, String> captions;
 
-    SiteReport(SceneResult result, Looks looks, Stage stage) {
+    /**
+     * A report of a finished run.
+     *
+     * @param captions what each plot shows, by the name of its file
+     */
+    SiteReport(SceneResult result, Looks looks, Stage stage, Map<String, String> captions) {
+        this.captions = Map.copyOf(captions);
         this.result = result;
         this.looks = looks;
         this.stage = stage;
@@ -59,10 +67,11 @@ final class SiteReport {
         }
         List<Figure> plots = new ArrayList<>();
         for (Path plot : directory.filesIn("plots")) {
-            String name = String.valueOf(plot.getFileName()).replace(".png", "");
+            String file = String.valueOf(plot.getFileName());
+            String name = file.replace(".png", "");
             boolean blank = name.startsWith(VALUES) && !looks.hasReadings(name.substring(VALUES.length()));
             if (!blank && plots.size() < MOST_PLOTS) {
-                plots.add(new Figure(name.replace('-', ' '), Files.readAllBytes(plot)));
+                plots.add(new Figure(captions.getOrDefault(file, name), Files.readAllBytes(plot)));
             }
         }
         try (OutputStream stream = new BufferedOutputStream(Files.newOutputStream(directory.file(FILE)))) {
@@ -96,8 +105,8 @@ final class SiteReport {
                         : "at the start";
         double aspect = (double) WIDTH / HEIGHT;
         return List.of(
-                figure(picture, Orbit.about(picture.interest(), aspect), state, "The site " + when),
-                figure(picture, Orbit.top(picture.interest(), aspect), state, "The same from above, north up"));
+                figure(picture, Orbit.about(picture.frame(), aspect), state, "The site " + when),
+                figure(picture, Orbit.top(picture.frame(), aspect), state, "The same from above, north up"));
     }
 
     private static boolean isDetected(RunResult run, String sensor, String drone, double time) {

@@ -35,6 +35,11 @@ final class SweepPlot {
     }
 
     /** The parameter as part of a file name. */
+    /** What it shows, in a sentence. */
+    String caption() {
+        return "At which distance each sensor first detects a drone, over '" + parameter + "'.";
+    }
+
     String fileName() {
         return parameter.replaceAll("[^A-Za-z0-9]+", "-");
     }

@@ -1,5 +1,7 @@
 package org.dronewatch.sensor;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.dronewatch.geometry.Position;
 
 /** The space that a sensor looks into, as a picture shows it: what stands in the way, and how far it reaches, is not in it. */
@@ -25,6 +27,19 @@ public sealed interface Outline {
      */
     record Pyramid(Position forward, Position right, Position up, double halfWidth, double halfHeight)
             implements Outline {
+
+        /** The corners of what it sees at a distance along its axis, round about, m. */
+        public List<Position> corners(Position sensor, double distance) {
+            List<Position> corners = new ArrayList<>();
+            for (int i = 0; i < 4; i++) {
+                double aside = i == 0 || i == 3 ? -halfWidth : halfWidth;
+                double above = i < 2 ? halfHeight : -halfHeight;
+                corners.add(sensor.plus(
+                        forward.plus(right.times(aside)).plus(up.times(above)).times(distance)));
+            }
+            return corners;
+        }
+
         @Override
         public boolean contains(Position way) {
             double ahead = way.dot(forward);

@@ -72,7 +72,7 @@ final class CameraEye {
             background =
                     new DronePicture(shown).depthImage(stage.world(), List.of()).toImage();
         }
-        return new CameraShot(background, frame, picture.pixels(stage.world(), stage.dronesAt(frame)));
+        return new CameraShot(background, frame, picture.pixels(stage.world(), stage.dronesAt(frame)), pointing);
     }
 
     private void turn(Optional<Pointing> next) {

@@ -2,7 +2,9 @@ package org.dronewatch.viewer;
 
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.Optional;
 import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.sensor.positioner.Pointing;
 
 /**
  * What a camera shows at one time. Nobody changes it any more.
@@ -10,5 +12,6 @@ import org.dronewatch.sensor.optics.DronePixels;
  * @param background the site in blues, at no more pixels than the panel has
  * @param time seconds since the start of the run
  * @param drones the pixels of each drone, at the camera's own resolution
+ * @param pointing where its mount points then; empty for a camera that stands still
  */
-record CameraShot(BufferedImage background, double time, List<DronePixels> drones) {}
+record CameraShot(BufferedImage background, double time, List<DronePixels> drones, Optional<Pointing> pointing) {}

@@ -18,6 +18,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
 import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.sensor.positioner.Pointing;
 
 /**
  * What one camera sees: distances in blues, nearer darker, the sky pale, the drone's pixels in orange, its significant pixels
@@ -201,8 +202,18 @@ final class CameraVisual extends JPanel {
         g.drawString(text, left + 4, top + 1 + metrics.getAscent());
     }
 
+    /** The camera's name; of one on a mount also what that does, and how narrow the view is. */
+    String name() {
+        if (shot == null || shot.pointing().isEmpty()) {
+            return eye.id();
+        }
+        Pointing pointing = shot.pointing().get();
+        String what = pointing.target().map(drone -> "follows " + drone).orElse("searches");
+        return String.format(Locale.ROOT, "%s: %s, %.1f\u00b0", eye.id(), what, Math.toDegrees(pointing.fov()));
+    }
+
     private void drawName(Graphics2D g, Rectangle frame) {
-        plate(g, frame, frame.x + 4, frame.y + frame.height - 22, eye.id());
+        plate(g, frame, frame.x + 4, frame.y + frame.height - 22, name());
     }
 
     /** The drone's pixels one by one, large, in the upper right corner. */

@@ -68,14 +68,14 @@ final class SiteSection extends JPanel {
     private Action view(String name, String explanation, char key, Function<AABB, Orbit> from) {
         return ViewerActions.action(name, explanation, ViewerActions.key(key), () -> {
             if (viewed != null) {
-                world.move(from.apply(viewed.picture().interest()));
+                world.move(from.apply(viewed.picture().frame()));
             }
         });
     }
 
     /** Shows another run's site; the first from a distance, others from where the last was seen. */
     void show(ViewedRun next, Optional<Cut> cut) {
-        Orbit from = viewed == null ? Orbit.about(next.picture().interest(), world.aspect()) : world.orbit();
+        Orbit from = viewed == null ? Orbit.about(next.picture().frame(), world.aspect()) : world.orbit();
         viewed = next;
         bar.show(next.stage().world().bounds(), cut);
         world.show(next.picture(), from, cut);

@@ -256,6 +256,30 @@ class CommandLineTest {
         assertThat(command("--help").out()).contains("Example");
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--heard-only      | --heard-only: shows nothing without --rays",
+                "--max-order=2     | --max-order 2: shows nothing without --rays",
+                "--cut=-5000m      | --cut -5000m: must be above the site's lowest point, ",
+            })
+    void optionsOfAPictureThatWouldShowNothingAreRefused(String option, String message) {
+        Outcome outcome = command(
+                "render",
+                "camera-range",
+                "--view",
+                "top",
+                option,
+                "--out",
+                directory.resolve("no.png").toString());
+
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.err().lines().reduce((first, last) -> last).orElse(""))
+                .contains(message);
+        assertThat(directory.resolve("no.png")).doesNotExist();
+    }
+
     @Test
     void listTellsEachSceneInALine() {
         assertThat(command("list").out().lines().map(line -> line.split("\\s+")[1]))

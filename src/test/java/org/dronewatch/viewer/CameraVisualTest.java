@@ -9,6 +9,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.picture.Yard;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
@@ -16,6 +17,8 @@ import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.sensor.positioner.Direction;
+import org.dronewatch.sensor.positioner.Pointing;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -62,6 +65,31 @@ class CameraVisualTest {
             }
         }
         assertThat(highlighted).isPositive();
+    }
+
+    @Test
+    void aCameraOnAMountShowsWhereItPointsAndWhomItFollows() {
+        Direction away = new Direction(Math.PI, 0.0);
+        Pointing searching = new Pointing(away, settings.fov(), Optional.empty());
+        Direction there =
+                Direction.of(Position.of(stage.dronesAt(8.0).get(0).position()).minus(settings.position()));
+        Pointing following = new Pointing(there, Math.toRadians(10), Optional.of("quadrotor"));
+        CameraEye turning =
+                new CameraEye("eye", settings, stage, time -> Optional.of(time < 4.0 ? searching : following));
+        CameraVisual visual = new CameraVisual(turning);
+
+        CameraShot before = turning.look(3.0, 320, 240);
+        visual.show(before);
+        assertThat(before.drones().get(0).count()).isZero();
+        assertThat(visual.name()).startsWith("eye: searches, ");
+        CameraShot after = turning.look(8.0, 320, 240);
+        visual.show(after);
+        assertThat(visual.name()).isEqualTo("eye: follows quadrotor, 10.0\u00b0");
+        // Narrower, and in its middle.
+        DronePixels drone = after.drones().get(0);
+        assertThat(drone.count())
+                .isGreaterThan(3 * eye.look(8.0, 320, 240).drones().get(0).count());
+        assertThat(drone.left() + 0.5 * drone.columns()).isBetween(0.4 * settings.width(), 0.6 * settings.width());
     }
 
     @Test
