@@ -61,8 +61,12 @@ final class Furniture {
         return new Font(Font.SANS_SERIF, style, px(size));
     }
 
-    /** Title and time, and below a line for each kind of sensor and one for drones. */
-    void legend(SiteState state, KindColours colours, String view) {
+    /**
+     * Title and time, and below a line for each kind of sensor, one for what is protected, and one for drones.
+     *
+     * @param zone whether something is protected
+     */
+    void legend(SiteState state, KindColours colours, String view, boolean zone) {
         Map<String, int[]> counts = new TreeMap<>();
         for (SensorMark sensor : state.sensors()) {
             int[] count = counts.computeIfAbsent(sensor.kind(), kind -> new int[2]);
@@ -75,6 +79,10 @@ final class Furniture {
             int[] count = counts.getOrDefault(kind, new int[2]);
             texts.add(kind + ": " + count[0] + (count[1] > 0 ? ", " + count[1] + " detecting" : ""));
             marks.add(colours.of(kind));
+        }
+        if (zone) {
+            texts.add("protected");
+            marks.add(SitePicture.ZONE);
         }
         texts.add(
                 state.drones().size() == 1

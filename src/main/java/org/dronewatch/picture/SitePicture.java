@@ -1,5 +1,6 @@
 package org.dronewatch.picture;
 
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
@@ -33,7 +34,9 @@ public final class SitePicture {
     private static final int TRACK = 0xd62f1f;
     private static final int WAY = 0x5a1a14;
     private static final int PLUMB = 0x20262e;
-    private static final int ZONE = 0xc0392b;
+
+    /** What must not be reached. */
+    static final Color ZONE = new Color(0xc0392b);
 
     /** How far pyramids of cameras are drawn, as a share of the box that matters. */
     private static final double OUTLINE = 0.16;
@@ -195,7 +198,11 @@ public final class SitePicture {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         Furniture furniture = new Furniture(g, image.getWidth(), image.getHeight(), style.scale());
-        furniture.legend(state, colours, view(backdrop.orbit()));
+        furniture.legend(
+                state,
+                colours,
+                view(backdrop.orbit()),
+                settings.alert().protect().isPresent());
         furniture.scaleBar(backdrop.orbit().metresPerPixel(backdrop.height()), isFlat(backdrop.orbit()));
         furniture.northArrow(backdrop.orbit());
         state.rays().ifPresent(rays -> furniture.levels(rays, style.filter()));
@@ -281,7 +288,7 @@ public final class SitePicture {
 
     private void drawZone(LinePainter lines, double pixel) {
         settings.alert().protect().ifPresent(zone -> new OutlinePainter(lines, zone.radius())
-                .draw(zone.centre(), new Outline.Ball(zone.radius()), 1.6 * pixel, ZONE, 0.85));
+                .draw(zone.centre(), new Outline.Ball(zone.radius()), 1.6 * pixel, ZONE.getRGB() & 0xffffff, 0.85));
     }
 
     private void drawOutlines(LinePainter lines, SiteState state, double pixel) {
