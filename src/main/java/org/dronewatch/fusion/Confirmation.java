@@ -1,6 +1,5 @@
 package org.dronewatch.fusion;
 
-import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -15,7 +14,6 @@ public record Confirmation(
         @In(value = Quantity.NUMBER, from = 1, to = 100) int hits,
         @In(value = Quantity.NUMBER, from = 1, to = 100) int looks) {
     /** One look is enough. */
-    @Defaults
     public static final Confirmation DEFAULT = new Confirmation(1, 1);
 
     /** Checks the limits. */

@@ -39,10 +39,13 @@ public record AlertResult(
         return alert.map(Alert::sensors).orElse(List.of());
     }
 
-    /** From the moment when a sensor could have seen it to the alert, s; empty when there was no such moment or no alert. */
+    /**
+     * From the moment when a sensor could have seen it to the alert, s: 0 when it was heard before, or a part of it seen; empty
+     * when there was no such moment or no alert.
+     */
     public OptionalDouble timeToAlert() {
         return alert.isPresent() && firstSight.isPresent()
-                ? OptionalDouble.of(alert.get().time() - firstSight.getAsDouble())
+                ? OptionalDouble.of(Math.max(0.0, alert.get().time() - firstSight.getAsDouble()))
                 : OptionalDouble.empty();
     }
 }

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Check;
@@ -47,9 +48,20 @@ public record SceneSettings(
         Fliers.of(drones);
         sensors.keySet().forEach(SceneSettings::checkId);
         Map<String, SensorSettings<?>> all = sensors;
-        prices.sensors().keySet().forEach(id -> checkPriced(id, all));
+        if (!sensors.isEmpty()) {
+            // Without sensors it may be a scene that is still being read.
+            prices.sensors().keySet().forEach(id -> checkPriced(id, all));
+            checkRule(alert.rule(), sensors.size());
+        }
         sensors.forEach((id, sensor) ->
                 sensor.positioner().ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
+    }
+
+    private static void checkRule(AlertRule rule, int sensors) {
+        if (rule instanceof AlertRule.SeveralSensors several && several.count() > sensors) {
+            throw new IllegalArgumentException("alert.rule.count " + several.count() + " must be at most " + sensors
+                    + ", as many as there are sensors");
+        }
     }
 
     private static void checkPriced(String id, Map<String, SensorSettings<?>> sensors) {

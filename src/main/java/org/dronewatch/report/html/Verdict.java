@@ -3,19 +3,20 @@ package org.dronewatch.report.html;
 import static org.dronewatch.report.html.Numbers.format;
 import static org.dronewatch.report.html.Numbers.number;
 
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.scene.AlertResult;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.RunResult;
+import org.dronewatch.world.ThreatLabel;
 
 /** What a run comes to, a few sentences for each drone. */
 final class Verdict {
-    /** Of more drones than these, as in a large swarm, only the tables tell. */
-    private static final int MOST_SENTENCES = 20;
+    /** Of more drones than these each only those are told of to which there is no alert in time. */
+    private static final int MOST_DRONES = 4;
 
     private final RunResult run;
 
@@ -24,18 +25,61 @@ final class Verdict {
     }
 
     String inWords() {
-        List<String> sentences = new ArrayList<>();
         List<AlertResult> alerts = run.alerts();
-        for (AlertResult alert : alerts.subList(0, Math.min(alerts.size(), MOST_SENTENCES))) {
-            sentences.add(detection(alert.drone()));
-            if (!run.settings().alert().equals(AlertSettings.DEFAULT)) {
-                sentences.add(alert(alert));
-            }
+        if (alerts.size() <= MOST_DRONES) {
+            return alerts.stream().map(this::sentences).collect(Collectors.joining(" "));
         }
-        if (alerts.size() > MOST_SENTENCES) {
-            sentences.add("The table tells of " + (alerts.size() - MOST_SENTENCES) + " more drones.");
+        List<AlertResult> bad = alerts.stream().filter(this::isBad).toList();
+        String all = summary(alerts);
+        if (bad.isEmpty()) {
+            return all;
         }
-        return String.join(" ", sentences);
+        String worst = bad.stream().limit(MOST_DRONES).map(this::sentences).collect(Collectors.joining(" "));
+        int more = bad.size() - MOST_DRONES;
+        return all + " " + worst + (more > 0 ? " The table tells of " + more + " more like these." : "");
+    }
+
+    private static boolean isBad(AlertResult alert) {
+        return alert.time().isEmpty()
+                || alert.inTime().filter(enough -> !enough).isPresent();
+    }
+
+    private String sentences(AlertResult alert) {
+        return run.settings().alert().equals(AlertSettings.DEFAULT)
+                ? detection(alert.drone())
+                : detection(alert.drone()) + " " + alert(alert);
+    }
+
+    /** How many of many drones there was an alert to, and whether in time. */
+    private String summary(List<AlertResult> alerts) {
+        long alerted = alerts.stream().filter(alert -> alert.time().isPresent()).count();
+        String attackers = alerts.stream().allMatch(alert -> role(alert) == ThreatLabel.Role.ATTACK)
+                ? ""
+                : format(
+                        " (%d of them attack)",
+                        alerts.stream()
+                                .filter(alert -> role(alert) == ThreatLabel.Role.ATTACK)
+                                .count());
+        String all = format(
+                "Of %d drones%s there is an alert to %s", alerts.size(), attackers, share(alerted, alerts.size()));
+        if (alerts.stream().noneMatch(alert -> alert.inTime().isPresent())) {
+            return all + ".";
+        }
+        long inTime =
+                alerts.stream().filter(alert -> alert.inTime().orElse(false)).count();
+        return all
+                + format(
+                        "; to %s it comes in time, %s s before they can be at what is protected.",
+                        share(inTime, alerts.size()),
+                        number(run.settings().alert().response()));
+    }
+
+    private ThreatLabel.Role role(AlertResult alert) {
+        return run.settings().fliers().get(alert.drone()).label().role();
+    }
+
+    private static String share(long count, int of) {
+        return count == of ? "all" : count == 0 ? "none" : Long.toString(count);
     }
 
     /** Who detects a drone first, how far away, how early. */
@@ -56,7 +100,8 @@ final class Verdict {
                         number(pair.firstDetected().getAsDouble()),
                         missing == 0
                                 ? "all sensors detect it"
-                                : missing + " of " + pairs.size() + " sensors never detect it"))
+                                : missing + " of " + pairs.size() + " sensors never "
+                                        + (missing == 1 ? "detects it" : "detect it")))
                 .orElse("'" + drone + "' is not detected by any sensor.");
     }
 

@@ -159,7 +159,12 @@ class HtmlReportTest {
         assertThat(texts(document, "td").stream().filter("decoy, fixed-wing"::equals))
                 .hasSize(25);
         assertThat(texts(document, "td")).contains("x-1", "x-25");
-        assertThat(texts(document, "p")).anyMatch(text -> text.endsWith("The table tells of 5 more drones."));
+        assertThat(texts(document, "p")).contains("Of 25 drones (0 of them attack) there is an alert to none.");
+        Files.writeString(file, Files.readString(file).replace("role: decoy", "role: attack"));
+        assertThat(texts(parsed(report(new SceneFile(file), List.of())), "p"))
+                .contains("Of 25 drones there is an alert to none. 'x-1' is not detected by any sensor. 'x-2' is not"
+                        + " detected by any sensor. 'x-3' is not detected by any sensor. 'x-4' is not detected by any"
+                        + " sensor. The table tells of 21 more like these.");
     }
 
     @Test
