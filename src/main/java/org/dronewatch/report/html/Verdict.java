@@ -39,9 +39,10 @@ final class Verdict {
         return all + " " + worst + (more > 0 ? " The table tells of " + more + " more like these." : "");
     }
 
-    private static boolean isBad(AlertResult alert) {
-        return alert.time().isEmpty()
-                || alert.inTime().filter(enough -> !enough).isPresent();
+    /** An attack to which there is no alert, or none in time. */
+    private boolean isBad(AlertResult alert) {
+        boolean late = alert.inTime().filter(enough -> !enough).isPresent();
+        return role(alert) == ThreatLabel.Role.ATTACK && (alert.time().isEmpty() || late);
     }
 
     private String sentences(AlertResult alert) {
