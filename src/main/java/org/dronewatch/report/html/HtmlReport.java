@@ -108,14 +108,18 @@ public final class HtmlReport {
     private String misses() {
         Reasons reasons = new Reasons(run.settings(), stage, looks.pointings(), run.simulated());
         List<List<String>> rows = new ArrayList<>();
+        int left = 0;
         for (PairResult pair : run.pairs()) {
-            if (pair.firstDetected().isEmpty()) {
+            if (pair.firstDetected().isEmpty() && rows.size() == ResultTables.MOST_ROWS) {
+                left++;
+            } else if (pair.firstDetected().isEmpty()) {
                 String why = reasons.of(pair.sensor(), pair.drone(), looks.best(0, pair.sensor(), pair.drone()));
                 rows.add(List.of(pair.sensor(), pair.kind(), pair.drone(), why));
             }
         }
         return rows.isEmpty()
                 ? Html.plain("p", "Nothing: every sensor detects every drone" + ofFirstRun() + ".")
-                : Html.table(List.of("sensor", "kind", "drone", "why"), rows);
+                : Html.table(List.of("sensor", "kind", "drone", "why"), rows)
+                        + (left > 0 ? Html.plain("p", "And " + left + " pairs of sensor and drone more.") : "");
     }
 }

@@ -17,6 +17,9 @@ import org.dronewatch.world.ThreatLabel;
 
 /** Who detects what, and how early the site is alerted: all runs in tables. */
 final class ResultTables {
+    /** A table of more rows is no help. */
+    static final int MOST_ROWS = 60;
+
     private final SceneResult result;
     private final Looks looks;
     private final boolean sweeps;
@@ -27,7 +30,7 @@ final class ResultTables {
         this.sweeps = result.runs().size() > 1;
     }
 
-    /** A row for each sensor with each drone. */
+    /** A row for each sensor with each drone; where these are very many, for those that were detected. */
     String detections() {
         List<String> head = head(
                 "sensor",
@@ -38,8 +41,17 @@ final class ResultTables {
                 "last [s]",
                 "farthest [m]",
                 "looks that detect");
+        List<PairResult> pairs = result.pairs();
+        String note = "";
+        if (pairs.size() > MOST_ROWS) {
+            pairs = pairs.stream()
+                    .filter(pair -> pair.firstDetected().isPresent())
+                    .toList();
+            int others = result.pairs().size() - pairs.size();
+            note = Html.plain("p", "Without the " + others + " pairs of sensor and drone that came to no detection.");
+        }
         List<List<String>> rows = new ArrayList<>();
-        for (PairResult pair : result.pairs()) {
+        for (PairResult pair : pairs) {
             rows.add(row(
                     pair.run(),
                     pair.sensor(),
@@ -51,7 +63,7 @@ final class ResultTables {
                     orElse(pair.maxRange(), "never"),
                     format("%.0f %%", 100.0 * looks.share(pair.run(), pair.sensor(), pair.drone()))));
         }
-        return Html.table(head, rows);
+        return note + Html.table(head, rows);
     }
 
     /** A row for each drone. */

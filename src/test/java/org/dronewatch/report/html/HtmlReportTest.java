@@ -168,6 +168,32 @@ class HtmlReportTest {
     }
 
     @Test
+    void tablesOfASiteWithManySensorsAndDronesStayShort() throws IOException {
+        Path file = directory.resolve("many.yaml");
+        StringBuilder scene = new StringBuilder("world: {models: [packaged:hill.obj]}\ndrones:\n  x: {model: "
+                + "packaged:quadrotor.obj, flight: {kind: hover, position: [0, 50, 150]}, swarm: 10}\nsensors:\n");
+        for (int i = 0; i < 13; i++) {
+            scene.append("  s")
+                    .append(i)
+                    .append(": {use: droneshield-rfone, position: [")
+                    .append(i)
+                    .append(", 0, 147]}\n");
+        }
+        Files.writeString(file, scene + "run: {duration: 1}\n");
+        Document all = parsed(report(new SceneFile(file), List.of()));
+        assertThat(texts(all, "td").stream().filter("rf"::equals)).hasSize(130 + 13);
+
+        Files.writeString(
+                file,
+                scene.toString().replace("swarm: 10", "swarm: 10, radio: {control: fibre}") + "run: {duration: 1}\n");
+        Document none = parsed(report(new SceneFile(file), List.of()));
+        assertThat(texts(none, "p"))
+                .contains("Without the 130 pairs of sensor and drone that came to no detection.")
+                .contains("And 70 pairs of sensor and drone more.");
+        assertThat(texts(none, "td")).contains("always silent by radio (fibre); it came as near as 50 m");
+    }
+
+    @Test
     void theSameResultsGiveTheSameBytes() throws IOException {
         assertThat(report(new Yard(directory), List.of())).isEqualTo(report(new Yard(directory), List.of()));
     }
