@@ -35,6 +35,12 @@ final class BrokenSceneFiles {
                 soundPowerLevel: 85 dB
                 sound: hexacopter
                 directivity: rotor
+                heat: {excess: 6 K, coolingTime: 90 s}
+                swarm: {count: 4, spacing: 5 m, formation: wedge}
+                label: {role: attack, purpose: strike, platform: fpv}
+              low:
+                model: {file: packaged:quadrotor.obj}
+                flight: {kind: dive, target: [0, 0, 5], bearing: 10 deg, distance: 300 m, height: 80 m, angle: 40 deg}
             sensors:
               eye:
                 kind: camera
@@ -58,6 +64,26 @@ final class BrokenSceneFiles {
                 position: [0, 0, 12]
                 minRange: 60 m
                 polarisation: vertical
+                accuracy: {range: 4 m, azimuth: 0.5 deg, elevation: 2 deg}
+              warm:
+                kind: thermal
+                position: [0, 0, 13]
+                noise: 40 mK
+                transmission: 80 %
+                task: recognition
+                positioner:
+                  use: viper
+                  cues: [echo, eye]
+                  search: {kind: sweep, width: 90 deg, height: 10 deg, rows: 2, speed: 20 deg/s}
+                  zoom: {cued: 6 deg, tracked: 2 deg, time: 1.5 s}
+            alert:
+              rule: {kind: several-sensors, count: 2, within: 4 s}
+              confirm: {hits: 2, looks: 3}
+              protect: {centre: [0, 0, 5], radius: 30 m}
+              response: 20 s
+            prices:
+              currency: EUR
+              sensors: {warm: 80000, echo: 300000}
             run:
               duration: 1 min
               seed: 7
@@ -165,7 +191,35 @@ final class BrokenSceneFiles {
                 "seed",
                 "sweep",
                 "parameter",
-                "count");
+                "count",
+                "heat",
+                "excess",
+                "coolingTime",
+                "swarm",
+                "formation",
+                "label",
+                "purpose",
+                "platform",
+                "angle",
+                "noise",
+                "transmission",
+                "task",
+                "positioner",
+                "use",
+                "cues",
+                "search",
+                "rows",
+                "zoom",
+                "cued",
+                "alert",
+                "rule",
+                "within",
+                "confirm",
+                "hits",
+                "protect",
+                "response",
+                "prices",
+                "currency");
         for (String field : fields) {
             int at = 1 + random.nextInt(field.length() - 1);
             String wrong = random.nextBoolean()
@@ -187,6 +241,15 @@ final class BrokenSceneFiles {
                 "blighter-a400",
                 "vertical",
                 "grass_turf",
+                "wedge",
+                "strike",
+                "fpv",
+                "dive",
+                "thermal",
+                "recognition",
+                "viper",
+                "sweep",
+                "several-sensors",
                 "solid")) {
             change("typo", ": " + name, ": " + name.substring(0, name.length() - 1) + "x");
         }
@@ -220,6 +283,30 @@ final class BrokenSceneFiles {
         for (String wrong : List.of("170 %", "-1 %", "40 %%", "1.01")) {
             change("humidity", "humidity: 40 %", "humidity: " + wrong);
         }
+        for (String wrong : List.of("[radio]", "[ear]", "[warm]", "echo", "[echo, 5]", "{a: 1}")) {
+            change("cues", "cues: [echo, eye]", "cues: " + wrong);
+        }
+        change("zoom", "cued: 6 deg", "cued: 60 deg");
+        change("zoom", "tracked: 2 deg", "tracked: 0");
+        change("search", "rows: 2", "rows: 0");
+        change("search", "speed: 20 deg/s", "speed: 20 deg");
+        change("rule", "count: 2", "count: 5");
+        change("rule", "within: 4 s", "within: -4 s");
+        change("confirm", "hits: 2", "hits: 4");
+        change("protect", "centre: [0, 0, 5]", "centre: 5");
+        change("protect", "radius: 30 m", "radius: -30 m");
+        change("response", "response: 20 s", "response: soon");
+        change("prices", "warm: 80000", "warn: 80000");
+        change("prices", "warm: 80000", "warm: -1");
+        change("prices", "currency: EUR", "currency: \"<b>\"");
+        change("swarm", "{count: 4, spacing", "{count: 0, spacing");
+        change("swarm", "{count: 4, spacing", "{count: 2000, spacing");
+        change("swarm", "spacing: 5 m", "spacing: 0");
+        change("heat", "excess: 6 K", "excess: 6 degC per hour");
+        change("heat", "coolingTime: 90 s", "coolingTime: 0");
+        change("dive", "angle: 40 deg", "angle: 5 deg");
+        change("netd", "noise: 40 mK", "noise: 0");
+        change("accuracy", "range: 4 m", "range: -4 m");
         change("temperature", "temperature: 15 degC", "temperature: 15");
         change("temperature", "temperature: 15 degC", "temperature: -300 degC");
         change("pressure", "pressure: 950 hPa", "pressure: 950");
