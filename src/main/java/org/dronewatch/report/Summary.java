@@ -38,6 +38,9 @@ final class Summary {
             ObjectNode place = root.putObject("origin");
             place.put("latitude_deg", Math.toDegrees(origin.latitude()));
             place.put("longitude_deg", Math.toDegrees(origin.longitude()));
+            if (origin.hasHeight()) {
+                place.put("height_m", origin.height());
+            }
         });
         root.put("simulated_s", Numbers.rounded(result.simulated()));
         root.put("load_s", Numbers.rounded(result.timing().load()));

@@ -9,7 +9,7 @@ import java.util.List;
  *
  * @param longitude east of Greenwich, degrees
  * @param latitude north of the equator, degrees
- * @param height above the level of the scene's origin, m
+ * @param height above the sea, or above the level of the scene's origin where its height is not known, m
  */
 record GeoPoint(double longitude, double latitude, double height) {
     /** A millimetre on the ground. */

@@ -32,9 +32,11 @@ final class Geodesy {
     private final double cosLatitude;
     private final double originOut;
     private final double originUp;
+    private final double height;
 
     /** The geodesy of a world frame whose origin lies there. */
     Geodesy(Origin origin) {
+        height = origin.height();
         longitude = origin.longitude();
         sinLatitude = Math.sin(origin.latitude());
         cosLatitude = Math.cos(origin.latitude());
@@ -44,7 +46,7 @@ final class Geodesy {
     }
 
     /**
-     * Where a place of the world frame is on a map; its height is z as it is.
+     * Where a place of the world frame is on a map; its height is z over that of the origin.
      *
      * <p>Longitudes are counted on from that of the origin: beyond the date line they go on above 180 or below -180 degrees,
      * so that lines and areas stay in one piece. At the poles every point is right, but areas about a pole are no areas on a
@@ -67,6 +69,7 @@ final class Geodesy {
                     Math.atan2(up + EP2 * SEMI_MINOR * sin * sin * sin, fromAxis - E2 * SEMI_MAJOR * cos * cos * cos);
             reduced = Math.atan2(SEMI_MINOR * Math.sin(latitude), SEMI_MAJOR * Math.cos(latitude));
         }
-        return new GeoPoint(Math.toDegrees(longitude + Math.atan2(east, out)), Math.toDegrees(latitude), place.z());
+        return new GeoPoint(
+                Math.toDegrees(longitude + Math.atan2(east, out)), Math.toDegrees(latitude), place.z() + height);
     }
 }

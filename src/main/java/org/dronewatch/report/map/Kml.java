@@ -15,8 +15,8 @@ import java.util.stream.Collectors;
 import javax.xml.stream.XMLStreamException;
 
 /**
- * A map as KML 2.2 (OGC 07-147r2). Everything is drawn on the ground: the heights are in the file, but KML only knows those
- * above the sea and those above its own ground, and a scene's are neither.
+ * A map as KML 2.2 (OGC 07-147r2). KML only knows heights above the sea and above its own ground: where that of the scene's
+ * origin is not known, everything is drawn on the ground, else sensors, drones and flights are where they are in the air.
  */
 final class Kml {
     private static final String NAMESPACE = "http://www.opengis.net/kml/2.2";
@@ -58,7 +58,7 @@ final class Kml {
         kml.end();
     }
 
-    private static void write(Elements kml, MapFeature feature) throws XMLStreamException {
+    private void write(Elements kml, MapFeature feature) throws XMLStreamException {
         kml.open("Placemark");
         kml.text("name", feature.name());
         writeStyle(kml, feature);
@@ -117,22 +117,26 @@ final class Kml {
                 "%02x%02x%02x%02x", Math.round(255.0 * opacity), colour.getBlue(), colour.getGreen(), colour.getRed());
     }
 
-    private static void writeShape(Elements kml, Shape shape) throws XMLStreamException {
+    private void writeShape(Elements kml, Shape shape) throws XMLStreamException {
         if (shape instanceof Shape.Point point) {
             kml.open("Point");
-            kml.text("altitudeMode", "clampToGround");
+            kml.text("altitudeMode", heights());
             kml.text("coordinates", coordinates(List.of(point.place()), GeoPoint::inSpace));
             kml.close();
         } else if (shape instanceof Shape.Line line) {
             kml.open("LineString");
-            // Along the ground, not through it.
-            kml.text("tessellate", "1");
-            kml.text("altitudeMode", "clampToGround");
+            // Along the ground, not through it; or with a curtain down to it.
+            kml.text(content.isInSpace() ? "extrude" : "tessellate", "1");
+            kml.text("altitudeMode", heights());
             kml.text("coordinates", coordinates(line.places(), GeoPoint::inSpace));
             kml.close();
         } else if (shape instanceof Shape.Area area) {
             writeArea(kml, area);
         }
+    }
+
+    private String heights() {
+        return content.isInSpace() ? "absolute" : "clampToGround";
     }
 
     private static void writeArea(Elements kml, Shape.Area area) throws XMLStreamException {

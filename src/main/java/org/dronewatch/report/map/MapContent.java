@@ -29,6 +29,7 @@ final class MapContent {
     private final SceneResult result;
     private final RunResult run;
     private final SceneSettings settings;
+    private final Origin origin;
     private final Geodesy geodesy;
     private final KindColours colours;
     private final Stage stage;
@@ -38,6 +39,7 @@ final class MapContent {
         this.result = result;
         this.run = result.runs().get(0);
         this.settings = run.settings();
+        this.origin = origin;
         this.geodesy = new Geodesy(origin);
         this.colours = KindColours.of(settings.sensors().values());
     }
@@ -51,10 +53,21 @@ final class MapContent {
     String description() {
         String which =
                 result.runs().size() > 1 ? ", in the first of " + result.runs().size() + " runs" : "";
-        return "Which sensors detect which drones where" + which + ". Heights are metres above the level of the scene's"
-                + " origin, neither above the sea nor above the ground: how high the origin lies is not known. Fields of"
+        return "Which sensors detect which drones where" + which + ". " + heights() + " Fields of"
                 + " view are drawn on the ground plan, as if nothing stood in the way; that of a camera as far as it first"
                 + " detects a drone, or " + Math.round(Footprint.UNKNOWN_REACH) + " m if it detects none.";
+    }
+
+    private String heights() {
+        return origin.hasHeight()
+                ? "Heights are metres above the sea."
+                : "Heights are metres above the level of the scene's origin, neither above the sea nor above the ground:"
+                        + " how high the origin lies is not known.";
+    }
+
+    /** Whether heights are those above the sea, so that things can be drawn where they are in the air. */
+    boolean isInSpace() {
+        return origin.hasHeight();
     }
 
     /** All features, in the order of their folders and of the scene. */

@@ -9,8 +9,8 @@ import org.dronewatch.scene.Stage;
 
 /**
  * A map of a run, for programs that show maps: sensors, what they look into, the flights, and where each drone was when a
- * sensor gained or lost it. Longitude and latitude (WGS 84) are exact, in degrees; heights are metres above the level of the
- * scene's origin, whose own height nobody knows. The same results give the same bytes.
+ * sensor gained or lost it. Longitude and latitude (WGS 84) are exact, in degrees; heights are metres above the sea,
+ * or above the level of the scene's origin where its own height is not known. The same results give the same bytes.
  */
 public final class SiteMap {
     /** The name of the file of GeoJSON (RFC 7946). */

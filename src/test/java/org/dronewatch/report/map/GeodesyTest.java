@@ -14,7 +14,7 @@ class GeodesyTest {
     private static final double MILLIMETRE = 9e-9;
 
     private static Geodesy at(double latitude, double longitude) {
-        return new Geodesy(new Origin(Math.toRadians(latitude), Math.toRadians(longitude)));
+        return new Geodesy(Origin.at(Math.toRadians(latitude), Math.toRadians(longitude)));
     }
 
     private static double degrees(double degrees, double minutes, double seconds) {

@@ -47,7 +47,7 @@ final class Meadow extends Scene {
 
     /** The meadow at 45 degrees north and 10 degrees east. */
     static Meadow somewhere(Path directory) {
-        return new Meadow(directory, "meadow", Optional.of(new Origin(Math.toRadians(45), Math.toRadians(10))));
+        return new Meadow(directory, "meadow", Optional.of(Origin.at(Math.toRadians(45), Math.toRadians(10))));
     }
 
     @Override

@@ -255,7 +255,7 @@ class SiteMapTest {
 
     @Test
     void oddNamesAreEscaped() throws Exception {
-        Origin origin = new Origin(-0.3, -3);
+        Origin origin = Origin.at(-0.3, -3);
         Path odd = directory.resolve("odd.geojson");
         Path oddKml = directory.resolve("odd.kml");
         write(new SceneRunner(new Meadow(directory, ODD + "\u0001\ud800", Optional.of(origin))), odd, oddKml);
@@ -268,7 +268,7 @@ class SiteMapTest {
 
     @Test
     void areasStayInOnePieceAcrossTheDateLine() throws Exception {
-        Origin origin = new Origin(Math.toRadians(-17), Math.PI);
+        Origin origin = Origin.at(Math.toRadians(-17), Math.PI);
         Path file = directory.resolve("fiji.geojson");
         write(new SceneRunner(new Meadow(directory, "fiji", Optional.of(origin))), file, directory.resolve("fiji.kml"));
 
@@ -282,6 +282,34 @@ class SiteMapTest {
         }
         assertThat(areas).isEqualTo(5);
         new KmlSchema().validate(directory.resolve("fiji.kml"));
+    }
+
+    @Test
+    void withTheHeightOfTheOriginDronesAreInTheAir() throws Exception {
+        Origin origin = new Origin(Math.toRadians(45), Math.toRadians(10), 430.0);
+        Path file = directory.resolve("high.kml");
+        write(
+                new SceneRunner(new Meadow(directory, "high", Optional.of(origin))),
+                directory.resolve("high.geojson"),
+                file);
+
+        new KmlSchema().validate(file);
+        assertThat(schema().validate(Files.readString(directory.resolve("high.geojson")), InputFormat.JSON))
+                .isEmpty();
+        String text = Files.readString(file);
+        assertThat(text).contains("<altitudeMode>absolute</altitudeMode>", "<extrude>1</extrude>", "above the sea");
+        // The visitor comes from 30 m above the origin, 160 m to the north.
+        double first = features(directory.resolve("high.geojson")).stream()
+                .filter(feature ->
+                        feature.get("properties").get("name").asString().equals("flight of visitor"))
+                .findFirst()
+                .orElseThrow()
+                .get("geometry")
+                .get("coordinates")
+                .get(0)
+                .get(2)
+                .asDouble();
+        assertThat(first).isEqualTo(460.0);
     }
 
     @Test
