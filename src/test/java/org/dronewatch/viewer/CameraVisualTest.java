@@ -70,10 +70,10 @@ class CameraVisualTest {
     @Test
     void aCameraOnAMountShowsWhereItPointsAndWhomItFollows() {
         Direction away = new Direction(Math.PI, 0.0);
-        Pointing searching = new Pointing(away, settings.fov(), Optional.empty());
+        Pointing searching = Pointing.still(away, settings.fov(), Optional.empty());
         Direction there =
                 Direction.of(Position.of(stage.dronesAt(8.0).get(0).position()).minus(settings.position()));
-        Pointing following = new Pointing(there, Math.toRadians(10), Optional.of("quadrotor"));
+        Pointing following = Pointing.still(there, Math.toRadians(10), Optional.of("quadrotor"));
         CameraEye turning =
                 new CameraEye("eye", settings, stage, time -> Optional.of(time < 4.0 ? searching : following));
         CameraVisual visual = new CameraVisual(turning);

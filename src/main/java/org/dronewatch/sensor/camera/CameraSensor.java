@@ -98,15 +98,24 @@ public final class CameraSensor implements Sensor {
         Vector3d way = new Vector3d(drone.position());
         way.sub(settings.position().toPoint3d());
         way.normalize();
-        // Its velocity but for what it comes nearer, as an angle a second, in pixels. A mount that follows takes it
-        // away.
-        Vector3d across = drone.velocity();
-        across.scaleAdd(-across.dot(way), way, across);
-        boolean followed =
-                pointing.flatMap(Pointing::target).filter(drone.id()::equals).isPresent();
-        double crossing = followed ? 0.0 : across.length() / range * focalLength;
+        double crossing = turning(drone, range) * focalLength;
         double sunAngle = sun.map(way::angle).orElse(Double.POSITIVE_INFINITY);
         return new DroneView(pixels, range, focalLength, crossing, world.light(), sunAngle);
+    }
+
+    /** How fast the way to a drone turns against the camera, which a mount may turn as well, rad/s. */
+    private double turning(Drone drone, double range) {
+        Vector3d velocity = drone.velocity();
+        Direction to = Direction.of(Position.of(drone.position()).minus(settings.position()));
+        double sin = Math.sin(to.azimuth());
+        double cos = Math.cos(to.azimuth());
+        double level = range * Math.cos(to.elevation());
+        double pan = (velocity.x * cos - velocity.y * sin) / Math.max(level, Double.MIN_NORMAL);
+        double outwards = velocity.x * sin + velocity.y * cos;
+        double tilt = (velocity.z * Math.cos(to.elevation()) - outwards * Math.sin(to.elevation())) / range;
+        double panLeft = pan - pointing.map(Pointing::panRate).orElse(0.0);
+        double tiltLeft = tilt - pointing.map(Pointing::tiltRate).orElse(0.0);
+        return Math.hypot(panLeft * Math.cos(to.elevation()), tiltLeft);
     }
 
     /** The way to the sun, when the camera sees it, in its picture or not. */

@@ -85,14 +85,14 @@ public final class Positioner {
         Direction wanted = settings.tilted(track.map(followed -> holds ? seen : followed.from(place, now))
                 .orElseGet(() -> settings.search().at(rest, now)));
         double since = now - time;
-        direction = new Direction(
-                direction.azimuth()
-                        + limited(Direction.turn(direction.azimuth(), wanted.azimuth()), settings.panSpeed() * since),
-                direction.elevation()
-                        + limited(wanted.elevation() - direction.elevation(), settings.tiltSpeed() * since));
+        double turned = limited(Direction.turn(direction.azimuth(), wanted.azimuth()), settings.panSpeed() * since);
+        double tilted = limited(wanted.elevation() - direction.elevation(), settings.tiltSpeed() * since);
+        direction = direction.turned(turned, tilted);
         settings.zoom().ifPresent(lens -> zoom(lens, holds, since));
         time = now;
-        return new Pointing(direction, fov, track.map(Track::drone));
+        boolean moved = since > 0.0;
+        return new Pointing(
+                direction, moved ? turned / since : 0.0, moved ? tilted / since : 0.0, fov, track.map(Track::drone));
     }
 
     /** The field of view changes by the same factor in the same time. */

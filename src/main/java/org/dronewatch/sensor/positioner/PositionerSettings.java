@@ -77,7 +77,7 @@ public record PositionerSettings(
     public Pointing turnedTo(Position mount, Position place, double widest) {
         Position way = place.minus(mount);
         Direction wanted = way.length() > 0.0 ? Direction.of(way) : new Direction(0.0, 0.0);
-        return new Pointing(tilted(wanted), zoom.map(ZoomSettings::tracked).orElse(widest), Optional.empty());
+        return Pointing.still(tilted(wanted), zoom.map(ZoomSettings::tracked).orElse(widest), Optional.empty());
     }
 
     /** A direction as far up or down as the mount can tilt. */

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import org.dronewatch.Wilson;
 import org.dronewatch.geometry.Position;
@@ -15,6 +16,8 @@ import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.optics.*;
+import org.dronewatch.sensor.positioner.Direction;
+import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.FlightPathSettings.Hover;
@@ -155,6 +158,10 @@ class TargetTaskTest {
     }
 
     private static DroneView look(World world, Position drone, Position velocity) {
+        return look(world, drone, velocity, Optional.empty());
+    }
+
+    private static DroneView look(World world, Position drone, Position velocity, Optional<Pointing> pointing) {
         List<DroneView> views = new ArrayList<>();
         CameraSettings settings = CameraSettings.at(new Position(0, 0, 2))
                 .withLookAt(new Position(0, 10, 2))
@@ -166,8 +173,11 @@ class TargetTaskTest {
                         DroneSettings.of(ModelSettings.of("drone.obj"), Hover.at(new Position(0, 0, 0))),
                         KDTree.of(box))
                 .at(new FlightState(drone, velocity, 0.0));
-        List<Observation> observations =
-                settings.create().observe(world, List.of(flying), Sample.of(1, 0, "camera", 0, 0.0));
+        List<Observation> observations = settings.create()
+                .observe(
+                        world,
+                        List.of(flying),
+                        Sample.of(1, 0, "camera", 0, 0.0).withPointing(pointing));
         assertThat(observations).hasSize(1);
         return views.get(0);
     }
@@ -184,6 +194,26 @@ class TargetTaskTest {
         assertThat(look(world, ahead, new Position(3, -8, 4)).crossing()).isCloseTo(5.0 / 20 * focal, within(1e-6));
         assertThat(look(world, new Position(0, -20, 2), new Position(6, 0, 0)).pixels())
                 .isZero();
+    }
+
+    @Test
+    void aMountThatTurnsWithTheDroneTakesItsCrossingAwayAndGivesItsOwn() {
+        World world = World.of(Shapes.ground(100, 0));
+        CameraSettings camera = CameraSettings.at(new Position(0, 0, 2)).withResolution(400, 300);
+        double focal = camera.focalLength();
+        Position ahead = new Position(0, 20, 2);
+        Direction north = new Direction(0, 0);
+        double pan = 6.0 / 20;
+        Pointing with = new Pointing(north, pan, 0.0, camera.fov(), Optional.of("drone"));
+        Pointing slewing = new Pointing(north, 1.0, -0.5, camera.fov(), Optional.of("drone"));
+
+        assertThat(look(world, ahead, new Position(6, 0, 0), Optional.of(with)).crossing())
+                .isCloseTo(0.0, within(1e-6));
+        assertThat(look(world, ahead, new Position(6, 0, 2), Optional.of(with)).crossing())
+                .isCloseTo(2.0 / 20 * focal, within(1e-6));
+        assertThat(look(world, ahead, new Position(0, 0, 0), Optional.of(slewing))
+                        .crossing())
+                .isCloseTo(Math.hypot(1.0, 0.5) * focal, within(1e-6));
     }
 
     @Test

@@ -47,6 +47,7 @@ class PositionerTest {
         Pointing halfWay = mount.moveTo(2.5);
         assertThat(halfWay.direction().azimuth()).isCloseTo(rad(-60 * 1.1), within(1e-9));
         assertThat(halfWay.target()).contains("drone");
+        assertThat(halfWay.panRate()).isCloseTo(rad(-60), within(1e-9));
         Pointing there = mount.moveTo(4.0);
         assertThat(Direction.turn(there.direction().azimuth(), rad(-150))).isCloseTo(0.0, within(1e-9));
         assertThat(there.direction().elevation()).isCloseTo(rad(30), within(1e-9));
