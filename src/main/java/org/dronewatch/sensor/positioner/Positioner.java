@@ -82,8 +82,9 @@ public final class Positioner {
         }
         boolean holds = track.isPresent() && now - ownTime <= OWN;
         Direction seen = own;
-        Direction wanted = settings.tilted(track.map(followed -> holds ? seen : followed.from(place, now))
-                .orElseGet(() -> settings.search().at(rest, now)));
+        Direction wanted =
+                settings.tilted(track.map(followed -> holds ? seen : followed.from(place, now, settings.hold()))
+                        .orElseGet(() -> settings.search().at(rest, now)));
         double since = now - time;
         double turned = limited(Direction.turn(direction.azimuth(), wanted.azimuth()), settings.panSpeed() * since);
         double tilted = limited(wanted.elevation() - direction.elevation(), settings.tiltSpeed() * since);

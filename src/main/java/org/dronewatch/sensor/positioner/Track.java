@@ -53,9 +53,14 @@ final class Track {
         placed = time;
     }
 
-    /** Where to look from a place at a time. */
-    Direction from(Position mount, double time) {
-        return place.map(last -> last.plus(velocity.times(time - placed)).minus(mount))
+    /**
+     * Where to look from a place at a time.
+     *
+     * @param patience how old the last place may be, s: after that the last direction is better
+     */
+    Direction from(Position mount, double time, double patience) {
+        return place.filter(last -> time - placed <= patience)
+                .map(last -> last.plus(velocity.times(time - placed)).minus(mount))
                 .filter(way -> way.length() > 0.0)
                 .map(Direction::of)
                 .orElse(direction);

@@ -145,6 +145,19 @@ class PositionerTest {
     }
 
     @Test
+    void anOldPlaceIsWorthLessThanANewDirection() {
+        Positioner mount = positioner(SETTINGS);
+        mount.cue("drone", at(fromPlace(0, 0, 400)), 0.0);
+        for (int look = 0; look <= 10; look++) {
+            // Another camera sees it go on; the radar has lost it.
+            Direction seen = new Direction(rad(3.0 * look), 0);
+            mount.cue("drone", new Sighting(PLACE, seen, OptionalDouble.empty()), 0.5 * look);
+            mount.moveTo(0.5 * look + 0.5);
+        }
+        assertThat(mount.moveTo(6.0).direction().azimuth()).isCloseTo(rad(30), within(1e-9));
+    }
+
+    @Test
     void itSearchesMeanwhile() {
         SearchPattern sweep = new SearchPattern.Sweep(rad(90), 0, 1, rad(10));
         Positioner mount = positioner(PositionerSettings.DEFAULT.withSearch(sweep));
