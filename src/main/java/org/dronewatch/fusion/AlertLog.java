@@ -35,13 +35,10 @@ public final class AlertLog {
     }
 
     private void decide(String drone, double time) {
-        AlertRule rule = settings.rule();
-        Map<String, SensorTrack> ofDrone = tracks.get(drone);
-        if (rule.holds(ofDrone.values(), time)) {
-            List<String> sensors = ofDrone.values().stream()
-                    .filter(track -> rule.counts(track, time))
-                    .map(SensorTrack::sensor)
-                    .toList();
+        List<String> sensors = settings.rule().carriers(tracks.get(drone).values(), time).stream()
+                .map(SensorTrack::sensor)
+                .toList();
+        if (!sensors.isEmpty()) {
             alerts.put(drone, new Alert(drone, time, sensors));
             tracks.remove(drone);
         }

@@ -1,6 +1,9 @@
 package org.dronewatch.fusion;
 
+import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -10,26 +13,20 @@ import org.dronewatch.setting.Quantity;
 public sealed interface AlertRule {
 
     /**
-     * Whether it is.
+     * The sensors on which an alert rests now; none when there is none.
      *
      * @param tracks what each sensor has of the drone
      * @param time now, s
      */
-    boolean holds(Collection<SensorTrack> tracks, double time);
-
-    /** Whether a sensor has a part in it. */
-    boolean counts(SensorTrack track, double time);
+    List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time);
 
     /** As soon as any sensor detects it, confirmed as often as wanted. */
     record AnySensor() implements AlertRule {
         @Override
-        public boolean holds(Collection<SensorTrack> tracks, double time) {
-            return tracks.stream().anyMatch(track -> counts(track, time));
-        }
-
-        @Override
-        public boolean counts(SensorTrack track, double time) {
-            return track.isConfirmedWithin(0.0, time);
+        public List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time) {
+            return tracks.stream()
+                    .filter(track -> track.isConfirmedWithin(0.0, time))
+                    .toList();
         }
     }
 
@@ -55,13 +52,11 @@ public sealed interface AlertRule {
         }
 
         @Override
-        public boolean holds(Collection<SensorTrack> tracks, double time) {
-            return tracks.stream().filter(track -> counts(track, time)).count() >= count;
-        }
-
-        @Override
-        public boolean counts(SensorTrack track, double time) {
-            return track.isConfirmedWithin(within, time);
+        public List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time) {
+            List<SensorTrack> confirmed = tracks.stream()
+                    .filter(track -> track.isConfirmedWithin(within, time))
+                    .toList();
+            return confirmed.size() >= count ? confirmed : List.of();
         }
     }
 
@@ -88,19 +83,20 @@ public sealed interface AlertRule {
             return new UnionOfProbabilities(probability, 2.0);
         }
 
+        /** The likeliest sensors first, as many as it takes. */
         @Override
-        public boolean holds(Collection<SensorTrack> tracks, double time) {
+        public List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time) {
+            List<SensorTrack> likeliest = new ArrayList<>(tracks);
+            likeliest.sort(Comparator.comparingDouble(track -> -track.probabilityWithin(within, time)));
             double missed = 1.0;
-            for (SensorTrack track : tracks) {
-                missed *= 1.0 - track.probabilityWithin(within, time);
+            for (int i = 0; i < likeliest.size(); i++) {
+                missed *= 1.0 - likeliest.get(i).probabilityWithin(within, time);
+                // Rounding must not keep certain sensors from being certain together.
+                if (1.0 - missed >= probability - 1e-12) {
+                    return List.copyOf(likeliest.subList(0, i + 1));
+                }
             }
-            // Rounding must not keep certain sensors from being certain together.
-            return 1.0 - missed >= probability - 1e-12;
-        }
-
-        @Override
-        public boolean counts(SensorTrack track, double time) {
-            return track.probabilityWithin(within, time) > 0.0;
+            return List.of();
         }
     }
 }

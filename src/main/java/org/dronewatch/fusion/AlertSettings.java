@@ -27,6 +27,10 @@ public record AlertSettings(
     /** Checks the limits. */
     public AlertSettings {
         Limits.check(AlertSettings.class, rule, confirm, protect, response);
+        if (rule instanceof AlertRule.UnionOfProbabilities && !confirm.equals(Confirmation.DEFAULT)) {
+            throw new IllegalArgumentException("confirm " + confirm.hits() + " of " + confirm.looks()
+                    + " looks has no meaning with union-of-probabilities, which counts likelihoods, not detections");
+        }
     }
 
     /** These settings with another rule. */

@@ -1,5 +1,6 @@
 package org.dronewatch.fusion;
 
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -10,23 +11,46 @@ import org.dronewatch.setting.Quantity;
  * What must not be reached: a ball.
  *
  * @param centre its middle, m
- * @param radius 0 or more, m
+ * @param radius above 0, m
  */
-public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, from = 0) double radius) {
+public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above = 0) double radius) {
     /** Checks the limits. */
     public ProtectedZone {
         Limits.check(ProtectedZone.class, centre, radius);
     }
 
-    /** A point. */
+    /** A ball of 10 m. */
     @Defaults("centre")
     public static ProtectedZone at(Position centre) {
-        return new ProtectedZone(centre, 0.0);
+        return new ProtectedZone(centre, 10.0);
     }
 
     /** How far a place is from its edge, 0 inside, m. */
     public double distance(Position place) {
         return Math.max(0.0, place.distance(centre) - radius);
+    }
+
+    /**
+     * How far along a straight way its edge is reached first.
+     *
+     * @param from where the way begins, m
+     * @param to where it ends, m
+     * @return share of the way, 0 when it begins inside; empty when it stays outside
+     */
+    public OptionalDouble entry(Position from, Position to) {
+        if (distance(from) == 0.0) {
+            return OptionalDouble.of(0.0);
+        }
+        Position way = to.minus(from);
+        Position toCentre = centre.minus(from);
+        double a = way.dot(way);
+        double b = way.dot(toCentre);
+        double left = b * b - a * (toCentre.dot(toCentre) - radius * radius);
+        if (!(a > 0.0 && left >= 0.0)) {
+            return OptionalDouble.empty();
+        }
+        double share = (b - Math.sqrt(left)) / a;
+        return share >= 0.0 && share <= 1.0 ? OptionalDouble.of(share) : OptionalDouble.empty();
     }
 
     /** How long something needs to its edge on the straight way, s: 1 km at 20 m/s is 50 s. */

@@ -14,7 +14,8 @@ import org.dronewatch.fusion.Alert;
  *     of view and range, s; empty for never, and where no sensor has a field of view
  * @param alert the alert, or empty when there was none
  * @param zoneDistance how far it was from the protected zone at the alert, m; empty without zone or alert
- * @param warning how long it needed from there straight to the zone at its cruise speed, s; empty without zone or alert
+ * @param warning how long it needed from there straight to the zone at its cruise speed, s; 0 when it had been there already;
+ *     empty without zone or alert
  * @param entered when its flight reached the zone, s; empty when it did not in the run's time
  * @param inTime whether the warning leaves the time that is needed and came before the drone did; empty when no time was
  *     asked for or nothing is protected

@@ -18,10 +18,8 @@ import org.dronewatch.world.World;
 
 /** Follows one run for its alerts: when each drone could first have been seen, when the site was alerted, how early that was. */
 final class AlertWatch {
-    /** So many moments of a run are asked where a drone is, and the first within the zone then found exactly. */
-    private static final int MOMENTS = 5_000;
-
-    private static final int HALVINGS = 40;
+    /** A flight is taken for so many straight pieces of the same time. */
+    private static final int MOMENTS = 10_000;
 
     private final int run;
     private final SceneSettings settings;
@@ -88,8 +86,9 @@ final class AlertWatch {
             entered = entered(drone.id(), zone, stage, simulated);
             if (place.isPresent()) {
                 distance = OptionalDouble.of(zone.distance(place.get()));
+                boolean late = alert.orElseThrow().time() >= entered.orElse(Double.POSITIVE_INFINITY);
                 warning = OptionalDouble.of(
-                        zone.timeLeft(place.get(), drone.settings().speed()));
+                        late ? 0.0 : zone.timeLeft(place.get(), drone.settings().speed()));
             }
             if (wanted.response() > 0.0) {
                 boolean before = alert.isPresent() && alert.get().time() <= entered.orElse(Double.POSITIVE_INFINITY);
@@ -101,28 +100,18 @@ final class AlertWatch {
         return new AlertResult(run, drone.id(), firstSight, alert, distance, warning, entered, inTime);
     }
 
+    /** By straight pieces of its flight, so that none is too fast to be noticed. */
     private static OptionalDouble entered(String drone, ProtectedZone zone, Stage stage, double simulated) {
-        double outside = 0.0;
-        for (int i = 0; i <= MOMENTS; i++) {
-            double time = simulated * i / MOMENTS;
-            if (isInside(drone, zone, stage, time)) {
-                double inside = time;
-                for (int halving = 0; halving < HALVINGS && inside > outside; halving++) {
-                    double middle = 0.5 * (outside + inside);
-                    if (isInside(drone, zone, stage, middle)) {
-                        inside = middle;
-                    } else {
-                        outside = middle;
-                    }
-                }
-                return OptionalDouble.of(inside);
+        Position before = stage.placeOf(drone, 0.0);
+        double step = simulated / MOMENTS;
+        for (int i = 1; i <= MOMENTS; i++) {
+            Position next = stage.placeOf(drone, i * step);
+            OptionalDouble share = zone.entry(before, next);
+            if (share.isPresent()) {
+                return OptionalDouble.of((i - 1 + share.getAsDouble()) * step);
             }
-            outside = time;
+            before = next;
         }
         return OptionalDouble.empty();
-    }
-
-    private static boolean isInside(String drone, ProtectedZone zone, Stage stage, double time) {
-        return zone.distance(stage.placeOf(drone, time)) == 0.0;
     }
 }

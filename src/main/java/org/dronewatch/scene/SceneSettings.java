@@ -48,6 +48,10 @@ public record SceneSettings(
         Fliers.of(drones);
         sensors.keySet().forEach(SceneSettings::checkId);
         Map<String, SensorSettings<?>> all = sensors;
+        if (alert.response() > 0.0 && alert.protect().isEmpty()) {
+            throw new IllegalArgumentException("alert.response " + alert.response()
+                    + " s needs an alert.protect that the drone must not reach before");
+        }
         if (!sensors.isEmpty()) {
             // Without sensors it may be a scene that is still being read.
             prices.sensors().keySet().forEach(id -> checkPriced(id, all));

@@ -46,8 +46,7 @@ public final class Sightline {
 
     /** Whether a sensor could look at a place: wherever its mount can turn it. */
     public boolean isPossible(SensorSettings<?> sensor, Position place) {
-        boolean turns = sensor.positioner().isPresent();
-        return (turns || isInField(sensor, Optional.empty(), place))
+        return isInField(sensor, sensor.turnedTo(place), place)
                 && obstacle(sensor.position(), place).isEmpty();
     }
 

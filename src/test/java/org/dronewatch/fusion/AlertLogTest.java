@@ -120,6 +120,31 @@ class AlertLogTest {
         assertThat(log.alert("drone")).isEmpty();
     }
 
+    @Test
+    void anAlertRestsOnTheLikeliestAlone() {
+        AlertLog log = new AlertLog(AlertSettings.DEFAULT.withRule(AlertRule.UnionOfProbabilities.of(0.9)));
+        log.add(List.of(likely("faint", 0, 0.01), likely("sure", 0, 0.95), likely("fair", 0, 0.5)));
+
+        assertThat(log.alert("drone").orElseThrow().sensors()).containsExactly("sure");
+    }
+
+    @Test
+    void aZoneIsReachedWhereTheStraightWayMeetsItsEdge() {
+        ProtectedZone zone = new ProtectedZone(new Position(0, 0, 50), 1);
+
+        assertThat(zone.entry(new Position(0, 101, 50), new Position(0, -99, 50))
+                        .orElseThrow())
+                .isCloseTo(0.5, within(1e-12));
+        assertThat(zone.entry(new Position(0, 101, 52), new Position(0, -99, 52)))
+                .isEmpty();
+        assertThat(zone.entry(new Position(0, 101, 50), new Position(0, 1.5, 50)))
+                .isEmpty();
+        assertThat(zone.entry(new Position(0, 0.5, 50), new Position(0, 80, 50)))
+                .hasValue(0.0);
+        assertThat(zone.entry(new Position(0, 9, 50), new Position(0, 80, 50))).isEmpty();
+        assertThat(zone.entry(new Position(0, 9, 50), new Position(0, 9, 50))).isEmpty();
+    }
+
     /** 1 km at 10, 20 and 40 m/s. */
     @Test
     void theTimeLeftIsTheWayToTheEdgeOverTheSpeed() {
@@ -137,5 +162,8 @@ class AlertLogTest {
         assertThatThrownBy(() -> new Confirmation(4, 3)).hasMessage("hits 4 must be at most looks 3");
         assertThatThrownBy(() -> AlertRule.UnionOfProbabilities.of(1.2))
                 .hasMessage("probability 1.2 must be above 0 and at most 1");
+        assertThatThrownBy(() ->
+                        AlertSettings.DEFAULT.withConfirmation(2, 3).withRule(AlertRule.UnionOfProbabilities.of(0.9)))
+                .hasMessageStartingWith("confirm 2 of 3 looks has no meaning with union-of-probabilities");
     }
 }

@@ -93,6 +93,19 @@ class AlertResultTest {
         assertThat(run(0, new Position(0, 0, 60)).inTime()).isEmpty();
     }
 
+    /** The radar sees it only once it has flown over the zone: from 20 m beyond the wall on, when it is 300 m behind. */
+    @Test
+    void anAlertAfterTheDroneHasBeenThereIsTooLate() {
+        ProtectedZone zone = new ProtectedZone(new Position(0, 700, 100), 3);
+        Scene scene = new Straight(AlertSettings.DEFAULT.withProtectedZone(zone, 0.001), new Position(0, 0, 100));
+        AlertResult late = new SceneRunner(scene).threads(1).run().alert("drone");
+
+        assertThat(late.entered().orElseThrow()).isCloseTo((1000.0 - 703.0) / 20.0, within(1e-9));
+        assertThat(late.time().orElseThrow()).isGreaterThan(late.entered().orElseThrow());
+        assertThat(late.warning()).hasValue(0.0);
+        assertThat(late.inTime()).contains(false);
+    }
+
     @Test
     void behindAWallThereIsNoSightAndNoAlert() {
         AlertResult hidden = run(10, new Position(0, 30, 30.2));

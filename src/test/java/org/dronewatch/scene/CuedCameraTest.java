@@ -108,6 +108,17 @@ class CuedCameraTest {
     }
 
     @Test
+    void aPlaceAboveTheMountIsNotInSight() {
+        AlertResult below = runner().set("sensors.cued.positioner.highest", "-20 deg")
+                .set("sensors.radar.minRange", "7 km")
+                .set("sensors.fixed.aim.azimuth", "200 deg")
+                .run()
+                .alert("intruder");
+
+        assertThat(below.firstSight()).isEmpty();
+    }
+
+    @Test
     void whoCannotTellWhereADroneIsCannotPointACamera() {
         assertThatThrownBy(() ->
                         runner().set("sensors.cued.positioner.cues", "rdar").settings())

@@ -31,7 +31,8 @@ final class Html {
     /** A table of plain texts. */
     static String table(List<String> head, List<List<String>> rows) {
         String body = rows.stream().map(row -> element("tr", cells("td", row))).collect(Collectors.joining());
-        return element("table", element("thead", element("tr", cells("th", head))) + element("tbody", body));
+        String table = element("table", element("thead", element("tr", cells("th", head))) + element("tbody", body));
+        return "<div class=\"wide\">" + table + "</div>\n";
     }
 
     private static String cells(String name, List<String> texts) {

@@ -25,6 +25,7 @@ public final class HtmlReport {
             th, td { text-align: left; padding: .28em .55em; border-bottom: 1px solid #dfe3e7; vertical-align: top; }
             td { overflow-wrap: break-word; } td.n { white-space: nowrap; }
             th { background: #f3f5f7; }
+            .wide { overflow-x: auto; }
             figure { margin: 1em 0; break-inside: avoid; } img, svg { max-width: 100%; height: auto; }
             figcaption { color: #555f69; font-size: .92em; } svg text { font: 12px system-ui, sans-serif; fill: #20262e; }
             tr, h2 { break-inside: avoid; } h2, h2 + p { break-after: avoid; } svg { break-inside: avoid; }

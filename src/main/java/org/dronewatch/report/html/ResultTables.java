@@ -12,6 +12,7 @@ import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Sightline;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.ThreatLabel;
 
@@ -70,7 +71,7 @@ final class ResultTables {
     String alerts() {
         boolean zone = result.runs().stream()
                 .anyMatch(run -> run.settings().alert().protect().isPresent());
-        List<String> head = head("drone", "to be seen from [s]", "alert [s]", "took [s]", "by");
+        List<String> head = head("drone", "in sight from [s]", "alert [s]", "later by [s]", "by");
         if (zone) {
             head.addAll(List.of("then to go [m]", "warning [s]", "reaches zone [s]", "in time"));
         }
@@ -79,7 +80,7 @@ final class ResultTables {
             List<String> row = row(
                     alert.run(),
                     labelled(alert),
-                    orElse(alert.firstSight(), "never"),
+                    orElse(alert.firstSight(), looks(alert.run()) ? "never" : "-"),
                     orElse(alert.time(), "never"),
                     orElse(alert.timeToAlert(), "-"),
                     alert.sensors().isEmpty() ? "-" : String.join(", ", alert.sensors()));
@@ -93,6 +94,11 @@ final class ResultTables {
             rows.add(row);
         }
         return Html.table(head, rows);
+    }
+
+    /** Whether any sensor of a run has a field of view. */
+    private boolean looks(int run) {
+        return result.runs().get(run).settings().sensors().values().stream().anyMatch(Sightline::looks);
     }
 
     /** A drone's name; with a word when an alert to it is no success. */

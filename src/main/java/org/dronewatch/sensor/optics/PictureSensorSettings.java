@@ -31,7 +31,8 @@ public interface PictureSensorSettings<S extends Sensor> extends SensorSettings<
     @Override
     default Optional<Positioner> createPositioner() {
         return positioner()
-                .map(mount -> new Positioner(mount, position(), Direction.of(aim().from(position())), fov()));
+                .map(mount ->
+                        new Positioner(mount, position(), Direction.of(aim().from(position())), fov(), 1.0 / rate()));
     }
 
     @Override

@@ -56,8 +56,8 @@ public final class VisibleArea {
             return 0.0;
         }
         if (range <= reach) {
-            // It sits on the lens.
-            return (double) camera.width() * camera.height();
+            // It sits on the lens, or on the back of the camera.
+            return way.dot(forward) < 0.0 ? 0.0 : (double) camera.width() * camera.height();
         }
         way.scale(1.0 / range);
         Vector3d top = Math.abs(way.z) < 0.9 ? new Vector3d(0, 0, 1) : new Vector3d(0, 1, 0);

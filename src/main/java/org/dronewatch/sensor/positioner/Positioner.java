@@ -10,8 +10,10 @@ import org.dronewatch.geometry.Position;
  * itself, and the sensors it listens to what they detect; both act from the next look on. One run, one thread.
  */
 public final class Positioner {
-    /** What its own camera saw so long ago no longer counts, s. */
+    /** What its own camera saw so long ago no longer counts, s; of a slow camera it is a look and a half. */
     private static final double OWN = 0.5;
+
+    private static final double LOOKS = 1.5;
 
     private record Cue(double due, String drone, Sighting sighting, double time) {}
 
@@ -19,6 +21,7 @@ public final class Positioner {
     private final Position place;
     private final Direction rest;
     private final double widest;
+    private final double fresh;
     private final Deque<Cue> cues = new ArrayDeque<>();
 
     private double time;
@@ -34,12 +37,14 @@ public final class Positioner {
      * @param place where it stands, m
      * @param rest the direction of its sensor's own aim
      * @param widest its sensor's own field of view, rad
+     * @param interval between two looks of its sensor, s
      */
-    public Positioner(PositionerSettings settings, Position place, Direction rest, double widest) {
+    public Positioner(PositionerSettings settings, Position place, Direction rest, double widest, double interval) {
         this.settings = settings;
         this.place = place;
         this.rest = rest;
         this.widest = widest;
+        this.fresh = Math.max(OWN, LOOKS * interval);
         this.own = rest;
         this.direction = settings.tilted(settings.search().at(rest, 0.0));
         this.fov = widest;
@@ -56,34 +61,35 @@ public final class Positioner {
 
     /** The mount's own sensor has seen a drone, at its last look. */
     public void see(String drone, Sighting sighting, double seen) {
-        follow(drone, sighting, seen);
+        follow(drone, sighting, seen, seen);
         if (track.filter(followed -> followed.drone().equals(drone)).isPresent()) {
             own = sighting.direction();
             ownTime = seen;
         }
     }
 
-    private void follow(String drone, Sighting sighting, double seen) {
+    private void follow(String drone, Sighting sighting, double seen, double told) {
         if (track.isEmpty()) {
-            track = Optional.of(new Track(drone, sighting, seen));
+            track = Optional.of(new Track(drone, sighting, seen, told));
+            ownTime = Double.NEGATIVE_INFINITY;
         } else if (track.get().drone().equals(drone)) {
-            track.get().add(sighting, seen);
+            track.get().add(sighting, seen, told);
         }
     }
 
     /** Turns, tilts and zooms for as long as there is until a time, not before the last one, and says where it points then. */
     public Pointing moveTo(double now) {
-        track = track.filter(followed -> now - followed.seen() <= settings.hold());
+        track = track.filter(followed -> now - followed.told() <= settings.hold());
         while (!cues.isEmpty() && cues.peek().due() <= now) {
             Cue cue = cues.poll();
-            if (now - cue.time() <= settings.hold() + settings.delay()) {
-                follow(cue.drone(), cue.sighting(), cue.time());
+            if (now - cue.due() <= settings.hold()) {
+                follow(cue.drone(), cue.sighting(), cue.time(), cue.due());
             }
         }
-        boolean holds = track.isPresent() && now - ownTime <= OWN;
+        boolean holds = track.isPresent() && now - ownTime <= fresh;
         Direction seen = own;
-        Direction wanted =
-                settings.tilted(track.map(followed -> holds ? seen : followed.from(place, now, settings.hold()))
+        Direction wanted = settings.tilted(
+                track.map(followed -> holds ? seen : followed.from(place, now, settings.hold() + settings.delay()))
                         .orElseGet(() -> settings.search().at(rest, now)));
         double since = now - time;
         double turned = limited(Direction.turn(direction.azimuth(), wanted.azimuth()), settings.panSpeed() * since);

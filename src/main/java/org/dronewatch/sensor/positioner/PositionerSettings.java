@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.positioner;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
@@ -61,6 +62,9 @@ public record PositionerSettings(
         Limits.check(
                 PositionerSettings.class, cues, panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, search, zoom);
         cues = List.copyOf(cues);
+        if (new HashSet<>(cues).size() < cues.size()) {
+            throw new IllegalArgumentException("cues " + cues + " must not name a sensor twice");
+        }
         if (lowest > highest) {
             throw new IllegalArgumentException(
                     "lowest " + (float) lowest + " rad must be at most highest " + (float) highest + " rad");

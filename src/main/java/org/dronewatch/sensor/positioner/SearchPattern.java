@@ -54,13 +54,13 @@ public sealed interface SearchPattern {
     /**
      * Turns to and fro, or covers a field row by row from below and back again. It begins at the left.
      *
-     * @param width of the field, about the aim, above 0 and at most 2 pi rad
+     * @param width of the field, about the aim, 0.001 to 2 pi rad
      * @param height of the field, about the aim, 0 to pi/2 rad
      * @param rows how many, 1 to 100; one row is in the middle of the height
      * @param speed above 0 and at most 10 rad/s
      */
     record Sweep(
-            @In(value = Quantity.ANGLE, above = 0, to = 2 * Math.PI) double width,
+            @In(value = Quantity.ANGLE, from = 0.001, to = 2 * Math.PI) double width,
             @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 2) double height,
             @In(value = Quantity.NUMBER, from = 1, to = 100) int rows,
             @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10) double speed)

@@ -18,24 +18,30 @@ final class Track {
     private Position velocity = REST;
     private double placed;
     private Direction direction;
-    private double seen;
+    private double told;
 
-    Track(String drone, Sighting sighting, double time) {
+    Track(String drone, Sighting sighting, double time, double told) {
         this.drone = drone;
-        add(sighting, time);
+        add(sighting, time, told);
     }
 
     String drone() {
         return drone;
     }
 
-    /** When it was last sighted, s. */
-    double seen() {
-        return seen;
+    /** When the mount was last told of it, s. */
+    double told() {
+        return told;
     }
 
-    void add(Sighting sighting, double time) {
-        seen = time;
+    /**
+     * Takes a sighting.
+     *
+     * @param time when it was, s
+     * @param now when the mount was told of it, s
+     */
+    void add(Sighting sighting, double time, double now) {
+        told = now;
         direction = sighting.direction();
         sighting.place().ifPresent(found -> add(found, time));
     }

@@ -22,7 +22,7 @@ class PositionerTest {
     }
 
     private static Positioner positioner(PositionerSettings settings) {
-        return new Positioner(settings, PLACE, new Direction(0, 0), WIDEST);
+        return new Positioner(settings, PLACE, new Direction(0, 0), WIDEST, 0.04);
     }
 
     /** A sighting by a sensor that stands elsewhere. */
@@ -158,6 +158,29 @@ class PositionerTest {
     }
 
     @Test
+    void patienceBeginsWhenTheMountIsTold() {
+        PositionerSettings slow = new PositionerSettings(
+                java.util.List.of("radar"), 1, 1, -1, 1, 5.0, 2.0, 6, new SearchPattern.Rest(), Optional.empty());
+        Positioner mount = positioner(slow);
+        mount.cue("drone", at(fromPlace(20, 0, 400)), 0.0);
+
+        assertThat(mount.moveTo(4.9).target()).isEmpty();
+        assertThat(mount.moveTo(5.0).target()).contains("drone");
+        assertThat(mount.moveTo(6.9).target()).contains("drone");
+        assertThat(mount.moveTo(7.1).target()).isEmpty();
+    }
+
+    @Test
+    void aSlowCameraHoldsFromLookToLook() {
+        Positioner mount = new Positioner(SETTINGS, PLACE, new Direction(0, 0), WIDEST, 1.0);
+        for (int look = 0; look < 5; look++) {
+            mount.moveTo(look);
+            mount.see("drone", at(fromPlace(2, 0, 400)), look);
+        }
+        assertThat(mount.moveTo(5).fov()).isCloseTo(rad(2), within(1e-9));
+    }
+
+    @Test
     void itSearchesMeanwhile() {
         SearchPattern sweep = new SearchPattern.Sweep(rad(90), 0, 1, rad(10));
         Positioner mount = positioner(PositionerSettings.DEFAULT.withSearch(sweep));
@@ -193,6 +216,10 @@ class PositionerTest {
         assertThatThrownBy(() -> PositionerSettings.DEFAULT.withSpeed(0, 1))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("panSpeed 0 rad/s must be above 0 and at most 10");
-        assertThatThrownBy(() -> ZoomSettings.of(0, 1)).hasMessageStartingWith("cued 0 rad must be above 0");
+        assertThatThrownBy(() -> ZoomSettings.of(0, 1)).hasMessageStartingWith("cued 0 rad must be 0.0001 or more");
+        assertThatThrownBy(() -> ZoomSettings.of(0.1, 0.2))
+                .hasMessage("tracked 0.2 rad must be at most cued 0.1 rad: it zooms in");
+        assertThatThrownBy(() -> PositionerSettings.DEFAULT.withCues("a", "a"))
+                .hasMessage("cues [a, a] must not name a sensor twice");
     }
 }

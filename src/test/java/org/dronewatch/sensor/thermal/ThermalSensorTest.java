@@ -160,6 +160,8 @@ class ThermalSensorTest {
         assertThat(area.of(cut)).isCloseTo(0.5 * focal * focal / 1e4, within(0.04 * focal * focal / 1e4));
         Drone behind = plateDrone(1, 1, 5, new FlightState(new Position(0, -100, 50), REST, 0.0));
         assertThat(area.of(behind)).isZero();
+        Drone onTheBack = plateDrone(1, 1, 5, new FlightState(new Position(0, -0.4, 50), REST, 0.0));
+        assertThat(area.of(onTheBack)).isZero();
     }
 
     /** The same drone in a camera of many pixels, counted one by one. */
