@@ -63,6 +63,8 @@ public final class Stage {
             models.warn("no surface is named for " + String.join(", ", leftOver) + ": taken as '" + surfaces.otherwise()
                     + "'");
         }
+        settings.sensors().forEach((id, sensor) -> sensor.positioner()
+                .ifPresent(mount -> new MountAdvice(settings, id, mount).tell(models::warn)));
         settings.sensors().forEach((id, sensor) -> {
             Position at = sensor.position();
             if (world.isInsideWall(at)) {

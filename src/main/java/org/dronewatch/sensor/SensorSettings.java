@@ -1,5 +1,6 @@
 package org.dronewatch.sensor;
 
+import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.positioner.Pointing;
@@ -83,6 +84,11 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
     /** What is said of a drone of which it has too little, such as {@code too quiet}. */
     default String weakness() {
         return "too weak";
+    }
+
+    /** What the model of this sensor leaves out, in sentences for a report. */
+    default List<String> leavesOut() {
+        return List.of();
     }
 
     /** Whether it matters to this sensor what the world's surfaces are to sound. */

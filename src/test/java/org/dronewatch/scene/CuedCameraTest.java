@@ -119,6 +119,23 @@ class CuedCameraTest {
     }
 
     @Test
+    void whatLooksOddAboutAMountIsTold() {
+        List<String> notes = new ArrayList<>();
+        runner().set("sensors.cued.positioner.hold", "0.4 s")
+                .set("sensors.cued.aim.elevation", "-70 deg")
+                .set("run.duration", "0.1")
+                .notes(notes::add)
+                .run();
+
+        assertThat(notes)
+                .contains(
+                        "warning: sensor 'cued' holds a drone for 0.40 s, but 'radar', to which it listens, looks every 1.0 s:"
+                                + " it will let go between",
+                        "warning: sensor 'cued' aims at an elevation of -70.0 degrees, but its mount tilts from -50.0 to 60.0"
+                                + " degrees only");
+    }
+
+    @Test
     void whoCannotTellWhereADroneIsCannotPointACamera() {
         assertThatThrownBy(() ->
                         runner().set("sensors.cued.positioner.cues", "rdar").settings())

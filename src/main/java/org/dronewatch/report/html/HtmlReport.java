@@ -4,11 +4,15 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.Stage;
+import org.dronewatch.sensor.Observation;
 
 /**
  * One file for a browser or for paper: who was detected when and by whom, what was missed and why, the site, the settings,
@@ -80,7 +84,8 @@ public final class HtmlReport {
                 "Over time",
                 Html.plain("p", "A bar where a sensor detects a drone" + ofFirstRun() + ".")
                         + new TimelineSvg(run).draw());
-        section(page, "What was missed, and why", misses());
+        Reasons reasons = new Reasons(run.settings(), stage, looks.pointings(), run.simulated());
+        section(page, "What was missed, and why", misses(reasons) + losses(reasons));
         if (!plots.isEmpty()) {
             section(page, "What they measured", "");
             figures(page, plots);
@@ -106,8 +111,33 @@ public final class HtmlReport {
         return result.runs().size() > 1 ? ", in the first of " + result.runs().size() + " runs" : "";
     }
 
-    private String misses() {
-        Reasons reasons = new Reasons(run.settings(), stage, looks.pointings(), run.simulated());
+    /** Sensors that lost a drone for the rest of the run. */
+    private String losses(Reasons reasons) {
+        Map<List<String>, Observation> lost = new LinkedHashMap<>();
+        for (DetectionEvent event : run.events()) {
+            Observation o = event.observation();
+            if (event.gained()) {
+                lost.remove(List.of(o.sensor(), o.drone()));
+            } else {
+                lost.put(List.of(o.sensor(), o.drone()), o);
+            }
+        }
+        List<List<String>> rows = lost.values().stream()
+                .limit(ResultTables.MOST_ROWS)
+                .map(o -> List.of(
+                        o.sensor(),
+                        o.kind(),
+                        o.drone(),
+                        Numbers.format("%.1f", o.arrival()),
+                        Numbers.format("%.1f", o.range()),
+                        reasons.afterLoss(o.sensor(), o.drone(), o.arrival())))
+                .toList();
+        return rows.isEmpty()
+                ? ""
+                : Html.table(List.of("sensor", "kind", "drone", "lost at [s]", "at [m]", "from then on"), rows);
+    }
+
+    private String misses(Reasons reasons) {
         List<List<String>> rows = new ArrayList<>();
         int left = 0;
         for (PairResult pair : run.pairs()) {

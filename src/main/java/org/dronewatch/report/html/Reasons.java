@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.scene.Pointings;
@@ -54,12 +55,44 @@ final class Reasons {
     /** Why a sensor missed a drone, in words, the reason that held longest first. */
     String of(String sensor, String drone, Optional<Look> best) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
+        Shares shares = shares(sensor, drone, weakness(missing, best), 0.0);
+        boolean told = shares.weak() > 0 && best.filter(Reasons::isReading).isPresent();
+        String distance = told ? "" : format("; it came as near as %.0f m", shares.nearest());
+        boolean quiet = !Sightline.looks(missing) && shares.weak() > 0 && shares.gliding() > 0;
+        return shares.inWords()
+                + distance
+                + (quiet ? "; its motors are off " + share(shares.gliding(), MOMENTS + 1) + " of the time" : "");
+    }
+
+    /** Why a sensor does not detect a drone again that it has lost, in words. */
+    String afterLoss(String sensor, String drone, double time) {
+        return shares(sensor, drone, settings.sensors().get(sensor).weakness(), time)
+                .inWords();
+    }
+
+    /** How many moments of a run each reason held. */
+    private record Shares(Map<String, Integer> counts, int weak, double nearest, int gliding) {
+        String inWords() {
+            List<Map.Entry<String, Integer>> sorted = new ArrayList<>(counts.entrySet());
+            sorted.sort(Map.Entry.comparingByValue(Comparator.reverseOrder()));
+            if (sorted.size() == 1) {
+                return "always " + sorted.get(0).getKey();
+            }
+            int all = counts.values().stream().mapToInt(Integer::intValue).sum();
+            return sorted.stream()
+                    .map(one -> share(one.getValue(), all) + " of the time " + one.getKey())
+                    .collect(Collectors.joining("; "));
+        }
+    }
+
+    private Shares shares(String sensor, String drone, String weak, double from) {
+        SensorSettings<?> missing = settings.sensors().get(sensor);
         Map<String, Integer> counts = new LinkedHashMap<>();
         Map<String, Set<String>> materials = new HashMap<>();
-        String weak = weakness(missing, best);
         double nearest = Double.POSITIVE_INFINITY;
         int gliding = 0;
-        for (int i = 0; i <= MOMENTS; i++) {
+        int first = (int) Math.min(MOMENTS, Math.ceil(from / step));
+        for (int i = first; i <= MOMENTS; i++) {
             Drone flying = find(moments.get(i), drone);
             Position place = Position.of(flying.position());
             nearest = Math.min(nearest, place.distance(missing.position()));
@@ -67,12 +100,7 @@ final class Reasons {
             Optional<Pointing> pointing = pointings.at(sensor, i * step);
             counts.merge(reason(missing, pointing, flying, place, materials).orElse(weak), 1, Integer::sum);
         }
-        String why = inWords(named(counts, materials));
-        boolean told =
-                counts.containsKey(weak) && best.filter(Reasons::isReading).isPresent();
-        String distance = told ? "" : format("; it came as near as %.0f m", nearest);
-        boolean quiet = !Sightline.looks(missing) && counts.containsKey(weak) && gliding > 0;
-        return why + distance + (quiet ? "; its motors are off " + share(gliding) + " of the time" : "");
+        return new Shares(named(counts, materials), counts.getOrDefault(weak, 0), nearest, gliding);
     }
 
     private static Drone find(List<Drone> drones, String id) {
@@ -135,21 +163,8 @@ final class Reasons {
         return look.unit().isEmpty() ? Numbers.measured(look.threshold(), "") : Numbers.number(look.threshold());
     }
 
-    private static String inWords(Map<String, Integer> counts) {
-        List<Map.Entry<String, Integer>> sorted = new ArrayList<>(counts.entrySet());
-        sorted.sort(Map.Entry.comparingByValue(Comparator.reverseOrder()));
-        if (sorted.size() == 1) {
-            return "always " + sorted.get(0).getKey();
-        }
-        List<String> parts = new ArrayList<>();
-        for (Map.Entry<String, Integer> one : sorted) {
-            parts.add(share(one.getValue()) + " of the time " + one.getKey());
-        }
-        return String.join("; ", parts);
-    }
-
-    private static String share(int count) {
-        double percent = 100.0 * count / (MOMENTS + 1);
+    private static String share(int count, int of) {
+        double percent = 100.0 * count / of;
         return percent < 1.0 ? "less than 1 %" : format("%.0f %%", percent);
     }
 

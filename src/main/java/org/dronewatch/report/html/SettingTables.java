@@ -24,19 +24,6 @@ import org.dronewatch.world.WorldSettings;
 
 /** What was simulated: sensors with what they cost, drones, the site, the rule of alert, and what not to believe. */
 final class SettingTables {
-    /** What is left out of the models of each kind of sensor. */
-    private static final Map<String, String> LIMITS = Map.of(
-            "camera",
-            "A camera that counts pixels knows no contrast, haze, light or compression; no camera here is blurred by its lens.",
-            "thermal",
-            "A thermal camera here sees one difference of temperature for the whole drone, whatever is behind it.",
-            "radar",
-            "A radar here knows no clutter, no birds and no rotor Doppler.",
-            "acoustic",
-            "Sound by the level model is calibrated, not physical; wind and interference are left out.",
-            "rf",
-            "A radio receiver here knows free space and one edge of the site, no interference and no reflections.");
-
     private final SceneResult result;
     private final SceneSettings settings;
 
@@ -164,9 +151,9 @@ final class SettingTables {
     String limits() {
         List<String> items = new ArrayList<>();
         items.add("Ranges are those of the models and settings above: a real sensor's have to be measured.");
-        Set<String> kinds = new LinkedHashSet<>();
-        settings.sensors().values().forEach(sensor -> kinds.add(sensor.kind()));
-        kinds.stream().filter(LIMITS::containsKey).map(LIMITS::get).forEach(items::add);
+        Set<String> leftOut = new LinkedHashSet<>();
+        settings.sensors().values().forEach(sensor -> leftOut.addAll(sensor.leavesOut()));
+        items.addAll(leftOut);
         items.add("Nothing here gives a false alarm.");
         items.add("A flight is one of many: other bearings, heights and times give other results.");
         return Html.element(

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.acoustic;
 
+import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
@@ -85,6 +86,12 @@ public record AcousticSettings(
     @Override
     public Optional<Outline> outline() {
         return Optional.of(new Outline.Ball(radius));
+    }
+
+    @Override
+    public List<String> leavesOut() {
+        return List.of(
+                "Sound by the level model is calibrated, not physical; by either model wind and interference are left out.");
     }
 
     @Override

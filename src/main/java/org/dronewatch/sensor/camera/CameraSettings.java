@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.camera;
 
+import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
@@ -11,6 +12,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Light;
 
 /**
  * A camera, on a fixed mount or on one that turns.
@@ -121,6 +123,17 @@ public record CameraSettings(
                 rate,
                 detection,
                 Optional.empty());
+    }
+
+    @Override
+    public List<String> leavesOut() {
+        String decision = detection
+                        .probability(new DroneView(1, 1.0, 1.0, 0.0, Light.DAY, 1.0))
+                        .isPresent()
+                ? "What a camera makes out rests on an assumed contrast of the drone; clutter behind it and compression are left"
+                        + " out."
+                : "A camera that counts pixels knows no contrast, haze, light or compression.";
+        return positioner.isPresent() ? List.of(decision, PositionerSettings.LEFT_OUT) : List.of(decision);
     }
 
     @Override

@@ -36,6 +36,10 @@ public record PositionerSettings(
         @In(value = Quantity.PIXELS, from = 1, to = 1e6) double lock,
         SearchPattern search,
         Optional<ZoomSettings> zoom) {
+    /** What the model of a mount leaves out, for a report. */
+    public static final String LEFT_OUT =
+            "A mount here needs no time to speed up and does not shake; its own camera tells directions without errors.";
+
     /**
      * 60 degrees a second, from 50 degrees below the horizon to 60 above; half a second of delay, 3 seconds of patience, 6
      * pixels to follow by itself, at rest until it is told where to look.

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.radar;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
@@ -174,6 +175,11 @@ public record RadarSettings(
     @Override
     public Optional<String> blindTo(Drone drone) {
         return new FieldOfRegard(this).blindness(drone);
+    }
+
+    @Override
+    public List<String> leavesOut() {
+        return List.of("A radar here knows no clutter, no birds and no rotor Doppler.");
     }
 
     @Override

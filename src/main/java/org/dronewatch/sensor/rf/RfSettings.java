@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.rf;
 
+import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.SensorSettings;
@@ -86,6 +87,12 @@ public record RfSettings(
     /** Power of the noise in it, dBm. */
     public double noise() {
         return THERMAL + 10.0 * Math.log10(bandwidth) + noiseFigure;
+    }
+
+    @Override
+    public List<String> leavesOut() {
+        return List.of(
+                "A radio receiver here knows free space and one edge of the site, no interference and no reflections.");
     }
 
     @Override

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.thermal;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
@@ -142,6 +143,13 @@ public record ThermalSettings(
     public ThermalSettings pointed(Pointing pointing) {
         return with(Map.of(
                 "aim", Aim.Direction.of(pointing.direction()), "fov", pointing.fov(), "positioner", Optional.empty()));
+    }
+
+    @Override
+    public List<String> leavesOut() {
+        String heat =
+                "A thermal camera here sees one difference of temperature for the whole drone, whatever is behind it.";
+        return positioner.isPresent() ? List.of(heat, PositionerSettings.LEFT_OUT) : List.of(heat);
     }
 
     @Override

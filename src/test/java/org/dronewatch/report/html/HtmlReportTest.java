@@ -83,8 +83,10 @@ class HtmlReportTest {
                 .anyMatch(text ->
                         text.matches("always too quiet: at best [0-9.]+ dB \\(needs 47\\), \\d+ m away; its motors"
                                 + " are off 79 % of the time"));
-        // The radar loses it at 38 s.
-        assertThat(texts(document, "td")).contains("38.0");
+        // The radar loses it at 38 s, when it flies above the radar's field.
+        assertThat(texts(document, "td"))
+                .containsSubsequence("radar", "38.0", "327.8", "always out of its field of view");
+        assertThat(texts(document, "th")).contains("from then on");
         assertThat(texts(document, "figcaption")).containsExactly("a <picture>");
         assertThat(page).contains("data:image/png;base64,AQID");
         // Nothing is asked for from anywhere.
@@ -97,6 +99,10 @@ class HtmlReportTest {
         Document document = parsed(report(new SceneFile(Path.of("scenes", "cued-camera.yaml")), List.of()));
 
         assertThat(texts(document, "th")).contains("cost [EUR]");
+        assertThat(texts(document, "li"))
+                .anyMatch(text -> text.startsWith("What a camera makes out rests on an assumed contrast"))
+                .anyMatch(text -> text.startsWith("A mount here needs no time to speed up"))
+                .noneMatch(text -> text.startsWith("A camera that counts pixels"));
         assertThat(texts(document, "td"))
                 .contains("26\u202f000", "35\u202f000", "not known", "without 1 of unknown price")
                 .contains("Blighter A400 air security radar, antenna M10S", "fixed, cued")
