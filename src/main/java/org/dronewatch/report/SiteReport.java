@@ -105,7 +105,11 @@ final class SiteReport {
                         : "at the start";
         double aspect = (double) WIDTH / HEIGHT;
         return List.of(
-                figure(picture, Orbit.about(picture.frame(), aspect), state, "The site " + when),
+                figure(
+                        picture,
+                        Orbit.about(picture.frame(), aspect),
+                        state,
+                        "The site " + when + "; fields of view are drawn shortened"),
                 figure(picture, Orbit.top(picture.frame(), aspect), state, "The same from above, north up"));
     }
 

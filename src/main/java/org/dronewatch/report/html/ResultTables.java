@@ -59,9 +59,9 @@ final class ResultTables {
                     pair.kind(),
                     pair.drone(),
                     orElse(pair.firstDetected(), "never"),
-                    orElse(pair.range(), "never"),
+                    orElse(pair.range(), "-"),
                     last(pair),
-                    orElse(pair.maxRange(), "never"),
+                    orElse(pair.maxRange(), "-"),
                     format("%.0f %%", 100.0 * looks.share(pair.run(), pair.sensor(), pair.drone()))));
         }
         return note + Html.table(head, rows);
@@ -132,7 +132,7 @@ final class ResultTables {
     /** Until when a sensor detects a drone: when it loses it for the last time. */
     private String last(PairResult pair) {
         RunResult run = result.runs().get(pair.run());
-        String last = "never";
+        String last = "-";
         for (DetectionEvent event : run.events()) {
             if (event.observation().sensor().equals(pair.sensor())
                     && event.observation().drone().equals(pair.drone())) {
