@@ -2,6 +2,7 @@ package org.dronewatch.setting;
 
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -97,10 +98,10 @@ public final class SettingsPath {
         Object value;
         if (depth == names.size() - 1) {
             value = parsed(part, text);
-        } else if (depth == names.size() - 2 && isTexts(part)) {
-            Map<Object, Object> texts = new LinkedHashMap<>((Map<?, ?>) SettingsForm.get(settings, part));
-            texts.put(names.get(depth + 1), text);
-            value = texts;
+        } else if (depth == names.size() - 2 && isOpen(part)) {
+            Map<Object, Object> values = new LinkedHashMap<>((Map<?, ?>) SettingsForm.get(settings, part));
+            values.put(names.get(depth + 1), ofOpen(part, text));
+            value = values;
         } else {
             value = replaced(SettingsForm.get(settings, part), depth + 1, text);
         }
@@ -111,11 +112,21 @@ public final class SettingsPath {
         }
     }
 
-    /** Whether a part holds texts by names that anyone may add to. */
-    private static boolean isTexts(RecordComponent part) {
+    /** Whether a part holds texts or numbers by names that anyone may add to. */
+    private static boolean isOpen(RecordComponent part) {
         return part.getGenericType() instanceof ParameterizedType type
                 && type.getRawType() == Map.class
-                && type.getActualTypeArguments()[1] == String.class;
+                && (type.getActualTypeArguments()[1] == String.class
+                        || type.getActualTypeArguments()[1] == Double.class);
+    }
+
+    private Object ofOpen(RecordComponent part, String text) {
+        try {
+            Type kind = ((ParameterizedType) part.getGenericType()).getActualTypeArguments()[1];
+            return SettingText.parse(kind, SettingText.quantity(part), text);
+        } catch (IllegalArgumentException e) {
+            throw new InputException(path + "=" + text + ": " + e.getMessage(), e);
+        }
     }
 
     private Object parsed(RecordComponent target, String text) {

@@ -119,6 +119,22 @@ class CuedCameraTest {
     }
 
     @Test
+    void pricesCanBeSetAndAdded() {
+        SceneSettings settings = runner().set("prices.sensors.cued", "5")
+                .set("prices.sensors.radar", "350000")
+                .settings();
+
+        assertThat(settings.prices().sensors())
+                .containsEntry("cued", 5.0)
+                .containsEntry("radar", 350_000.0)
+                .containsEntry("fixed", 9000.0);
+        assertThatThrownBy(() -> runner().set("prices.sensors.cued", "-5").settings())
+                .hasMessageContaining("sensors.cued -5.0 must be 0 to 1e12");
+        assertThatThrownBy(() -> runner().set("prices.sensors.cued", "much").settings())
+                .hasMessageContaining("prices.sensors.cued=much: 'much' is not a number");
+    }
+
+    @Test
     void whatLooksOddAboutAMountIsTold() {
         List<String> notes = new ArrayList<>();
         runner().set("sensors.cued.positioner.hold", "0.4 s")
