@@ -111,7 +111,7 @@ final class SettingsReference {
                 return "list: " + range(inner[0]);
             }
             if (raw == Map.class) {
-                return "by name: " + range(inner[1]);
+                return "by name: " + (inner[1] == Double.class ? "number" : range(inner[1]));
             }
             return raw == Optional.class ? range(inner[0]) : range(raw);
         }
