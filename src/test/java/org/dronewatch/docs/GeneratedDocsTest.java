@@ -54,7 +54,16 @@ class GeneratedDocsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"closed-space", "camera-range", "acoustic-range", "multi-sensor", "hill-radar", "glider"})
+    @ValueSource(
+            strings = {
+                "closed-space",
+                "camera-range",
+                "acoustic-range",
+                "multi-sensor",
+                "hill-radar",
+                "glider",
+                "cued-camera"
+            })
     void itAcceptsTheScenes(String name) throws IOException {
         String scene = Files.readString(Path.of("scenes", name + ".yaml"));
         assertThat(schema().validate(scene, InputFormat.YAML)).isEmpty();

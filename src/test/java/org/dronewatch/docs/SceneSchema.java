@@ -97,6 +97,11 @@ final class SceneSchema {
         }
         ObjectNode properties = schema.putObject("properties");
         kind.ifPresent(name -> properties.putObject("kind").put("const", name));
+        kinds.named(form.type()).ifPresent(named -> {
+            ObjectNode use = names(named.names());
+            use.put("description", "settings of the catalogue to begin with");
+            properties.set("use", use);
+        });
         Optional<Record> sample = Samples.of(form.type());
         for (RecordComponent part : form.parts()) {
             ObjectNode property = value(part.getGenericType(), Optional.ofNullable(part.getAnnotation(In.class)));

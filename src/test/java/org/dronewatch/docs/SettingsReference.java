@@ -80,6 +80,9 @@ final class SettingsReference {
     private void record(Class<?> type) {
         heading(type);
         page.append(texts.summary(type)).append("\n\n");
+        kinds.named(type).ifPresent(named -> page.append("`use` begins with one of the catalogue: `")
+                .append(String.join("`, `", named.names()))
+                .append("`.\n\n"));
         page.append("| setting | unit | range | default | what it is |\n|---|---|---|---|---|\n");
         SettingsForm form = SettingsForm.of(type);
         Optional<Record> sample = Samples.of(type);
