@@ -137,7 +137,7 @@ final class BenchCommand implements Callable<Integer> {
 
     private void measure(KernelBench bench, RaySet set) {
         Measurement measured;
-        try (ProgressBar bar = Progress.barOf(set.name(), KernelBench.allPasses(passes))) {
+        try (ProgressBar bar = Progress.barOf(set.name(), 1 + passes)) {
             measured = bench.measure(set, passes, name -> {
                 if (bar != null) {
                     bar.step();

@@ -11,7 +11,12 @@ import org.dronewatch.kdtree.KDTree;
 
 /** Traces sets of rays over and over and takes the time. */
 public final class KernelBench {
-    private static final int WARM_UP = 2;
+    /**
+     * For how long at least passes do not count. Shorter, and some are measured before the virtual machine has compiled the
+     * tracing for the last time: one picture takes ten milliseconds, the compiler half a second.
+     */
+    private static final long WARM_UP_NANOS = 1_000_000_000L;
+
     private static final int BUILDS = 3;
 
     private final KDTree tree;
@@ -42,10 +47,10 @@ public final class KernelBench {
     }
 
     /**
-     * Measures one set of rays, after two passes to warm up.
+     * Measures one set of rays, after a second of passes to warm up, and one at least.
      *
      * @param passes how many passes count, 1 or more
-     * @param progress is told after each pass
+     * @param progress is told when the warm-up is over, and after each pass that counts
      */
     public Measurement measure(RaySet set, int passes, Consumer<String> progress) {
         distances = new float[set.count()];
@@ -53,13 +58,13 @@ public final class KernelBench {
         double[] rates = new double[passes];
         List<Tracer> tracers =
                 Stream.generate(kind.tracers(tree, set)).limit(threads).toList();
-        for (int pass = -WARM_UP; pass < passes; pass++) {
+        warmUp(tracers);
+        progress.accept(set.name());
+        for (int pass = 0; pass < passes; pass++) {
             long start = System.nanoTime();
             traceAll(tracers);
             double seconds = 1e-9 * (System.nanoTime() - start);
-            if (pass >= 0) {
-                rates[pass] = 1e-6 * set.count() / seconds;
-            }
+            rates[pass] = 1e-6 * set.count() / seconds;
             progress.accept(set.name());
         }
         Arrays.sort(rates);
@@ -69,9 +74,11 @@ public final class KernelBench {
                 set.name(), kind.of(set).toString(), set.count(), hits, rates[passes / 2], rates[0], rates[passes - 1]);
     }
 
-    /** How many passes there are in all when so many count. */
-    public static int allPasses(int passes) {
-        return WARM_UP + passes;
+    private void warmUp(List<Tracer> tracers) {
+        long begun = System.nanoTime();
+        do {
+            traceAll(tracers);
+        } while (System.nanoTime() - begun < WARM_UP_NANOS);
     }
 
     private void traceAll(List<Tracer> tracers) {

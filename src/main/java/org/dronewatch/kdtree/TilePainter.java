@@ -1,7 +1,5 @@
 package org.dronewatch.kdtree;
 
-import java.util.Arrays;
-
 /**
  * Paints triangles into the pixels of a tile, nearest surface wins. One per thread.
  *
@@ -18,57 +16,25 @@ final class TilePainter {
 
     private final float[] corners;
     private final PixelGrid grid;
-
-    private int left;
-    private int top;
-    private int width;
-    private int height;
-
-    /** Inverse ray parameter of the nearest surface of each pixel, 0 for none; and which triangle it is. */
-    private final double[] nearest;
-
-    private final int[] triangles;
-    private int uncovered;
-    private double leastInverse;
+    private final TilePixels pixels;
     private boolean lost;
 
     /**
      * A painter.
      *
      * @param corners nine coordinates a triangle
-     * @param grid where the pixels look; may be set anew between tiles
-     * @param pixels the most of a tile
+     * @param grid where the pixels look
+     * @param pixels what it paints
      */
-    TilePainter(float[] corners, PixelGrid grid, int pixels) {
+    TilePainter(float[] corners, PixelGrid grid, TilePixels pixels) {
         this.corners = corners;
         this.grid = grid;
-        this.nearest = new double[pixels];
-        this.triangles = new int[pixels];
+        this.pixels = pixels;
     }
 
-    /** Begins a tile: no pixel sees anything. */
-    void begin(int firstColumn, int firstRow, int columns, int rows) {
-        left = firstColumn;
-        top = firstRow;
-        width = columns;
-        height = rows;
-        Arrays.fill(nearest, 0, width * height, 0.0);
-        uncovered = width * height;
-        leastInverse = 0.0;
+    /** Begins a tile, after its pixels have. */
+    void begin() {
         lost = false;
-    }
-
-    /** The ray parameter of the farthest pixel; infinity while any sees nothing. Slow: for when something was painted. */
-    double farthest() {
-        if (uncovered > 0) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < width * height; i++) {
-            least = nearest[i] < least ? nearest[i] : least;
-        }
-        leastInverse = least;
-        return 1.0 / least;
     }
 
     /** Whether a triangle came that cannot be painted, since the origin lies in it. */
@@ -76,54 +42,13 @@ final class TilePainter {
         return lost;
     }
 
-    /** Sets what a pixel of the tile sees, whatever it saw before. */
-    void set(int column, int row, double parameter, int triangle) {
-        nearest[row * width + column] = 1.0 / parameter;
-        triangles[row * width + column] = triangle;
-    }
-
-    /** Whether a pixel sees a triangle. */
-    boolean hits(int column, int row) {
-        return nearest[row * width + column] > 0.0;
-    }
-
-    /** Ray parameter of what a pixel sees; infinity for nothing. */
-    double parameter(int column, int row) {
-        return 1.0 / nearest[row * width + column];
-    }
-
-    /** What a pixel sees, if it sees anything. */
-    int triangle(int column, int row) {
-        return triangles[row * width + column];
-    }
-
-    /** Writes ray parameters times the lengths of the directions; infinity for nothing. */
-    void copyDistances(float[] target, int first, int rowLength) {
-        double stepX = grid.right(0);
-        double stepY = grid.right(1);
-        double stepZ = grid.right(2);
-        for (int row = 0; row < height; row++) {
-            double dx = grid.direction(left, top + row, 0);
-            double dy = grid.direction(left, top + row, 1);
-            double dz = grid.direction(left, top + row, 2);
-            int start = first + row * rowLength;
-            for (int column = 0; column < width; column++) {
-                double inverse = nearest[row * width + column];
-                target[start + column] = inverse > 0.0
-                        ? (float) (Math.sqrt(dx * dx + dy * dy + dz * dz) / inverse)
-                        : Float.POSITIVE_INFINITY;
-                dx += stepX;
-                dy += stepY;
-                dz += stepZ;
-            }
-        }
-    }
-
     /** Paints a triangle into the tile; gives whether any pixel took it. */
     boolean paint(int triangle) {
         // The corners in grid coordinates, from the tile's own corner.
         float[] c = corners;
         double[] m = grid.toGrid;
+        int left = pixels.left();
+        int top = pixels.top();
         int base = 9 * triangle;
         double x = c[base] - grid.origin[0];
         double y = c[base + 1] - grid.origin[1];
@@ -143,9 +68,32 @@ final class TilePainter {
         double cz = m[0] * x + m[1] * y + m[2] * z;
         double cx = m[3] * x + m[4] * y + m[5] * z - left * cz;
         double cy = m[6] * x + m[7] * y + m[8] * z - top * cz;
-        int lastColumn = width - 1;
-        int lastRow = height - 1;
-        if (ax < 0.0 && bx < 0.0 && cx < 0.0
+        int lastColumn = pixels.lastColumn();
+        int lastRow = pixels.lastRow();
+        int fromRow = 0;
+        int toRow = lastRow;
+        if (az > Double.MIN_NORMAL && bz > Double.MIN_NORMAL && cz > Double.MIN_NORMAL) {
+            double ofA = 1.0 / az;
+            double ofB = 1.0 / bz;
+            double ofC = 1.0 / cz;
+            double low = Math.min(ax * ofA, Math.min(bx * ofB, cx * ofC));
+            double high = Math.max(ax * ofA, Math.max(bx * ofB, cx * ofC));
+            double upper = Math.min(ay * ofA, Math.min(by * ofB, cy * ofC));
+            double lower = Math.max(ay * ofA, Math.max(by * ofB, cy * ofC));
+            int fromColumn = atOrAfter(Math.max(low, 0.0));
+            int toColumn = atOrBefore(Math.min(high, lastColumn));
+            fromRow = atOrAfter(Math.max(upper, 0.0));
+            toRow = atOrBefore(Math.min(lower, lastRow));
+            if (fromColumn > toColumn || fromRow > toRow) {
+                return false;
+            }
+            if (fromRow == toRow && toColumn - fromColumn <= 1) {
+                double nearestCorner = Math.max(ofA, Math.max(ofB, ofC)) * (1.0 + IN_PLANE);
+                if (!pixels.anyBeyond(nearestCorner, fromColumn, toColumn, fromRow, toRow)) {
+                    return false;
+                }
+            }
+        } else if (ax < 0.0 && bx < 0.0 && cx < 0.0
                 || ay < 0.0 && by < 0.0 && cy < 0.0
                 || ax > lastColumn * az && bx > lastColumn * bz && cx > lastColumn * cz
                 || ay > lastRow * az && by > lastRow * bz && cy > lastRow * cz) {
@@ -167,7 +115,7 @@ final class TilePainter {
         double r = nz * inverse;
         double rx = nx * inverse;
         double ry = ny * inverse;
-        if (!(r + Math.max(0.0, lastColumn * rx) + Math.max(0.0, lastRow * ry) > leastInverse)) {
+        if (!(r + Math.max(0.0, lastColumn * rx) + Math.max(0.0, lastRow * ry) > pixels.leastInverse())) {
             return false;
         }
 
@@ -188,17 +136,6 @@ final class TilePainter {
             return false;
         }
 
-        int fromRow = 0;
-        int toRow = lastRow;
-        if (az > 0.0 && bz > 0.0 && cz > 0.0) {
-            double yA = ay / az;
-            double yB = by / bz;
-            double yC = cy / cz;
-            double high = Math.min(yA, Math.min(yB, yC));
-            double low = Math.max(yA, Math.max(yB, yC));
-            fromRow = high > 0.0 ? (int) (high + (1.0 - NEAR_EDGE)) : 0;
-            toRow = low < lastRow ? (int) (low + NEAR_EDGE) : lastRow;
-        }
         double atE = -1.0 / ex;
         double atF = -1.0 / fx;
         double atG = -1.0 / gx;
@@ -231,7 +168,7 @@ final class TilePainter {
             if (from > to + NEAR_EDGE) {
                 continue;
             }
-            int first = (int) (from + (1.0 - NEAR_EDGE));
+            int first = atOrAfter(from);
             int last = (int) (to + NEAR_EDGE);
             // Where an edge passes a pixel's centre within rounding, its sign decides.
             if (Math.abs(first - from) <= NEAR_EDGE
@@ -244,7 +181,7 @@ final class TilePainter {
                     && (eRow + last * ex < 0.0 || fRow + last * fx < 0.0 || gRow + last * gx < 0.0)) {
                 last--;
             }
-            taken |= paintRow(row * width, first, last, r + row * ry, rx, triangle);
+            taken |= first <= last && pixels.paint(row, first, last, r + row * ry + first * rx, rx, triangle);
         }
         return taken;
     }
@@ -261,18 +198,13 @@ final class TilePainter {
         return inside;
     }
 
-    private boolean paintRow(int start, int first, int last, double inverse, double step, int triangle) {
-        boolean taken = false;
-        for (int column = first; column <= last; column++) {
-            double here = inverse + column * step;
-            int pixel = start + column;
-            if (here > nearest[pixel]) {
-                uncovered -= nearest[pixel] == 0.0 ? 1 : 0;
-                nearest[pixel] = here;
-                triangles[pixel] = triangle;
-                taken = true;
-            }
-        }
-        return taken;
+    /** The first pixel at or after a place of zero or more. */
+    private static int atOrAfter(double place) {
+        return (int) (place + (1.0 - NEAR_EDGE));
+    }
+
+    /** The last pixel at or before a place; -1 for places before the first pixel. */
+    private static int atOrBefore(double place) {
+        return (int) (place + (1.0 + NEAR_EDGE)) - 1;
     }
 }

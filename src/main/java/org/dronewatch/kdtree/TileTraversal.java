@@ -9,31 +9,40 @@ import java.util.Arrays;
  *
  * <p>What it buys: a ray of its own costs a descent and a handful of triangle tests, a pixel of a tile a few additions.
  * The benchmark {@code PictureTracing} shows the ratio. It pays while triangles are not much smaller than pixels; a tile
- * that has met {@link #TRIANGLES_PER_PIXEL} times as many triangles as it has pixels is traced ray by ray instead.
+ * that has met {@link #TRIANGLES_PER_PIXEL} times as many triangles as it has pixels is traced ray by ray instead. Cells
+ * that lie between or behind all that the pixels see are left out ({@link TileSight}).
  */
 public final class TileTraversal {
     /** The most pixels of a tile in a row. */
-    public static final int WIDTH = 32;
+    public static final int WIDTH = 64;
     /** The most rows of a tile. */
-    public static final int HEIGHT = 32;
+    public static final int HEIGHT = 64;
     /** How many triangles a tile may meet for each of its pixels before single rays are cheaper. */
-    static final double TRIANGLES_PER_PIXEL = 4.0;
+    static final double TRIANGLES_PER_PIXEL = 8.0;
 
+    /** How many triangles are remembered as painted, a power of two. */
+    private static final int REMEMBERED = 1024;
+    /** Numbers that make a box. */
+    private static final int BOX = 6;
     /** Widens the interval of a cell by more than the roundings of its bounds. */
     private static final double WIDER = 1e-12;
 
     private final KDTree tree;
     private final KDTraversal single;
     private final PixelGrid grid = new PixelGrid();
+    private final TilePixels pixels = new TilePixels(grid, WIDTH * HEIGHT);
+    private final TileSight sight = new TileSight(grid, pixels);
     private final TilePainter painter;
 
     /** The ray parameter beyond which the tile sees nothing any more. */
     private double farthest;
 
-    /** On which tile each triangle was painted last: triangles lie in many leaves. */
-    private final int[] painted;
+    /**
+     * Triangles that were painted into this tile lately, each in the place of its lowest bits: triangles lie in many leaves.
+     * To forget one costs no more than painting it again.
+     */
+    private final int[] painted = new int[REMEMBERED];
 
-    private int tile;
     private int met;
 
     /**
@@ -48,16 +57,21 @@ public final class TileTraversal {
     private final double[] stackEntry;
     private final double[] stackExit;
 
+    /** The box of the cell that is walked, and of those on the stack: minimum on three axes, then maximum. */
+    private final double[] cell = new double[BOX];
+
+    private final double[] stackCells;
+
     /** A traversal of a tree for the use of one thread. */
     public TileTraversal(KDTree tree) {
         this.tree = tree;
         this.single = new StackTraversal(tree);
-        this.painter = new TilePainter(tree.corners(), grid, WIDTH * HEIGHT);
-        this.painted = new int[tree.mesh().triangleCount()];
+        this.painter = new TilePainter(tree.corners(), grid, pixels);
         int size = tree.depth() + 1;
         this.stackNode = new int[size];
         this.stackEntry = new double[size];
         this.stackExit = new double[size];
+        this.stackCells = new double[BOX * size];
     }
 
     /**
@@ -83,37 +97,31 @@ public final class TileTraversal {
      * @param rows 1 to {@link #HEIGHT}
      */
     public void trace(int firstColumn, int firstRow, int columns, int rows) {
-        painter.begin(firstColumn, firstRow, columns, rows);
+        pixels.begin(firstColumn, firstRow, columns, rows);
+        sight.begin();
+        painter.begin();
         farthest = Double.POSITIVE_INFINITY;
         met = 0;
-        nextTile();
+        Arrays.fill(painted, -1);
         setDirections(firstColumn, firstRow, columns, rows);
         if (!descend((int) (TRIANGLES_PER_PIXEL * columns * rows) + 1)) {
             traceSingly(firstColumn, firstRow, columns, rows);
         }
     }
 
-    private void nextTile() {
-        tile++;
-        if (tile == 0) {
-            Arrays.fill(painted, 0);
-            tile = 1;
-        }
-    }
-
     /** Whether a pixel of the last tile, counted from its own corner, sees a triangle. */
     public boolean hits(int column, int row) {
-        return painter.hits(column, row);
+        return pixels.hits(column, row);
     }
 
     /** Ray parameter of what a pixel of the last tile sees; infinity for nothing. */
     public double parameter(int column, int row) {
-        return painter.parameter(column, row);
+        return pixels.parameter(column, row);
     }
 
     /** What a pixel of the last tile sees, if it sees anything. */
     public int triangle(int column, int row) {
-        return painter.triangle(column, row);
+        return pixels.triangle(column, row);
     }
 
     /**
@@ -125,7 +133,7 @@ public final class TileTraversal {
      * @param rowLength from one row to the next
      */
     public void copyDistances(float[] target, int first, int rowLength) {
-        painter.copyDistances(target, first, rowLength);
+        pixels.copyDistances(target, first, rowLength);
     }
 
     /** The range of the rays' steps along each axis is that of the tile's corners: they are a grid. */
@@ -156,6 +164,8 @@ public final class TileTraversal {
         double[] origin = grid.origin;
         float[] box = tree.rootBox();
         for (int axis = 0; axis < 3; axis++) {
+            cell[axis] = box[axis];
+            cell[axis + 3] = box[axis + 3];
             // The face towards the origin lets in, the other one out; from inside no face lets in.
             double toLow = box[axis] - origin[axis];
             double toHigh = box[axis + 3] - origin[axis];
@@ -179,48 +189,67 @@ public final class TileTraversal {
             while (axis != KDNode.LEAF) {
                 // The origin's side is the nearer one. Where a parameter is not a number the origin lies in the plane:
                 // the comparisons then visit both sides.
-                double toPlane = KDNode.split(node) - origin[axis];
+                double plane = KDNode.split(node);
+                double toPlane = plane - origin[axis];
                 int near = index + 1;
                 int far = KDNode.rightChild(node);
                 int side = 2 * axis;
+                int nearFace = axis + 3;
+                int farFace = axis;
                 if (toPlane < 0.0) {
                     far = near;
                     near = KDNode.rightChild(node);
                     side++;
+                    nearFace = axis;
+                    farFace = axis + 3;
                 }
                 double firstMeets = toPlane * first[side];
                 double lastMeets = toPlane * last[side];
                 if (firstMeets > exit) {
                     index = near;
+                    cell[nearFace] = plane;
                 } else if (lastMeets < entry) {
                     index = far;
+                    cell[farFace] = plane;
                 } else {
                     stackNode[stacked] = far;
                     stackEntry[stacked] = firstMeets > entry ? firstMeets : entry;
                     stackExit[stacked] = exit;
+                    System.arraycopy(cell, 0, stackCells, BOX * stacked, BOX);
+                    stackCells[BOX * stacked + farFace] = plane;
                     stacked++;
                     index = near;
+                    cell[nearFace] = plane;
                     exit = lastMeets < exit ? lastMeets : exit;
                 }
                 node = nodes[index];
                 axis = KDNode.kind(node);
             }
 
-            paintLeaf(node);
+            if (KDNode.count(node) > 0 && sight.reaches(cell, 0)) {
+                paintLeaf(node);
+            }
             if (met > limit || painter.isLost()) {
                 return false;
             }
-            // What is still to come lies behind all that the tile sees: it is done.
             do {
                 if (stacked == 0) {
                     return true;
                 }
                 stacked--;
-            } while (stackEntry[stacked] > farthest);
+            } while (!isWorthWhile(stacked));
+            System.arraycopy(stackCells, BOX * stacked, cell, 0, BOX);
             index = stackNode[stacked];
             entry = stackEntry[stacked];
             exit = Math.min(stackExit[stacked], farthest);
         }
+    }
+
+    /** Whether the tile may see something in a cell on the stack. A leaf's cell is looked at when its turn has come. */
+    private boolean isWorthWhile(int stacked) {
+        return stackEntry[stacked] <= farthest
+                && (KDNode.kind(tree.nodes()[stackNode[stacked]]) == KDNode.LEAF
+                        || sight.reaches(stackCells, BOX * stacked));
     }
 
     private void paintLeaf(long leaf) {
@@ -230,14 +259,15 @@ public final class TileTraversal {
         boolean changed = false;
         for (int i = from; i < to; i++) {
             int triangle = leafTriangles[i];
-            if (painted[triangle] != tile) {
-                painted[triangle] = tile;
+            int place = triangle & (REMEMBERED - 1);
+            if (painted[place] != triangle) {
+                painted[place] = triangle;
                 met++;
                 changed |= painter.paint(triangle);
             }
         }
         if (changed) {
-            farthest = painter.farthest() * (1.0 + WIDER);
+            farthest = pixels.farthest() * (1.0 + WIDER);
         }
     }
 
@@ -250,7 +280,7 @@ public final class TileTraversal {
      * @param rows 1 to {@link #HEIGHT}
      */
     public void traceSingly(int firstColumn, int firstRow, int columns, int rows) {
-        painter.begin(firstColumn, firstRow, columns, rows);
+        pixels.begin(firstColumn, firstRow, columns, rows);
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 boolean hit = single.closestHit(
@@ -263,7 +293,7 @@ public final class TileTraversal {
                         0.0,
                         Double.POSITIVE_INFINITY);
                 if (hit) {
-                    painter.set(column, row, Math.abs(single.distance()), single.triangle());
+                    pixels.set(column, row, Math.abs(single.distance()), single.triangle());
                 }
             }
         }

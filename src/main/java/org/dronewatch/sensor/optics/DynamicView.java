@@ -16,7 +16,7 @@ import org.jogamp.vecmath.Matrix4d;
  */
 final class DynamicView {
     /** With more triangles than this for each pixel of its rectangle, a drone is traced ray by ray: measured. */
-    private static final double TRIANGLES_PER_PIXEL = 0.5;
+    private static final double TRIANGLES_PER_PIXEL = 6.0;
 
     private final CameraObject camera;
     private final SignificantPixels significantPixels;

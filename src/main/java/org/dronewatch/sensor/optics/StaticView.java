@@ -10,8 +10,8 @@ import org.dronewatch.world.World;
  * pixels is first asked for, and kept. Used by one thread at a time.
  */
 final class StaticView {
-    private static final int TILE_WIDTH = TileTraversal.WIDTH;
-    private static final int TILE_HEIGHT = TileTraversal.HEIGHT;
+    private static final int TILE_WIDTH = 32;
+    private static final int TILE_HEIGHT = 32;
 
     private final CameraObject camera;
     private final World world;
