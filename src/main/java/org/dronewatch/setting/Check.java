@@ -24,7 +24,7 @@ public final class Check {
     /** A value between two limits or on one of them. */
     public static double between(String name, double value, double low, double high, Quantity quantity) {
         if (!(value >= low && value <= high)) {
-            throw fails(name, value, quantity, "must be " + Limits.number(low) + " to " + Limits.number(high));
+            throw fails(name, value, quantity, "must be " + quantity.told(low) + " to " + quantity.told(high));
         }
         return value;
     }
@@ -38,10 +38,6 @@ public final class Check {
     }
 
     private static IllegalArgumentException fails(String name, double value, Quantity quantity, String limit) {
-        return new IllegalArgumentException(named(name, Limits.number(value), quantity) + " " + limit);
-    }
-
-    private static String named(String name, String value, Quantity quantity) {
-        return name + " " + value + (quantity.unit().isEmpty() ? "" : " " + quantity.unit());
+        return new IllegalArgumentException(name + " " + quantity.inWords(value) + " " + limit);
     }
 }

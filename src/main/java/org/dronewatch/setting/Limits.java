@@ -1,7 +1,6 @@
 package org.dronewatch.setting;
 
 import java.lang.reflect.RecordComponent;
-import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -53,33 +52,25 @@ public final class Limits {
 
     /** The limits of a number in words, as in {@code above 0 and at most 100}; empty when it must only be finite. */
     public static String inWords(In limits) {
+        Quantity quantity = limits.value();
+        // Where the unit is not that of a bare number it must be said.
+        String unit = quantity.toldUnit().equals(quantity.unit()) ? "" : " " + quantity.toldUnit();
         boolean closedBelow = limits.from() > limits.above();
         boolean closedAbove = limits.to() < limits.below();
         double low = closedBelow ? limits.from() : limits.above();
         double high = closedAbove ? limits.to() : limits.below();
         if (closedBelow && closedAbove) {
-            return number(low) + " to " + number(high);
+            return quantity.told(low) + " to " + quantity.told(high) + unit;
         }
         List<String> words = new ArrayList<>();
         if (Double.isFinite(low)) {
-            words.add(closedBelow ? number(low) + " or more" : "above " + number(low));
+            words.add(closedBelow ? quantity.told(low) + " or more" : "above " + quantity.told(low));
         }
         if (Double.isFinite(high)) {
-            words.add((closedAbove ? "at most " : "below ") + number(high));
+            words.add((closedAbove ? "at most " : "below ") + quantity.told(high));
         }
-        return String.join(" and ", words);
+        return words.isEmpty() ? "" : String.join(" and ", words) + unit;
     }
-
-    /** A number as a person writes it: {@code 0.5}, {@code 10000}. */
-    static String number(double value) {
-        if (!Double.isFinite(value)) {
-            return Double.toString(value);
-        }
-        String plain = BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
-        return plain.length() <= LONGEST_PLAIN ? plain : Double.toString(value);
-    }
-
-    private static final int LONGEST_PLAIN = 12;
 
     private record Component(String name, In limits) {
         void check(Object value) {
@@ -102,10 +93,16 @@ public final class Limits {
             }
         }
 
+        /** For angles that are more than a turn: most likely degrees were meant. */
+        private String hint(double value) {
+            return limits.value() == Quantity.ANGLE && Double.isFinite(value) && Math.abs(value) > 2.0 * Math.PI
+                    ? " (a number without a unit is in rad)"
+                    : "";
+        }
+
         private IllegalArgumentException fails(double value, String limit) {
-            String unit = limits.value().unit();
             return new IllegalArgumentException(
-                    name + " " + number(value) + (unit.isEmpty() ? "" : " " + unit) + " must be " + limit);
+                    name + " " + limits.value().inWords(value) + " must be " + limit + hint(value));
         }
     }
 }

@@ -1,5 +1,7 @@
 package org.dronewatch.setting;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import java.util.regex.Matcher;
@@ -61,6 +63,9 @@ public enum Quantity {
     private static final Pattern NUMBER_AND_UNIT =
             Pattern.compile("([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)\\s*(\\S*)");
     private static final int LONGEST = 60;
+    private static final int LONGEST_PLAIN = 12;
+    /** Degrees are told in so many digits, that 200 stay 200 though kept as radians. */
+    private static final MathContext TOLD = new MathContext(10);
 
     private final String unit;
     private final ToDoubleFunction<String> ofOneUnit;
@@ -73,6 +78,38 @@ public enum Quantity {
     /** The unit of a bare number, such as {@code m/s}; empty for a plain number. */
     public String unit() {
         return unit;
+    }
+
+    /** The unit in which a value is told to people: degrees for angles, elsewhere that of a bare number. */
+    String toldUnit() {
+        return switch (this) {
+            case ANGLE -> "deg";
+            case ANGULAR_SPEED -> "deg/s";
+            default -> unit;
+        };
+    }
+
+    /** A value as it is told to people, without its unit. */
+    String told(double value) {
+        if (unit.equals(toldUnit()) || !Double.isFinite(value)) {
+            return plain(value);
+        }
+        return plain(new BigDecimal(Math.toDegrees(value)).round(TOLD).doubleValue());
+    }
+
+    /** A value as it is told to people, with its unit: {@code 39.6 deg}. */
+    public String inWords(double value) {
+        String unitTold = toldUnit();
+        return unitTold.isEmpty() ? told(value) : told(value) + " " + unitTold;
+    }
+
+    /** A number as a person writes it: {@code 0.5}, {@code 10000}. */
+    private static String plain(double value) {
+        if (!Double.isFinite(value)) {
+            return Double.toString(value);
+        }
+        String plain = BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
+        return plain.length() <= LONGEST_PLAIN ? plain : Double.toString(value);
     }
 
     /**

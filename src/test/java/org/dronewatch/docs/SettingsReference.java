@@ -15,6 +15,7 @@ import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.Kinds;
@@ -98,7 +99,8 @@ final class SettingsReference {
                     .append(" | ")
                     .append(limits == null ? range(part.getGenericType()) : Limits.inWords(limits))
                     .append(" | ")
-                    .append(standard.map(this::standard).orElse(""))
+                    .append(standard.map(value -> standard(value, SettingText.quantity(part)))
+                            .orElse(""))
                     .append(" | ")
                     .append(texts.part(type, part.getName()).replace("|", "\\|"))
                     .append(" |\n");
@@ -137,6 +139,16 @@ final class SettingsReference {
             return "[" + title(plain) + "](#" + anchor(plain) + ")";
         }
         return "";
+    }
+
+    private String standard(Object value, Quantity quantity) {
+        if (value instanceof Double angle && quantity == Quantity.ANGLE) {
+            return standard(Math.toDegrees(angle)) + " deg";
+        }
+        if (value instanceof Double angle && quantity == Quantity.ANGULAR_SPEED) {
+            return standard(Math.toDegrees(angle)) + " deg/s";
+        }
+        return standard(value);
     }
 
     private String standard(Object value) {

@@ -36,7 +36,7 @@ class LimitsTest {
                 "100.5 | 1     | 0        | 0     | 0        | open 100.5 m must be above 0 and at most 100",
                 "1     | 0     | 0        | 0     | 0        | count 0 must be 1 to 20000",
                 "1     | 20001 | 0        | 0     | 0        | count 20001 must be 1 to 20000",
-                "1     | 1     | Infinity | 0     | 0        | any Infinity rad must be finite",
+                "1     | 1     | Infinity | 0     | 0        | any Infinity deg must be finite",
                 "NaN   | 1     | 0        | 0     | 0        | open NaN m must be finite",
                 "1     | 1     | 0        | -20.1 | 0        | least -20.1 dB must be -20 or more",
                 "1     | 1     | 0        | 0     | 0.5      | half 0.5 must be below 0.5",

@@ -9,6 +9,7 @@ import org.dronewatch.sensor.positioner.Direction;
 import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.sensor.positioner.Positioner;
 import org.dronewatch.sensor.positioner.PositionerSettings;
+import org.dronewatch.setting.Quantity;
 
 /**
  * Settings of a sensor that takes pictures: what it looks into is a pyramid, a picture tells directions, and a mount may turn
@@ -50,8 +51,8 @@ public interface PictureSensorSettings<S extends Sensor> extends SensorSettings<
         mount.flatMap(PositionerSettings::zoom).ifPresent(lens -> {
             double widest = Math.max(lens.cued(), lens.tracked());
             if (widest > fov) {
-                throw new IllegalArgumentException("zoom to " + (float) widest
-                        + " rad must be at most the camera's own field of view, fov " + (float) fov + " rad");
+                throw new IllegalArgumentException("zoom to " + Quantity.ANGLE.inWords(widest)
+                        + " must be at most the camera's own field of view, fov " + Quantity.ANGLE.inWords(fov));
             }
         });
     }

@@ -70,8 +70,8 @@ public record PositionerSettings(
             throw new IllegalArgumentException("cues " + cues + " must not name a sensor twice");
         }
         if (lowest > highest) {
-            throw new IllegalArgumentException(
-                    "lowest " + (float) lowest + " rad must be at most highest " + (float) highest + " rad");
+            throw new IllegalArgumentException("lowest " + Quantity.ANGLE.inWords(lowest) + " must be at most highest "
+                    + Quantity.ANGLE.inWords(highest));
         }
     }
 

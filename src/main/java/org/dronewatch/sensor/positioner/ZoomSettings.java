@@ -21,8 +21,8 @@ public record ZoomSettings(
     public ZoomSettings {
         Limits.check(ZoomSettings.class, cued, tracked, time);
         if (tracked > cued) {
-            throw new IllegalArgumentException(
-                    "tracked " + (float) tracked + " rad must be at most cued " + (float) cued + " rad: it zooms in");
+            throw new IllegalArgumentException("tracked " + Quantity.ANGLE.inWords(tracked) + " must be at most cued "
+                    + Quantity.ANGLE.inWords(cued) + ": it zooms in");
         }
     }
 

@@ -215,10 +215,11 @@ class PositionerTest {
     void impossibleMountsAreRefused() {
         assertThatThrownBy(() -> PositionerSettings.DEFAULT.withSpeed(0, 1))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("panSpeed 0 rad/s must be above 0 and at most 10");
-        assertThatThrownBy(() -> ZoomSettings.of(0, 1)).hasMessageStartingWith("cued 0 rad must be 0.0001 or more");
+                .hasMessage("panSpeed 0 deg/s must be above 0 and at most 572.9577951 deg/s");
+        assertThatThrownBy(() -> ZoomSettings.of(0, 1))
+                .hasMessageStartingWith("cued 0 deg must be 0.0057295779 or more");
         assertThatThrownBy(() -> ZoomSettings.of(0.1, 0.2))
-                .hasMessage("tracked 0.2 rad must be at most cued 0.1 rad: it zooms in");
+                .hasMessage("tracked 11.4591559 deg must be at most cued 5.7295779 deg: it zooms in");
         assertThatThrownBy(() -> PositionerSettings.DEFAULT.withCues("a", "a"))
                 .hasMessage("cues [a, a] must not name a sensor twice");
     }
