@@ -217,7 +217,7 @@ class PositionerTest {
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("panSpeed 0 deg/s must be above 0 and at most 572.9577951 deg/s");
         assertThatThrownBy(() -> ZoomSettings.of(0, 1))
-                .hasMessageStartingWith("cued 0 deg must be 0.0057295779 or more");
+                .hasMessageStartingWith("cued 0 deg must be 0.005729577951 or more");
         assertThatThrownBy(() -> ZoomSettings.of(0.1, 0.2))
                 .hasMessage("tracked 11.4591559 deg must be at most cued 5.7295779 deg: it zooms in");
         assertThatThrownBy(() -> PositionerSettings.DEFAULT.withCues("a", "a"))
