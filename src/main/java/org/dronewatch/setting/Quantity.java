@@ -65,7 +65,7 @@ public enum Quantity {
     private static final int LONGEST = 60;
     private static final int LONGEST_PLAIN = 12;
     /** Degrees are told in so many digits, that 200 stay 200 though kept as radians. */
-    private static final MathContext TOLD = new MathContext(10);
+    private static final MathContext TOLD = new MathContext(7);
 
     private final String unit;
     private final ToDoubleFunction<String> ofOneUnit;

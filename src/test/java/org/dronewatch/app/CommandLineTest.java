@@ -112,7 +112,7 @@ class CommandLineTest {
                 "run acoustic-range --set world.atmosphere.humidity=-5%   | humidity -0.05 | 0 to 1",
                 "run acoustic-range --set sensors.microphone.propagation=loud | 'loud'     | energy-model",
                 "run acoustic-range --set sensors.microphone.radius=0     | radius 0 m  | above 0",
-                "check camera-range --set sensors.camera.fov=4            | fov 229.1831181 deg | below 180 deg",
+                "check camera-range --set sensors.camera.fov=4            | fov 229.1831 deg | below 180 deg",
                 "render camera-range --camera eye --time 1 --out DIR/a.png | eye          | camera",
                 "render camera-range --camera camera --time 40 --out DIR/a.png | 40        | 0 to 39",
                 "render camera-range --camera camera --time soon --out DIR/a.png | soon    | number",

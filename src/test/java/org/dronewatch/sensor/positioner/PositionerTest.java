@@ -215,11 +215,11 @@ class PositionerTest {
     void impossibleMountsAreRefused() {
         assertThatThrownBy(() -> PositionerSettings.DEFAULT.withSpeed(0, 1))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("panSpeed 0 deg/s must be above 0 and at most 572.9577951 deg/s");
+                .hasMessage("panSpeed 0 deg/s must be above 0 and at most 572.9578 deg/s");
         assertThatThrownBy(() -> ZoomSettings.of(0, 1))
-                .hasMessageStartingWith("cued 0 deg must be 0.005729577951 or more");
+                .hasMessageStartingWith("cued 0 deg must be 0.005729578 or more");
         assertThatThrownBy(() -> ZoomSettings.of(0.1, 0.2))
-                .hasMessage("tracked 11.4591559 deg must be at most cued 5.7295779 deg: it zooms in");
+                .hasMessage("tracked 11.45916 deg must be at most cued 5.729578 deg: it zooms in");
         assertThatThrownBy(() -> PositionerSettings.DEFAULT.withCues("a", "a"))
                 .hasMessage("cues [a, a] must not name a sensor twice");
     }
