@@ -15,6 +15,7 @@ import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.Styler.LegendLayout;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
@@ -24,6 +25,10 @@ final class Charts {
     private static final int HEIGHT = 640;
     private static final int TITLE_SIZE = 18;
     private static final int TEXT_SIZE = 14;
+    /** Width of a letter of the legend, and of the sample of a line with the gaps about it, pixels. */
+    private static final int LETTER_WIDTH = 8;
+
+    private static final int SAMPLE_WIDTH = 50;
     private static final Color GRID = new Color(0xdddddd);
     private static final Color[] SERIES = {
         new Color(0x1f5fbf), new Color(0xff6a00), new Color(0x2a9d5c), new Color(0x9b3fb5), new Color(0xb58900),
@@ -44,7 +49,6 @@ final class Charts {
                 .setChartBackgroundColor(Color.WHITE)
                 .setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, TITLE_SIZE))
                 .setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_SIZE))
-                .setLegendPosition(LegendPosition.OutsideE)
                 .setSeriesColors(SERIES);
         chart.getStyler()
                 .setPlotGridLinesColor(GRID)
@@ -62,8 +66,22 @@ final class Charts {
                 new BasicStroke(2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10f, new float[] {8f, 6f}, 0f));
     }
 
+    /** Below the plot where the names fit into a line, beside it otherwise. */
+    private static void placeLegend(XYChart chart) {
+        int line = chart.getSeriesCollection().stream()
+                .mapToInt(series ->
+                        SAMPLE_WIDTH + LETTER_WIDTH * series.getLabel().length())
+                .sum();
+        if (line < WIDTH) {
+            chart.getStyler().setLegendPosition(LegendPosition.OutsideS).setLegendLayout(LegendLayout.Horizontal);
+        } else {
+            chart.getStyler().setLegendPosition(LegendPosition.OutsideE).setLegendLayout(LegendLayout.Vertical);
+        }
+    }
+
     /** Writes the plot as PNG. */
     static void write(XYChart chart, Path file) {
+        placeLegend(chart);
         // Image I/O's own cache on disk registers with the process's shutdown, which may be under way already.
         try (OutputStream target = Files.newOutputStream(file);
                 ImageOutputStream stream = new MemoryCacheImageOutputStream(target)) {

@@ -2,6 +2,7 @@ package org.dronewatch.report;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -21,6 +22,8 @@ final class RangePlots {
 
     /** Above so many thresholds the drone is certain, and the plot would only lose its scale. */
     private static final double TOP = 10.0;
+
+    private static final double TEN = 10.0;
 
     /** The threshold is to be seen below the top, in thresholds. */
     private static final double LEAST_TOP = 1.5;
@@ -49,9 +52,7 @@ final class RangePlots {
         sensors.forEach((sensor, series) -> {
             Series any = series.values().iterator().next();
             XYChart chart = Charts.chart(
-                    result.scene() + ": what '" + sensor + "' measured over the range",
-                    "range [m]",
-                    any.unit.isEmpty() ? "probability" : "value [" + any.unit + "]");
+                    result.scene() + ": what '" + sensor + "' measured over the range", "range [m]", axisOf(any.unit));
             double farthest =
                     series.values().stream().mapToDouble(Series::farthest).max().orElse(1.0);
             series.forEach((key, values) -> {
@@ -75,9 +76,35 @@ final class RangePlots {
                         .orElse(0.0);
                 chart.getStyler().setYAxisMin(0.0);
                 chart.getStyler().setYAxisMax(Math.min(any.top(), Math.max(1.05 * most, LEAST_TOP * any.threshold)));
+            } else {
+                showDecibels(chart, series.values());
             }
             Charts.write(chart, files.apply(sensor));
         });
+    }
+
+    /** Zero is no end of a scale of decibels: from one ten to another, with the thresholds that are drawn. */
+    private static void showDecibels(XYChart chart, Collection<Series> series) {
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        for (Series values : series) {
+            least = Math.min(least, values.lowest());
+            most = Math.max(most, values.highest());
+            if (!values.thresholdVaries) {
+                least = Math.min(least, values.threshold);
+                most = Math.max(most, values.threshold);
+            }
+        }
+        double from = TEN * Math.floor(least / TEN);
+        chart.getStyler().setYAxisMin(from);
+        chart.getStyler().setYAxisMax(Math.max(from + TEN, TEN * Math.ceil(most / TEN)));
+    }
+
+    private static String axisOf(String unit) {
+        if (unit.equals(Quantity.PIXELS.unit())) {
+            return "pixels of the drone";
+        }
+        return unit.isEmpty() ? "probability" : "value [" + unit + "]";
     }
 
     private static String name(int run, String drone, SceneResult result) {
@@ -115,6 +142,10 @@ final class RangePlots {
 
         double highest() {
             return value.stream().mapToDouble(Double::doubleValue).max().orElse(0.0);
+        }
+
+        double lowest() {
+            return value.stream().mapToDouble(Double::doubleValue).min().orElse(0.0);
         }
 
         double farthest() {

@@ -12,6 +12,7 @@ import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SweepAxis;
 import org.dronewatch.scene.SweepPoint;
+import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsPath;
 import org.knowm.xchart.XYChart;
 
@@ -34,12 +35,12 @@ final class SweepPlot {
         return numbers ? Optional.of(new SweepPlot(scene, result, points.get(0).parameter())) : Optional.empty();
     }
 
-    /** The parameter as part of a file name. */
     /** What it shows, in a sentence. */
     String caption() {
         return "At which distance each sensor first detects a drone, over '" + parameter + "'.";
     }
 
+    /** The parameter as part of a file name. */
     String fileName() {
         return parameter.replaceAll("[^A-Za-z0-9]+", "-");
     }
@@ -61,9 +62,10 @@ final class SweepPlot {
 
     private SweepAxis ofTheSetting() {
         SettingsPath path = new SettingsPath(parameter);
-        String unit = path.quantity(result.runs().get(0).settings()).unit();
+        Quantity quantity = path.quantity(result.runs().get(0).settings());
+        String unit = quantity.toldUnit();
         String label = unit.isEmpty() ? parameter : parameter + " [" + unit + "]";
-        return new SweepAxis(label, settings -> ((Number) path.read(settings)).doubleValue());
+        return new SweepAxis(label, settings -> quantity.told(((Number) path.read(settings)).doubleValue()));
     }
 
     private void addMeasured(XYChart chart, SweepAxis axis, String sensor) {

@@ -1,15 +1,19 @@
 package org.dronewatch.report;
 
-import java.util.Locale;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.SweepSettings;
+import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsPath;
 
 /** The value that a swept setting has in one run, as people read it. */
 public final class SweptValue {
+    private static final MathContext DIGITS = new MathContext(4);
+
     private final String parameter;
     private final Object value;
-    private final String unit;
+    private final Quantity quantity;
 
     /**
      * Reads the value.
@@ -21,20 +25,26 @@ public final class SweptValue {
         SettingsPath path = new SettingsPath(sweep.parameter());
         this.parameter = sweep.parameter();
         this.value = sweep.valueIn(settings);
-        this.unit = path.quantity(settings).unit();
+        this.quantity = path.quantity(settings);
     }
 
-    /** With the whole path: {@code sensors.camera.fov=0.5236 rad}. */
+    /** With the whole path: {@code sensors.camera.fov=30 deg}. */
     public String text() {
-        return (parameter + "=" + number() + " " + unit).strip();
+        return (parameter + "=" + number() + " " + quantity.toldUnit()).strip();
     }
 
-    /** With the setting's own name only: {@code fov 0.5236 rad}. */
+    /** With the setting's own name only: {@code fov 30 deg}. */
     public String shortText() {
-        return (parameter.substring(parameter.lastIndexOf('.') + 1) + " " + number() + " " + unit).strip();
+        return (parameter.substring(parameter.lastIndexOf('.') + 1) + " " + number() + " " + quantity.toldUnit())
+                .strip();
     }
 
     private String number() {
-        return value instanceof Double number ? String.format(Locale.ROOT, "%.4g", number) : value.toString();
+        return value instanceof Double number
+                ? BigDecimal.valueOf(quantity.told(number))
+                        .round(DIGITS)
+                        .stripTrailingZeros()
+                        .toPlainString()
+                : value.toString();
     }
 }

@@ -24,7 +24,7 @@ public final class Check {
     /** A value between two limits or on one of them. */
     public static double between(String name, double value, double low, double high, Quantity quantity) {
         if (!(value >= low && value <= high)) {
-            throw fails(name, value, quantity, "must be " + quantity.told(low) + " to " + quantity.told(high));
+            throw fails(name, value, quantity, "must be " + quantity.number(low) + " to " + quantity.number(high));
         }
         return value;
     }

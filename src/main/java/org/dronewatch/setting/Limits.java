@@ -60,14 +60,14 @@ public final class Limits {
         double low = closedBelow ? limits.from() : limits.above();
         double high = closedAbove ? limits.to() : limits.below();
         if (closedBelow && closedAbove) {
-            return quantity.told(low) + " to " + quantity.told(high) + unit;
+            return quantity.number(low) + " to " + quantity.number(high) + unit;
         }
         List<String> words = new ArrayList<>();
         if (Double.isFinite(low)) {
-            words.add(closedBelow ? quantity.told(low) + " or more" : "above " + quantity.told(low));
+            words.add(closedBelow ? quantity.number(low) + " or more" : "above " + quantity.number(low));
         }
         if (Double.isFinite(high)) {
-            words.add((closedAbove ? "at most " : "below ") + quantity.told(high));
+            words.add((closedAbove ? "at most " : "below ") + quantity.number(high));
         }
         return words.isEmpty() ? "" : String.join(" and ", words) + unit;
     }

@@ -81,7 +81,7 @@ public enum Quantity {
     }
 
     /** The unit in which a value is told to people: degrees for angles, elsewhere that of a bare number. */
-    String toldUnit() {
+    public String toldUnit() {
         return switch (this) {
             case ANGLE -> "deg";
             case ANGULAR_SPEED -> "deg/s";
@@ -89,18 +89,22 @@ public enum Quantity {
         };
     }
 
-    /** A value as it is told to people, without its unit. */
-    String told(double value) {
+    /** A value in the unit in which it is told to people. */
+    public double told(double value) {
         if (unit.equals(toldUnit()) || !Double.isFinite(value)) {
-            return plain(value);
+            return value;
         }
-        return plain(new BigDecimal(Math.toDegrees(value)).round(TOLD).doubleValue());
+        return new BigDecimal(Math.toDegrees(value)).round(TOLD).doubleValue();
+    }
+
+    /** A value as it is told to people, without its unit. */
+    String number(double value) {
+        return plain(told(value));
     }
 
     /** A value as it is told to people, with its unit: {@code 39.6 deg}. */
     public String inWords(double value) {
-        String unitTold = toldUnit();
-        return unitTold.isEmpty() ? told(value) : told(value) + " " + unitTold;
+        return (number(value) + " " + toldUnit()).strip();
     }
 
     /** A number as a person writes it: {@code 0.5}, {@code 10000}. */

@@ -83,6 +83,10 @@ public final class SettingText {
                     .map(part -> parse(inner, quantity, part.strip()))
                     .toList();
         }
+        if (type.getRawType() == List.class) {
+            throw new IllegalArgumentException(
+                    "is a list: name one of its places, 0 the first; only a scene file can make it longer or shorter");
+        }
         throw several();
     }
 

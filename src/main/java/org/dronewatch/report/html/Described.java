@@ -74,10 +74,10 @@ final class Described {
     private static String number(Number number, Quantity quantity) {
         double value = number.doubleValue();
         if (quantity == Quantity.ANGULAR_SPEED) {
-            return digits(Math.toDegrees(value)) + "\u00b0/s";
+            return digits(quantity.told(value)) + "\u00b0/s";
         }
         if (quantity == Quantity.ANGLE) {
-            return digits(Math.toDegrees(value)) + "\u00b0";
+            return digits(quantity.told(value)) + "\u00b0";
         }
         if (quantity == Quantity.FREQUENCY && value >= 1e6) {
             return value >= 1e9 ? digits(1e-9 * value) + " GHz" : digits(1e-6 * value) + " MHz";
