@@ -65,7 +65,7 @@ final class RangePlots {
                     .mapToDouble(values -> values.threshold)
                     .distinct()
                     .forEach(threshold -> {
-                        String name = "threshold " + Numbers.text(threshold) + " " + any.unit;
+                        String name = "threshold " + Numbers.brief(threshold) + " " + any.unit;
                         double[] ends = {0.0, farthest};
                         Charts.asReference(chart.addSeries(name, ends, new double[] {threshold, threshold}));
                     });

@@ -1,7 +1,5 @@
 package org.dronewatch.report;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.SweepSettings;
 import org.dronewatch.setting.Quantity;
@@ -9,8 +7,6 @@ import org.dronewatch.setting.SettingsPath;
 
 /** The value that a swept setting has in one run, as people read it. */
 public final class SweptValue {
-    private static final MathContext DIGITS = new MathContext(4);
-
     private final String parameter;
     private final Object value;
     private final Quantity quantity;
@@ -40,11 +36,6 @@ public final class SweptValue {
     }
 
     private String number() {
-        return value instanceof Double number
-                ? BigDecimal.valueOf(quantity.told(number))
-                        .round(DIGITS)
-                        .stripTrailingZeros()
-                        .toPlainString()
-                : value.toString();
+        return value instanceof Double number ? Numbers.brief(quantity.told(number)) : value.toString();
     }
 }

@@ -210,7 +210,8 @@ class RadarSensorTest {
                 .withMessageContaining("minSpeed");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> RADAR.withFieldOfView(7, 1))
-                .withMessageContaining("azimuthWidth 7 rad");
+                .withMessageContaining(
+                        "azimuthWidth 401.0705 deg must be above 0 and at most 360 deg (a number without");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> RADAR.withAim(new Aim.Target(new Position(0, 0, 0))))
                 .withMessageContaining("lookAt");
