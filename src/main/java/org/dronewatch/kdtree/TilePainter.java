@@ -169,7 +169,7 @@ final class TilePainter {
                 continue;
             }
             int first = atOrAfter(from);
-            int last = (int) (to + NEAR_EDGE);
+            int last = atOrBefore(to);
             // Where an edge passes a pixel's centre within rounding, its sign decides.
             if (Math.abs(first - from) <= NEAR_EDGE
                     && first <= last
@@ -203,8 +203,8 @@ final class TilePainter {
         return (int) (place + (1.0 - NEAR_EDGE));
     }
 
-    /** The last pixel at or before a place; -1 for places before the first pixel. */
+    /** The last pixel at or before a place; -1 for all places before the first pixel, however far. */
     private static int atOrBefore(double place) {
-        return (int) (place + (1.0 + NEAR_EDGE)) - 1;
+        return place > -NEAR_EDGE ? (int) (place + NEAR_EDGE) : -1;
     }
 }

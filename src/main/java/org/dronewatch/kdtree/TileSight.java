@@ -6,10 +6,10 @@ package org.dronewatch.kdtree;
  * spares their triangles. One per thread.
  */
 final class TileSight {
-    /** How far a box's shadow on the tile is widened, in pixels: more than roundings, and than the painter's edges. */
+    /** How far a box's shadow on the tile is widened, in pixels: more than the painter widens edges. */
     private static final double MARGIN = 1e-5;
-    /** By what part of the ray parameter a box is taken for nearer than it is. */
-    private static final double NEARER = 1e-12;
+    /** Relative size of the roundings of a box's place and reach, generously. */
+    private static final double ROUNDING = 1e-14;
 
     private final PixelGrid grid;
     private final TilePixels pixels;
@@ -49,7 +49,7 @@ final class TileSight {
         double middleZ = boxes[at + 2] + halfZ - origin[2];
         double depth = m[0] * middleX + m[1] * middleY + m[2] * middleZ;
         double depthReach = Math.abs(m[0]) * halfX + Math.abs(m[1]) * halfY + Math.abs(m[2]) * halfZ;
-        double near = (depth - depthReach) * (1.0 - NEARER);
+        double near = depth - depthReach - ROUNDING * (Math.abs(depth) + depthReach);
         if (!(near > 0.0)) {
             return true;
         }
@@ -61,10 +61,12 @@ final class TileSight {
         // The shadow's borders: those beyond the tile's corner are farthest from it at the near end of the box.
         double ofNear = 1.0 / near;
         double ofFar = 1.0 / (depth + depthReach);
-        double low = (x - xReach) * (x < xReach ? ofNear : ofFar) - MARGIN;
-        double high = (x + xReach) * (x < -xReach ? ofFar : ofNear) + MARGIN;
-        double upper = (y - yReach) * (y < yReach ? ofNear : ofFar) - MARGIN;
-        double lower = (y + yReach) * (y < -yReach ? ofFar : ofNear) + MARGIN;
+        double across = MARGIN + ROUNDING * (Math.abs(x) + xReach) * ofNear;
+        double downwards = MARGIN + ROUNDING * (Math.abs(y) + yReach) * ofNear;
+        double low = (x - xReach) * (x < xReach ? ofNear : ofFar) - across;
+        double high = (x + xReach) * (x < -xReach ? ofFar : ofNear) + across;
+        double upper = (y - yReach) * (y < yReach ? ofNear : ofFar) - downwards;
+        double lower = (y + yReach) * (y < -yReach ? ofFar : ofNear) + downwards;
         if (high < 0.0 || lower < 0.0 || low > pixels.lastColumn() || upper > pixels.lastRow()) {
             return false;
         }

@@ -39,7 +39,7 @@ public final class TileTraversal {
 
     /**
      * Triangles that were painted into this tile lately, each in the place of its lowest bits: triangles lie in many leaves.
-     * To forget one costs no more than painting it again.
+     * One that was forgotten is painted again, which changes nothing, and counts as met again.
      */
     private final int[] painted = new int[REMEMBERED];
 

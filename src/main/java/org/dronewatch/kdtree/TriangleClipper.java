@@ -41,7 +41,7 @@ final class TriangleClipper {
             if (a < low || b < low || c < low) {
                 size = clipHalfSpace(size, axis, low, 1.0);
             }
-            if (a > high || b > high || c > high) {
+            if (size > 0 && (a > high || b > high || c > high)) {
                 size = clipHalfSpace(size, axis, high, -1.0);
             }
         }

@@ -26,7 +26,7 @@ final class Charts {
     private static final int TITLE_SIZE = 18;
     private static final int TEXT_SIZE = 14;
     /** Width of a letter of the legend, and of the sample of a line with the gaps about it, pixels. */
-    private static final int LETTER_WIDTH = 8;
+    private static final int LETTER_WIDTH = 10;
 
     private static final int SAMPLE_WIDTH = 50;
     private static final Color GRID = new Color(0xdddddd);

@@ -52,7 +52,9 @@ final class RangePlots {
         sensors.forEach((sensor, series) -> {
             Series any = series.values().iterator().next();
             XYChart chart = Charts.chart(
-                    result.scene() + ": what '" + sensor + "' measured over the range", "range [m]", axisOf(any.unit));
+                    result.scene() + ": what '" + sensor + "' measured over the range",
+                    "range [m]",
+                    axisOf(series.values()));
             double farthest =
                     series.values().stream().mapToDouble(Series::farthest).max().orElse(1.0);
             series.forEach((key, values) -> {
@@ -100,11 +102,14 @@ final class RangePlots {
         chart.getStyler().setYAxisMax(Math.max(from + TEN, TEN * Math.ceil(most / TEN)));
     }
 
-    private static String axisOf(String unit) {
-        if (unit.equals(Quantity.PIXELS.unit())) {
-            return "pixels of the drone";
+    private static String axisOf(Collection<Series> series) {
+        Series any = series.iterator().next();
+        if (any.unit.isEmpty()) {
+            return "probability";
         }
-        return unit.isEmpty() ? "probability" : "value [" + unit + "]";
+        String what = any.unit.equals(Quantity.PIXELS.unit()) ? "pixels of the drone" : "value [" + any.unit + "]";
+        boolean cut = series.stream().anyMatch(values -> values.cut);
+        return cut ? what + ", cut at " + Numbers.brief(any.top()) : what;
     }
 
     private static String name(int run, String drone, SceneResult result) {
@@ -120,6 +125,7 @@ final class RangePlots {
         private final double threshold;
         private final String unit;
         private boolean thresholdVaries;
+        private boolean cut;
 
         Series(Observation first) {
             this.threshold = first.threshold();
@@ -129,6 +135,7 @@ final class RangePlots {
         void add(Observation observation) {
             thresholdVaries |= observation.threshold() != threshold;
             range.add(observation.range());
+            cut |= observation.value() > top();
             value.add(Math.min(observation.value(), top()));
         }
 

@@ -44,7 +44,7 @@ public sealed interface Aim {
      * @param elevation above the horizon, -pi/2 to pi/2, rad
      */
     record Direction(
-            @In(Quantity.ANGLE) double azimuth,
+            @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double azimuth,
             @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double elevation)
             implements Aim {
         /** Level to the north. */

@@ -15,6 +15,9 @@ import java.lang.annotation.Target;
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)
 public @interface In {
+    /** Twice about, rad: the limit of directions, which is there to find degrees that were taken for radians. */
+    double TWO_TURNS = 4.0 * Math.PI;
+
     /** The quantity. */
     Quantity value();
 

@@ -93,16 +93,8 @@ public final class Limits {
             }
         }
 
-        /** For angles that are more than a turn: most likely degrees were meant. */
-        private String hint(double value) {
-            return limits.value() == Quantity.ANGLE && Double.isFinite(value) && Math.abs(value) > 2.0 * Math.PI
-                    ? " (a number without a unit is in rad)"
-                    : "";
-        }
-
         private IllegalArgumentException fails(double value, String limit) {
-            return new IllegalArgumentException(
-                    name + " " + limits.value().inWords(value) + " must be " + limit + hint(value));
+            return new IllegalArgumentException(name + " " + limits.value().inWords(value) + " must be " + limit);
         }
     }
 }

@@ -64,6 +64,8 @@ public enum Quantity {
             Pattern.compile("([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)\\s*(\\S*)");
     private static final int LONGEST = 60;
     private static final int LONGEST_PLAIN = 12;
+    /** So few digits have radians that somebody wrote, hardly ever degrees that were turned into them. */
+    private static final int LONGEST_WRITTEN = 6;
     /** Degrees are told in so many digits, that 200 stay 200 though kept as radians. */
     private static final MathContext TOLD = new MathContext(7);
 
@@ -102,9 +104,15 @@ public enum Quantity {
         return plain(told(value));
     }
 
-    /** A value as it is told to people, with its unit: {@code 39.6 deg}. */
+    /**
+     * A value as it is told to people, with its unit: {@code 39.6 deg}. Where it looks as if radians had been written,
+     * with them: {@code 3437.747 deg (60 rad)}.
+     */
     public String inWords(double value) {
-        return (number(value) + " " + toldUnit()).strip();
+        String told = (number(value) + " " + toldUnit()).strip();
+        String written = plain(value);
+        boolean bare = !unit.equals(toldUnit()) && value != 0.0 && written.length() <= LONGEST_WRITTEN;
+        return bare ? told + " (" + written + " " + unit + ")" : told;
     }
 
     /** A number as a person writes it: {@code 0.5}, {@code 10000}. */

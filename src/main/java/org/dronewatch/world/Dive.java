@@ -17,7 +17,7 @@ import org.dronewatch.setting.Quantity;
  */
 public record Dive(
         Position target,
-        @In(Quantity.ANGLE) double bearing,
+        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing,
         @In(value = Quantity.LENGTH, above = 0) double distance,
         @In(value = Quantity.LENGTH, above = 0) double height,
         @In(value = Quantity.ANGLE, from = Math.PI / 18, to = Math.PI / 2) double angle)

@@ -44,7 +44,8 @@ public sealed interface FlightPathSettings
      * @param position where, m
      * @param heading where the nose points, clockwise from north, rad
      */
-    record Hover(Position position, @In(Quantity.ANGLE) double heading) implements FlightPathSettings {
+    record Hover(Position position, @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading)
+            implements FlightPathSettings {
         /** Checks the limits. */
         public Hover {
             Limits.check(Hover.class, position, heading);
@@ -102,7 +103,7 @@ public sealed interface FlightPathSettings
      */
     record Inbound(
             Position target,
-            @In(Quantity.ANGLE) double bearing,
+            @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing,
             @In(Quantity.LENGTH) double height,
             @In(value = Quantity.LENGTH, above = 0) double distance,
             @In(value = Quantity.LENGTH, from = 0) double nearest)
@@ -206,7 +207,9 @@ public sealed interface FlightPathSettings
      * @param bearing where it is at time 0 as seen from the middle, clockwise from north, rad
      */
     record Orbit(
-            Position centre, @In(value = Quantity.LENGTH, above = 0) double radius, @In(Quantity.ANGLE) double bearing)
+            Position centre,
+            @In(value = Quantity.LENGTH, above = 0) double radius,
+            @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing)
             implements FlightPathSettings {
         /** Checks the limits. */
         public Orbit {

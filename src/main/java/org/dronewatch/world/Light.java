@@ -72,7 +72,7 @@ public record Light(
      * @param elevation above the horizon, -pi/2 to pi/2, rad
      */
     public record Sun(
-            @In(Quantity.ANGLE) double azimuth,
+            @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double azimuth,
             @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double elevation) {
         /** Checks the limits. */
         public Sun {

@@ -18,7 +18,7 @@ import org.dronewatch.setting.Quantity;
  */
 public record LowApproach(
         GroundPoint target,
-        @In(Quantity.ANGLE) double bearing,
+        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing,
         @In(value = Quantity.LENGTH, above = 0, to = GroundTrack.LONGEST) double distance,
         @In(value = Quantity.LENGTH, above = 0, to = 10_000) double height,
         @In(value = Quantity.LENGTH, from = 0) double nearest)

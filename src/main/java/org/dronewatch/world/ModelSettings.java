@@ -22,7 +22,7 @@ public record ModelSettings(
         UpAxis upAxis,
         @In(value = Quantity.NUMBER, above = 0) double scale,
         @In(Quantity.LENGTH) Position position,
-        @In(Quantity.ANGLE) double heading) {
+        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading) {
     /** The prefix of models that come with the library. */
     public static final String PACKAGED = "packaged:";
 

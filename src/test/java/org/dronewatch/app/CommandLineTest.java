@@ -90,7 +90,7 @@ class CommandLineTest {
                 "run camera-range --set sensors.camera.width=0            | width 0 px    | 1 to 16384",
                 "run camera-range --set sensors.camera.height=-1          | height -1 px  | 1 to 16384",
                 "run camera-range --set world.models=a                    | world.models | is a list",
-                "run camera-range --set sensors.camera.fov=60             | fov 3437.747 deg | without a unit is in rad",
+                "run camera-range --set sensors.camera.fov=60             | fov 3437.747 deg (60 rad) must be | below 180 deg",
                 "run camera-range --set sensors.camera.fov=0              | fov 0 deg   | above 0",
                 "run camera-range --set sensors.camera.fov=180deg         | fov 180 deg   | below 180 deg",
                 "run camera-range --set sensors.camera.fov=3.141592653589793 | fov 180 deg | below 180 deg",

@@ -2,7 +2,9 @@ package org.dronewatch.kdtree;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -96,6 +98,43 @@ class TileTraversalTest {
             tiles.setPicture(eye, at, u, v);
             tiles.trace(-3, -2, 7, 5);
             assertThat(tiles.hits(3, 2)).as("vertex of triangle %d", triangle).isTrue();
+        }
+    }
+
+    /** The sliver begins in the plane of the eye: its nearest corners lie billions of rows above the tile. */
+    @Test
+    void aSliverFarAboveTheTileIsLeftOut() {
+        float[] corners = {
+            2.0154733e-8f,
+            8.877762e-11f,
+            2.4915876f,
+            1.2525413e-8f,
+            0f,
+            2.669174f,
+            6.81866e-9f,
+            -1.6378561e-12f,
+            2.837284f,
+            0f,
+            -0.02f,
+            2.4f,
+            0.03f,
+            0.01f,
+            2.9f,
+            5f,
+            0.3f,
+            -3f
+        };
+        TriangleMesh mesh =
+                new TriangleMesh(corners, new int[] {0, 1, 2, 3, 4, 5}, new int[2], new int[] {0, 1}, List.of("wall"));
+        TileTraversal tiles = new TileTraversal(KDTree.of(mesh));
+        tiles.setPicture(
+                new double[3], new double[] {1, -0.032, 0.032}, new double[] {0, 0.001, 0}, new double[] {0, 0, -0.001
+                });
+        assertTimeoutPreemptively(Duration.ofSeconds(20), () -> tiles.trace(0, 0, 57, 37));
+        for (int pixel = 0; pixel < 57 * 37; pixel++) {
+            assertThat(tiles.hits(pixel % 57, pixel / 57) && tiles.triangle(pixel % 57, pixel / 57) == 0)
+                    .as("pixel %d", pixel)
+                    .isFalse();
         }
     }
 

@@ -261,7 +261,7 @@ class ThreatFlightTest {
                 .withMessage("distance 90.0 m must be above 100.0 m, at which the dive from height 100.0 m begins");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Dive(new Position(0, 0, 0), 0, 9000, 100, 0.1))
-                .withMessageContaining("angle 5.729578 deg must be 10 to 90 deg");
+                .withMessageContaining("angle 5.729578 deg (0.1 rad) must be 10 to 90 deg");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new PopUp(new Position(0, 0, 0), -1, 10))
                 .withMessage("hidden -1 s must be 0 or more");

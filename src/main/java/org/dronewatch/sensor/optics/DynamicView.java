@@ -15,7 +15,10 @@ import org.jogamp.vecmath.Matrix4d;
  * pixel belongs to the nearest drone that stands before the world. Used by one thread at a time.
  */
 final class DynamicView {
-    /** With more triangles than this for each pixel of its rectangle, a drone is traced ray by ray: measured. */
+    /**
+     * With more triangles than this for each pixel of its rectangle, a drone is traced ray by ray. Measured with the
+     * quadrotor of 4,904 triangles: at 24 x 24 pixels rays and tiles take the same time, at 12 x 12 rays half of it.
+     */
     private static final double TRIANGLES_PER_PIXEL = 6.0;
 
     private final CameraObject camera;

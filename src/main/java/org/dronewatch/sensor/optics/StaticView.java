@@ -10,7 +10,9 @@ import org.dronewatch.world.World;
  * pixels is first asked for, and kept. Used by one thread at a time.
  */
 final class StaticView {
+    /** Smaller than a traversal's tiles may be: mostly only the few pixels behind a drone are asked for. */
     private static final int TILE_WIDTH = 32;
+
     private static final int TILE_HEIGHT = 32;
 
     private final CameraObject camera;

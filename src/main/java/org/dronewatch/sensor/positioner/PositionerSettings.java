@@ -15,8 +15,8 @@ import org.dronewatch.setting.Quantity;
  * has not been seen for a while.
  *
  * @param cues names of the sensors that it listens to; they must tell directions, as radars and cameras do
- * @param panSpeed how fast it turns, above 0 and at most 10 rad/s
- * @param tiltSpeed how fast it tilts, above 0 and at most 10 rad/s
+ * @param panSpeed how fast it turns, above 0 and at most 600 degrees per second, rad/s
+ * @param tiltSpeed how fast it tilts, above 0 and at most 600 degrees per second, rad/s
  * @param lowest elevation, -pi/2 to pi/2 rad
  * @param highest elevation, -pi/2 to pi/2, not below the lowest, rad
  * @param delay from another sensor's detection until the mount begins to turn, 0 to 60 s
@@ -27,8 +27,8 @@ import org.dronewatch.setting.Quantity;
  */
 public record PositionerSettings(
         List<String> cues,
-        @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10) double panSpeed,
-        @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10) double tiltSpeed,
+        @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double panSpeed,
+        @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double tiltSpeed,
         @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double lowest,
         @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double highest,
         @In(value = Quantity.DURATION, from = 0, to = 60) double delay,

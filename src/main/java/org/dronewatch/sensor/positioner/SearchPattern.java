@@ -33,9 +33,10 @@ public sealed interface SearchPattern {
     /**
      * Turns round and round, clockwise.
      *
-     * @param speed above 0 and at most 10 rad/s
+     * @param speed above 0 and at most 600 degrees per second, rad/s
      */
-    record Round(@In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10) double speed) implements SearchPattern {
+    record Round(@In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double speed)
+            implements SearchPattern {
         /** Once in 36 s. */
         @Defaults
         public static final Round DEFAULT = new Round(Math.toRadians(10.0));
@@ -54,16 +55,16 @@ public sealed interface SearchPattern {
     /**
      * Turns to and fro, or covers a field row by row from below and back again. It begins at the left.
      *
-     * @param width of the field, about the aim, 0.001 to 2 pi rad
+     * @param width of the field, about the aim, 0.1 degrees to 2 pi, rad
      * @param height of the field, about the aim, 0 to pi/2 rad
      * @param rows how many, 1 to 100; one row is in the middle of the height
-     * @param speed above 0 and at most 10 rad/s
+     * @param speed above 0 and at most 600 degrees per second, rad/s
      */
     record Sweep(
-            @In(value = Quantity.ANGLE, from = 0.001, to = 2 * Math.PI) double width,
+            @In(value = Quantity.ANGLE, from = Math.PI / 1800, to = 2 * Math.PI) double width,
             @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 2) double height,
             @In(value = Quantity.NUMBER, from = 1, to = 100) int rows,
-            @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10) double speed)
+            @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double speed)
             implements SearchPattern {
         /** Checks the limits. */
         public Sweep {

@@ -14,13 +14,13 @@ import org.dronewatch.setting.Quantity;
  * How well a radar tells where a drone is: standard deviations of errors that are normal, and independent from scan to scan.
  *
  * @param range 0 to 1000 m
- * @param azimuth 0 to 0.5 rad
- * @param elevation 0 to 0.5 rad
+ * @param azimuth 0 to pi/6, rad
+ * @param elevation 0 to pi/6, rad
  */
 public record Accuracy(
         @In(value = Quantity.LENGTH, from = 0, to = 1000) double range,
-        @In(value = Quantity.ANGLE, from = 0, to = 0.5) double azimuth,
-        @In(value = Quantity.ANGLE, from = 0, to = 0.5) double elevation) {
+        @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 6) double azimuth,
+        @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 6) double elevation) {
     /** 5 m and one degree. */
     @Defaults
     public static final Accuracy DEFAULT = new Accuracy(5.0, Math.toRadians(1.0), Math.toRadians(1.0));

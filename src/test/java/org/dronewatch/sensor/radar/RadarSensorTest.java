@@ -210,8 +210,7 @@ class RadarSensorTest {
                 .withMessageContaining("minSpeed");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> RADAR.withFieldOfView(7, 1))
-                .withMessageContaining(
-                        "azimuthWidth 401.0705 deg must be above 0 and at most 360 deg (a number without");
+                .withMessageContaining("azimuthWidth 401.0705 deg (7 rad) must be above 0 and at most 360 deg");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> RADAR.withAim(new Aim.Target(new Position(0, 0, 0))))
                 .withMessageContaining("lookAt");
