@@ -37,7 +37,8 @@ final class SettingsReference {
                 .append(
                         "Every field of a scene file, every path of `--set`, every component of the settings records of the"
                                 + " Java library:\nthey are the same. This page is written from the records; a test keeps it true.\n\n"
-                                + "A number is in the unit of its column or carries one (`18 km/h`, `40 deg`, `70 %`). A setting"
+                                + "A number is in the unit of its column or carries one (`18 km/h`, `40 deg`, `70 %`);\n"
+                                + "an angle without a unit is in radians, though ranges and defaults are told in degrees. A setting"
                                 + " without a default must be\ngiven. Where a setting is one of several kinds, `kind` chooses; it may be"
                                 + " left out where the other fields tell.\n");
         waiting.add(SceneSettings.class);
@@ -102,9 +103,18 @@ final class SettingsReference {
                     .append(standard.map(value -> standard(value, SettingText.quantity(part)))
                             .orElse(""))
                     .append(" | ")
-                    .append(texts.part(type, part.getName()).replace("|", "\\|"))
+                    .append(described(texts.part(type, part.getName()), SettingText.quantity(part)))
                     .append(" |\n");
         }
+    }
+
+    /** The range of an angle stands in its column, in degrees: what the source says of it in radians is left out. */
+    private static String described(String text, Quantity quantity) {
+        boolean turned = quantity == Quantity.ANGLE || quantity == Quantity.ANGULAR_SPEED;
+        return (turned
+                        ? text.replaceFirst("(, (above 0|-?\\d* ?pi|[\\d.]+ (to|degrees))[^,]*)?,? rad(/s)?$", "")
+                        : text)
+                .replace("|", "\\|");
     }
 
     /** What may stand there that is no number; what has parts of its own follows later on the page. */

@@ -17,8 +17,8 @@ import org.dronewatch.setting.Quantity;
  * @param cues names of the sensors that it listens to; they must tell directions, as radars and cameras do
  * @param panSpeed how fast it turns, above 0 and at most 600 degrees per second, rad/s
  * @param tiltSpeed how fast it tilts, above 0 and at most 600 degrees per second, rad/s
- * @param lowest elevation, -pi/2 to pi/2 rad
- * @param highest elevation, -pi/2 to pi/2, not below the lowest, rad
+ * @param lowest elevation, -pi/2 to pi/2, rad
+ * @param highest elevation; not below the lowest, -pi/2 to pi/2, rad
  * @param delay from another sensor's detection until the mount begins to turn, 0 to 60 s
  * @param hold for how long it waits for a drone that is not seen any more, 0 to 3600 s
  * @param lock how many pixels of a drone its own camera needs to follow it by itself, 1 or more

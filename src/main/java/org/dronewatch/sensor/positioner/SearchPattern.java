@@ -33,7 +33,7 @@ public sealed interface SearchPattern {
     /**
      * Turns round and round, clockwise.
      *
-     * @param speed above 0 and at most 600 degrees per second, rad/s
+     * @param speed how fast it turns, above 0 and at most 600 degrees per second, rad/s
      */
     record Round(@In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double speed)
             implements SearchPattern {
@@ -58,7 +58,7 @@ public sealed interface SearchPattern {
      * @param width of the field, about the aim, 0.1 degrees to 2 pi, rad
      * @param height of the field, about the aim, 0 to pi/2 rad
      * @param rows how many, 1 to 100; one row is in the middle of the height
-     * @param speed above 0 and at most 600 degrees per second, rad/s
+     * @param speed how fast it turns, above 0 and at most 600 degrees per second, rad/s
      */
     record Sweep(
             @In(value = Quantity.ANGLE, from = Math.PI / 1800, to = 2 * Math.PI) double width,

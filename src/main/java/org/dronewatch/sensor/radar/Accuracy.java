@@ -13,9 +13,9 @@ import org.dronewatch.setting.Quantity;
 /**
  * How well a radar tells where a drone is: standard deviations of errors that are normal, and independent from scan to scan.
  *
- * @param range 0 to 1000 m
- * @param azimuth 0 to pi/6, rad
- * @param elevation 0 to pi/6, rad
+ * @param range of the distance, 0 to 1000 m
+ * @param azimuth of the bearing, 0 to pi/6, rad
+ * @param elevation of the elevation, 0 to pi/6, rad
  */
 public record Accuracy(
         @In(value = Quantity.LENGTH, from = 0, to = 1000) double range,
