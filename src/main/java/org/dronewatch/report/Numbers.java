@@ -1,26 +1,17 @@
 package org.dronewatch.report;
 
 import java.math.BigDecimal;
-import java.math.MathContext;
 import java.math.RoundingMode;
 
 /** Numbers as files show them: six decimals at most, no exponent, no trailing zeros. */
 final class Numbers {
     private static final int DECIMALS = 6;
-    private static final MathContext BRIEF = new MathContext(4);
 
     private Numbers() {}
 
     /** The number rounded, as text. */
     static String text(double value) {
         return Double.isFinite(value) ? rounded(value).toPlainString() : Double.toString(value);
-    }
-
-    /** The number as people read it: whole numbers whole, others in four digits. */
-    static String brief(double value) {
-        return !Double.isFinite(value) || value == Math.rint(value)
-                ? text(value)
-                : BigDecimal.valueOf(value).round(BRIEF).stripTrailingZeros().toPlainString();
     }
 
     /** The number rounded. */

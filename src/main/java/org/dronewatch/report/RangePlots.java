@@ -67,7 +67,7 @@ final class RangePlots {
                     .mapToDouble(values -> values.threshold)
                     .distinct()
                     .forEach(threshold -> {
-                        String name = "threshold " + Numbers.brief(threshold) + " " + any.unit;
+                        String name = "threshold " + Quantity.NUMBER.inBrief(threshold) + " " + any.unit;
                         double[] ends = {0.0, farthest};
                         Charts.asReference(chart.addSeries(name, ends, new double[] {threshold, threshold}));
                     });
@@ -109,7 +109,7 @@ final class RangePlots {
         }
         String what = any.unit.equals(Quantity.PIXELS.unit()) ? "pixels of the drone" : "value [" + any.unit + "]";
         boolean cut = series.stream().anyMatch(values -> values.cut);
-        return cut ? what + ", cut at " + Numbers.brief(any.top()) : what;
+        return cut ? what + ", cut at " + Quantity.NUMBER.inBrief(any.top()) : what;
     }
 
     private static String name(int run, String drone, SceneResult result) {

@@ -36,6 +36,6 @@ public final class SweptValue {
     }
 
     private String number() {
-        return value instanceof Double number ? Numbers.brief(quantity.told(number)) : value.toString();
+        return value instanceof Double number ? quantity.inBrief(number) : value.toString();
     }
 }

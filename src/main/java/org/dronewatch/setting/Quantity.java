@@ -69,6 +69,8 @@ public enum Quantity {
     /** Degrees are told in so many digits, that 200 stay 200 though kept as radians. */
     private static final MathContext TOLD = new MathContext(7);
 
+    private static final MathContext BRIEF = new MathContext(4);
+
     private final String unit;
     private final ToDoubleFunction<String> ofOneUnit;
 
@@ -99,6 +101,14 @@ public enum Quantity {
         return new BigDecimal(Math.toDegrees(value)).round(TOLD).doubleValue();
     }
 
+    /** A value as tables and plots tell it, without its unit: whole numbers whole, others in four digits. */
+    public String inBrief(double value) {
+        double told = told(value);
+        return told == Math.rint(told) || !Double.isFinite(told)
+                ? plain(told)
+                : new BigDecimal(told).round(BRIEF).stripTrailingZeros().toPlainString();
+    }
+
     /** A value as it is told to people, without its unit. */
     String number(double value) {
         return plain(told(value));
@@ -111,7 +121,10 @@ public enum Quantity {
     public String inWords(double value) {
         String told = (number(value) + " " + toldUnit()).strip();
         String written = plain(value);
-        boolean bare = !unit.equals(toldUnit()) && value != 0.0 && written.length() <= LONGEST_WRITTEN;
+        boolean bare = !unit.equals(toldUnit())
+                && Double.isFinite(value)
+                && value != 0.0
+                && written.length() <= LONGEST_WRITTEN;
         return bare ? told + " (" + written + " " + unit + ")" : told;
     }
 

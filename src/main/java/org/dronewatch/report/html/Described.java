@@ -1,8 +1,6 @@
 package org.dronewatch.report.html;
 
 import java.lang.reflect.RecordComponent;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -74,25 +72,17 @@ final class Described {
     private static String number(Number number, Quantity quantity) {
         double value = number.doubleValue();
         if (quantity == Quantity.ANGULAR_SPEED) {
-            return digits(quantity.told(value)) + "\u00b0/s";
+            return quantity.inBrief(value) + "\u00b0/s";
         }
         if (quantity == Quantity.ANGLE) {
-            return digits(quantity.told(value)) + "\u00b0";
+            return quantity.inBrief(value) + "\u00b0";
         }
         if (quantity == Quantity.FREQUENCY && value >= 1e6) {
-            return value >= 1e9 ? digits(1e-9 * value) + " GHz" : digits(1e-6 * value) + " MHz";
+            return value >= 1e9
+                    ? Quantity.NUMBER.inBrief(1e-9 * value) + " GHz"
+                    : Quantity.NUMBER.inBrief(1e-6 * value) + " MHz";
         }
-        return (digits(value) + " " + quantity.unit()).strip();
-    }
-
-    /** Four digits at most; whole numbers whole. */
-    private static String digits(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e9
-                ? String.format(Locale.ROOT, "%.0f", value + 0.0)
-                : new BigDecimal(value)
-                        .round(new MathContext(4))
-                        .stripTrailingZeros()
-                        .toPlainString();
+        return (quantity.inBrief(value) + " " + quantity.unit()).strip();
     }
 
     /** A part's name in separate words. */
