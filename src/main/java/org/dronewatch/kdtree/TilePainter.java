@@ -181,7 +181,7 @@ final class TilePainter {
                     && (eRow + last * ex < 0.0 || fRow + last * fx < 0.0 || gRow + last * gx < 0.0)) {
                 last--;
             }
-            taken |= first <= last && pixels.paint(row, first, last, r + row * ry + first * rx, rx, triangle);
+            taken |= first <= last && pixels.paint(row, first, last, r + row * ry, rx, triangle);
         }
         return taken;
     }

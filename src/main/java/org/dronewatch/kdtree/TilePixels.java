@@ -4,6 +4,9 @@ import java.util.Arrays;
 
 /** The pixels of a tile: what each of them sees, and how near that is. One per thread. */
 final class TilePixels {
+    /** Columns and rows of a block, a power of two. */
+    private static final int BLOCK = 4;
+
     private final PixelGrid grid;
 
     private int left;
@@ -15,7 +18,23 @@ final class TilePixels {
     private final double[] nearest;
 
     private final int[] triangles;
-    private int uncovered;
+
+    /**
+     * An inverse ray parameter for each block of pixels that none of it is below: that of its farthest pixel when somebody
+     * last looked. Pixels only come nearer, so it stays true.
+     */
+    private final double[] leastOfBlock;
+
+    private int blocksAcross;
+
+    /** The numbers of columns, for arithmetic by vectors. */
+    private final double[] columns;
+
+    private final double[] rowOfDistances;
+
+    /** The pixel that was the farthest when somebody last looked, or the first one that sees nothing; and its inverse. */
+    private int farthestPixel;
+
     private double leastInverse;
 
     /**
@@ -28,6 +47,10 @@ final class TilePixels {
         this.grid = grid;
         this.nearest = new double[pixels];
         this.triangles = new int[pixels];
+        this.leastOfBlock = new double[pixels];
+        this.columns = new double[pixels];
+        Arrays.setAll(columns, i -> i);
+        this.rowOfDistances = new double[pixels];
     }
 
     /** Begins a tile: no pixel sees anything. */
@@ -37,7 +60,9 @@ final class TilePixels {
         width = columns;
         height = rows;
         Arrays.fill(nearest, 0, width * height, 0.0);
-        uncovered = width * height;
+        blocksAcross = (width + BLOCK - 1) / BLOCK;
+        Arrays.fill(leastOfBlock, 0, blocksAcross * ((height + BLOCK - 1) / BLOCK), 0.0);
+        farthestPixel = 0;
         leastInverse = 0.0;
     }
 
@@ -59,17 +84,30 @@ final class TilePixels {
         return height - 1;
     }
 
-    /** The ray parameter of the farthest pixel; infinity while any sees nothing. Slow: for when something was painted. */
+    /** The ray parameter of the farthest pixel; infinity while any sees nothing. */
     double farthest() {
-        if (uncovered > 0) {
-            return Double.POSITIVE_INFINITY;
+        if (nearest[farthestPixel] > leastInverse) {
+            findFarthest();
         }
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < width * height; i++) {
-            least = nearest[i] < least ? nearest[i] : least;
+        return 1.0 / leastInverse;
+    }
+
+    private void findFarthest() {
+        int all = width * height;
+        if (leastInverse == 0.0) {
+            // Those before it see something, and will for ever.
+            while (farthestPixel < all && nearest[farthestPixel] > 0.0) {
+                farthestPixel++;
+            }
+            if (farthestPixel < all) {
+                return;
+            }
         }
-        leastInverse = least;
-        return 1.0 / least;
+        farthestPixel = 0;
+        for (int pixel = 1; pixel < all; pixel++) {
+            farthestPixel = nearest[pixel] < nearest[farthestPixel] ? pixel : farthestPixel;
+        }
+        leastInverse = nearest[farthestPixel];
     }
 
     /** An inverse ray parameter that no pixel is below: that of the farthest pixel when it was last asked for. */
@@ -79,9 +117,10 @@ final class TilePixels {
 
     /** Whether any pixel of a rectangle, borders included, sees nothing as near as an inverse ray parameter. */
     boolean anyBeyond(double inverse, int fromColumn, int toColumn, int fromRow, int toRow) {
-        for (int row = fromRow; row <= toRow; row++) {
-            for (int column = fromColumn; column <= toColumn; column++) {
-                if (nearest[row * width + column] < inverse) {
+        for (int top = fromRow & -BLOCK; top <= toRow; top += BLOCK) {
+            for (int left = fromColumn & -BLOCK; left <= toColumn; left += BLOCK) {
+                if (leastOfBlock[block(left, top)] < inverse
+                        && anyBeyondInBlock(inverse, left, top, fromColumn, toColumn, fromRow, toRow)) {
                     return true;
                 }
             }
@@ -89,10 +128,39 @@ final class TilePixels {
         return false;
     }
 
+    private boolean anyBeyondInBlock(
+            double inverse, int left, int top, int fromColumn, int toColumn, int fromRow, int toRow) {
+        int lastOfRow = Math.min(toColumn, left + BLOCK - 1);
+        int lastOfColumn = Math.min(toRow, top + BLOCK - 1);
+        for (int row = Math.max(fromRow, top); row <= lastOfColumn; row++) {
+            for (int pixel = row * width + Math.max(fromColumn, left); pixel <= row * width + lastOfRow; pixel++) {
+                if (nearest[pixel] < inverse) {
+                    return true;
+                }
+            }
+        }
+        leastOfBlock[block(left, top)] = least(left, top);
+        return false;
+    }
+
+    private double least(int left, int top) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int row = top; row < Math.min(height, top + BLOCK); row++) {
+            for (int pixel = row * width + left; pixel < row * width + Math.min(width, left + BLOCK); pixel++) {
+                least = nearest[pixel] < least ? nearest[pixel] : least;
+            }
+        }
+        return least;
+    }
+
+    private int block(int column, int row) {
+        return row / BLOCK * blocksAcross + column / BLOCK;
+    }
+
     /**
      * Lets the pixels of a row from one column to another see a triangle where it is the nearest.
      *
-     * @param inverse inverse ray parameter of the triangle in the first of these columns
+     * @param inverse inverse ray parameter of the triangle in the tile's left column
      * @param step what a column adds to it
      * @return whether any of them took it
      */
@@ -100,21 +168,16 @@ final class TilePixels {
         // What the loop changes is kept in locals: fields would be written back for each pixel.
         double[] nearestNow = nearest;
         int[] seen = triangles;
-        int start = row * width + first;
-        int end = row * width + last + 1;
-        int fresh = 0;
+        int start = row * width;
         boolean taken = false;
-        for (int pixel = start; pixel < end; pixel++) {
-            double here = inverse + (pixel - start) * step;
-            double before = nearestNow[pixel];
-            if (here > before) {
-                fresh += before == 0.0 ? 1 : 0;
-                nearestNow[pixel] = here;
-                seen[pixel] = triangle;
+        for (int column = first; column <= last; column++) {
+            double here = inverse + column * step;
+            if (here > nearestNow[start + column]) {
+                nearestNow[start + column] = here;
+                seen[start + column] = triangle;
                 taken = true;
             }
         }
-        uncovered -= fresh;
         return taken;
     }
 
@@ -141,22 +204,26 @@ final class TilePixels {
 
     /** Writes ray parameters times the lengths of the directions; infinity for nothing. */
     void copyDistances(float[] target, int first, int rowLength) {
+        double[] numbers = columns;
+        double[] distances = rowOfDistances;
         double stepX = grid.right(0);
         double stepY = grid.right(1);
         double stepZ = grid.right(2);
         for (int row = 0; row < height; row++) {
-            double dx = grid.direction(left, top + row, 0);
-            double dy = grid.direction(left, top + row, 1);
-            double dz = grid.direction(left, top + row, 2);
+            double x = grid.direction(left, top + row, 0);
+            double y = grid.direction(left, top + row, 1);
+            double z = grid.direction(left, top + row, 2);
+            // The compiler makes vectors of a loop over doubles, but not of what turns doubles into floats.
+            System.arraycopy(nearest, row * width, distances, 0, width);
+            for (int column = 0; column < width; column++) {
+                double dx = x + numbers[column] * stepX;
+                double dy = y + numbers[column] * stepY;
+                double dz = z + numbers[column] * stepZ;
+                distances[column] = Math.sqrt(dx * dx + dy * dy + dz * dz) / distances[column];
+            }
             int start = first + row * rowLength;
             for (int column = 0; column < width; column++) {
-                double inverse = nearest[row * width + column];
-                target[start + column] = inverse > 0.0
-                        ? (float) (Math.sqrt(dx * dx + dy * dy + dz * dz) / inverse)
-                        : Float.POSITIVE_INFINITY;
-                dx += stepX;
-                dy += stepY;
-                dz += stepZ;
+                target[start + column] = (float) distances[column];
             }
         }
     }
