@@ -9,14 +9,14 @@ package org.dronewatch.kdtree;
  * them, and zero counts as inside: no pixel slips through.
  */
 final class TilePainter {
-    /** How near to a pixel's centre, in pixels, an edge must pass to be looked at once more. */
-    private static final double NEAR_EDGE = 1e-6;
     /** Relative size of the roundings of the volume between the origin and a triangle. */
     private static final double IN_PLANE = 1e-12;
 
     private final float[] corners;
     private final PixelGrid grid;
     private final TilePixels pixels;
+    private final TileRows rows;
+    private final double[] functions = new double[TileRows.NUMBERS];
     private boolean lost;
 
     /**
@@ -30,6 +30,7 @@ final class TilePainter {
         this.corners = corners;
         this.grid = grid;
         this.pixels = pixels;
+        this.rows = new TileRows(pixels);
     }
 
     /** Begins a tile, after its pixels have. */
@@ -42,8 +43,8 @@ final class TilePainter {
         return lost;
     }
 
-    /** Paints a triangle into the tile; gives whether any pixel took it. */
-    boolean paint(int triangle) {
+    /** Paints a triangle into the tile. */
+    void paint(int triangle) {
         // The corners in grid coordinates, from the tile's own corner.
         float[] c = corners;
         double[] m = grid.toGrid;
@@ -70,6 +71,8 @@ final class TilePainter {
         double cy = m[6] * x + m[7] * y + m[8] * z - top * cz;
         int lastColumn = pixels.lastColumn();
         int lastRow = pixels.lastRow();
+        int fromColumn = 0;
+        int toColumn = lastColumn;
         int fromRow = 0;
         int toRow = lastRow;
         if (az > Double.MIN_NORMAL && bz > Double.MIN_NORMAL && cz > Double.MIN_NORMAL) {
@@ -80,24 +83,24 @@ final class TilePainter {
             double high = Math.max(ax * ofA, Math.max(bx * ofB, cx * ofC));
             double upper = Math.min(ay * ofA, Math.min(by * ofB, cy * ofC));
             double lower = Math.max(ay * ofA, Math.max(by * ofB, cy * ofC));
-            int fromColumn = atOrAfter(Math.max(low, 0.0));
-            int toColumn = atOrBefore(Math.min(high, lastColumn));
-            fromRow = atOrAfter(Math.max(upper, 0.0));
-            toRow = atOrBefore(Math.min(lower, lastRow));
+            fromColumn = TileRows.atOrAfter(Math.max(low, 0.0));
+            toColumn = TileRows.atOrBefore(Math.min(high, lastColumn));
+            fromRow = TileRows.atOrAfter(Math.max(upper, 0.0));
+            toRow = TileRows.atOrBefore(Math.min(lower, lastRow));
             if (fromColumn > toColumn || fromRow > toRow) {
-                return false;
+                return;
             }
             if (fromRow == toRow && toColumn - fromColumn <= 1) {
                 double nearestCorner = Math.max(ofA, Math.max(ofB, ofC)) * (1.0 + IN_PLANE);
                 if (!pixels.anyBeyond(nearestCorner, fromColumn, toColumn, fromRow, toRow)) {
-                    return false;
+                    return;
                 }
             }
         } else if (ax < 0.0 && bx < 0.0 && cx < 0.0
                 || ay < 0.0 && by < 0.0 && cy < 0.0
                 || ax > lastColumn * az && bx > lastColumn * bz && cx > lastColumn * cz
                 || ay > lastRow * az && by > lastRow * bz && cy > lastRow * cz) {
-            return false;
+            return;
         }
 
         // The triangle's plane, and the inverse ray parameter of each pixel on it: r + x * rx + y * ry.
@@ -109,81 +112,26 @@ final class TilePainter {
                 && mayHoldOrigin(triangle)) {
             // Every pixel sees it at no distance, and the edge functions say nothing: single rays know.
             lost = true;
-            return false;
+            return;
         }
         double inverse = 1.0 / volume;
-        double r = nz * inverse;
-        double rx = nx * inverse;
-        double ry = ny * inverse;
-        if (!(r + Math.max(0.0, lastColumn * rx) + Math.max(0.0, lastRow * ry) > pixels.leastInverse())) {
-            return false;
-        }
+        double[] to = functions;
+        to[TileRows.INVERSE] = nz * inverse;
+        to[TileRows.INVERSE + TileRows.COLUMN] = nx * inverse;
+        to[TileRows.INVERSE + TileRows.ROW] = ny * inverse;
 
         // Edge functions, turned so that inside is above zero for what lies before the origin.
         double turn = volume < 0.0 ? -1.0 : 1.0;
-        double ex = turn * (by * cz - bz * cy);
-        double ey = turn * (bz * cx - bx * cz);
-        double e = turn * (bx * cy - by * cx);
-        double fx = turn * (cy * az - cz * ay);
-        double fy = turn * (cz * ax - cx * az);
-        double f = turn * (cx * ay - cy * ax);
-        double gx = turn * (ay * bz - az * by);
-        double gy = turn * (az * bx - ax * bz);
-        double g = turn * (ax * by - ay * bx);
-        if (e + Math.max(0.0, lastColumn * ex) + Math.max(0.0, lastRow * ey) < 0.0
-                || f + Math.max(0.0, lastColumn * fx) + Math.max(0.0, lastRow * fy) < 0.0
-                || g + Math.max(0.0, lastColumn * gx) + Math.max(0.0, lastRow * gy) < 0.0) {
-            return false;
-        }
-
-        double atE = -1.0 / ex;
-        double atF = -1.0 / fx;
-        double atG = -1.0 / gx;
-        boolean taken = false;
-        for (int row = fromRow; row <= toRow; row++) {
-            // The columns between the edges; a rising edge function bounds them from the left.
-            double eRow = e + row * ey;
-            double fRow = f + row * fy;
-            double gRow = g + row * gy;
-            double from = 0.0;
-            double to = lastColumn;
-            double at = eRow * atE;
-            if (atE < 0.0) {
-                from = at > from ? at : from;
-            } else {
-                to = at < to ? at : to;
-            }
-            at = fRow * atF;
-            if (atF < 0.0) {
-                from = at > from ? at : from;
-            } else {
-                to = at < to ? at : to;
-            }
-            at = gRow * atG;
-            if (atG < 0.0) {
-                from = at > from ? at : from;
-            } else {
-                to = at < to ? at : to;
-            }
-            if (from > to + NEAR_EDGE) {
-                continue;
-            }
-            int first = atOrAfter(from);
-            int last = atOrBefore(to);
-            // Where an edge passes a pixel's centre within rounding, its sign decides.
-            if (Math.abs(first - from) <= NEAR_EDGE
-                    && first <= last
-                    && (eRow + first * ex < 0.0 || fRow + first * fx < 0.0 || gRow + first * gx < 0.0)) {
-                first++;
-            }
-            if (Math.abs(to - last) <= NEAR_EDGE
-                    && first <= last
-                    && (eRow + last * ex < 0.0 || fRow + last * fx < 0.0 || gRow + last * gx < 0.0)) {
-                last--;
-            }
-            taken |= first <= last && pixels.paint(row, first, last, r + row * ry, rx, triangle);
-        }
-        return taken;
+        to[TileRows.EDGE_E] = turn * (bx * cy - by * cx);
+        to[TileRows.EDGE_E + TileRows.COLUMN] = turn * (by * cz - bz * cy);
+        to[TileRows.EDGE_E + TileRows.ROW] = turn * (bz * cx - bx * cz);
+        to[TileRows.EDGE_F] = turn * (cx * ay - cy * ax);
+        to[TileRows.EDGE_F + TileRows.COLUMN] = turn * (cy * az - cz * ay);
+        to[TileRows.EDGE_F + TileRows.ROW] = turn * (cz * ax - cx * az);
+        to[TileRows.EDGE_G] = turn * (ax * by - ay * bx);
+        to[TileRows.EDGE_G + TileRows.COLUMN] = turn * (ay * bz - az * by);
+        to[TileRows.EDGE_G + TileRows.ROW] = turn * (az * bx - ax * bz);
+        rows.paint(functions, triangle, fromColumn, toColumn, fromRow, toRow);
     }
 
     private boolean mayHoldOrigin(int triangle) {
@@ -196,15 +144,5 @@ final class TilePainter {
                     && grid.origin[axis] <= Math.max(a, Math.max(b, c));
         }
         return inside;
-    }
-
-    /** The first pixel at or after a place of zero or more. */
-    private static int atOrAfter(double place) {
-        return (int) (place + (1.0 - NEAR_EDGE));
-    }
-
-    /** The last pixel at or before a place; -1 for all places before the first pixel, however far. */
-    private static int atOrBefore(double place) {
-        return place > -NEAR_EDGE ? (int) (place + NEAR_EDGE) : -1;
     }
 }

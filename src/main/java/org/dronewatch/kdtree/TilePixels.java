@@ -110,11 +110,6 @@ final class TilePixels {
         leastInverse = nearest[farthestPixel];
     }
 
-    /** An inverse ray parameter that no pixel is below: that of the farthest pixel when it was last asked for. */
-    double leastInverse() {
-        return leastInverse;
-    }
-
     /** Whether any pixel of a rectangle, borders included, sees nothing as near as an inverse ray parameter. */
     boolean anyBeyond(double inverse, int fromColumn, int toColumn, int fromRow, int toRow) {
         for (int top = fromRow & -BLOCK; top <= toRow; top += BLOCK) {
@@ -162,23 +157,19 @@ final class TilePixels {
      *
      * @param inverse inverse ray parameter of the triangle in the tile's left column
      * @param step what a column adds to it
-     * @return whether any of them took it
      */
-    boolean paint(int row, int first, int last, double inverse, double step, int triangle) {
+    void paint(int row, int first, int last, double inverse, double step, int triangle) {
         // What the loop changes is kept in locals: fields would be written back for each pixel.
         double[] nearestNow = nearest;
         int[] seen = triangles;
         int start = row * width;
-        boolean taken = false;
         for (int column = first; column <= last; column++) {
             double here = inverse + column * step;
             if (here > nearestNow[start + column]) {
                 nearestNow[start + column] = here;
                 seen[start + column] = triangle;
-                taken = true;
             }
         }
-        return taken;
     }
 
     /** Sets what a pixel of the tile sees, whatever it saw before. */

@@ -256,19 +256,16 @@ public final class TileTraversal {
         int[] leafTriangles = tree.leafTriangles();
         int from = KDNode.first(leaf);
         int to = from + KDNode.count(leaf);
-        boolean changed = false;
         for (int i = from; i < to; i++) {
             int triangle = leafTriangles[i];
             int place = triangle & (REMEMBERED - 1);
             if (painted[place] != triangle) {
                 painted[place] = triangle;
                 met++;
-                changed |= painter.paint(triangle);
+                painter.paint(triangle);
             }
         }
-        if (changed) {
-            farthest = pixels.farthest() * (1.0 + WIDER);
-        }
+        farthest = pixels.farthest() * (1.0 + WIDER);
     }
 
     /**
