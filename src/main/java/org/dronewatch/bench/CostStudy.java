@@ -70,6 +70,7 @@ public final class CostStudy {
     private List<CostCurves> overTriangles() {
         CostCurves.Points build = new CostCurves.Points("tree build, " + Workers.available() + " threads");
         CostCurves.Points camera = new CostCurves.Points("camera rays, tiles");
+        CostCurves.Points single = new CostCurves.Points("camera rays, one by one");
         CostCurves.Points diffuse = new CostCurves.Points("diffuse rays");
         CostCurves.Points memory = new CostCurves.Points("tree and corners");
         for (double size = 1000; size <= 1.01 * largest; size *= nextFactor(size)) {
@@ -81,8 +82,9 @@ public final class CostStudy {
             KDTreeStats stats = tree.stats();
             memory.add(triangles, stats.bytes() / (double) triangles);
             RaySet picture = new RayGenerator(tree, 1).camera();
-            camera.add(triangles, rate(tree, picture));
-            diffuse.add(triangles, rate(tree, new RayGenerator(tree, 1).diffuse(picture)));
+            camera.add(triangles, rate(tree, picture, TraversalKind.TILES));
+            single.add(triangles, rate(tree, picture, TraversalKind.STACK));
+            diffuse.add(triangles, rate(tree, new RayGenerator(tree, 1).diffuse(picture), TraversalKind.WIDE));
         }
         return List.of(
                 new CostCurves("build", "Building the tree", "triangles", "time [s]", List.of(build.line())),
@@ -91,7 +93,7 @@ public final class CostStudy {
                         "Tracing, one thread",
                         "triangles",
                         "million rays a second",
-                        List.of(camera.line(), diffuse.line())),
+                        List.of(camera.line(), single.line(), diffuse.line())),
                 new CostCurves("memory", "Memory", "triangles", "bytes a triangle", List.of(memory.line())));
     }
 
@@ -100,8 +102,8 @@ public final class CostStudy {
         return size < largest && 4.0 * size > largest ? largest / size : 4.0;
     }
 
-    private static double rate(KDTree tree, RaySet set) {
-        Tracer tracer = TraversalKind.FASTEST.tracers(tree, set).get();
+    private static double rate(KDTree tree, RaySet set, TraversalKind kind) {
+        Tracer tracer = kind.tracers(tree, set).get();
         float[] distances = new float[set.count()];
         int[] triangles = new int[set.count()];
         double seconds = seconds(() -> {

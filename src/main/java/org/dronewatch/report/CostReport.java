@@ -3,13 +3,17 @@ package org.dronewatch.report;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.function.Supplier;
 import org.dronewatch.bench.CostCurves;
 import org.knowm.xchart.XYChart;
 
-/** Writes curves of costs: a table and a plot each, both axes logarithmic but for threads. */
+/** Writes curves of costs: a table and a plot each, logarithmic but for threads and for costs of one size. */
 public final class CostReport {
+    /** Of the numbers at logarithmic axes, which would be 1E4 otherwise. */
+    private static final String PLAIN = "#,##0.#########";
+
     private CostReport() {}
 
     /**
@@ -45,14 +49,23 @@ public final class CostReport {
 
     private static void plot(CostCurves curves, Path file) {
         XYChart chart = Charts.chart(curves.title(), curves.xLabel(), curves.yLabel());
-        boolean linear = curves.xLabel().equals("threads");
-        chart.getStyler().setXAxisLogarithmic(!linear).setYAxisLogarithmic(!linear);
-        if (!linear) {
-            chart.getStyler().setYAxisMin(null);
+        if (!curves.xLabel().equals("threads")) {
+            chart.getStyler().setXAxisLogarithmic(true).setXAxisDecimalPattern(PLAIN);
+            if (spansDecade(curves)) {
+                chart.getStyler().setYAxisMin(null).setYAxisLogarithmic(true).setYAxisDecimalPattern(PLAIN);
+            }
         }
         for (CostCurves.Line line : curves.lines()) {
             chart.addSeries(line.name(), line.x(), line.y());
         }
         Charts.write(chart, file);
+    }
+
+    private static boolean spansDecade(CostCurves curves) {
+        DoubleSummaryStatistics costs = curves.lines().stream()
+                .flatMap(line -> line.y().stream())
+                .mapToDouble(Double::doubleValue)
+                .summaryStatistics();
+        return costs.getMax() > 10.0 * costs.getMin();
     }
 }
