@@ -31,7 +31,14 @@ final class Charts {
     private static final int SAMPLE_WIDTH = 50;
     private static final Color GRID = new Color(0xdddddd);
     private static final Color[] SERIES = {
-        new Color(0x1f5fbf), new Color(0xff6a00), new Color(0x2a9d5c), new Color(0x9b3fb5), new Color(0xb58900),
+        new Color(0x1f5fbf),
+        new Color(0xff6a00),
+        new Color(0x2a9d5c),
+        new Color(0x9b3fb5),
+        new Color(0xb58900),
+        new Color(0xc2185b),
+        new Color(0x00838f),
+        new Color(0x6d4c41),
     };
 
     private Charts() {}
@@ -58,10 +65,20 @@ final class Charts {
         return chart;
     }
 
+    /** The colour of the series of a number, from 0 on; after some they come again. */
+    static Color colour(int number) {
+        return SERIES[number % SERIES.length];
+    }
+
     /** Draws a series as a thin grey dashed line without markers: a law or a threshold, not a result. */
     static void asReference(XYSeries series) {
+        asReference(series, Color.GRAY);
+    }
+
+    /** Draws a series as a thin dashed line without markers. */
+    static void asReference(XYSeries series, Color colour) {
         series.setMarker(SeriesMarkers.NONE);
-        series.setLineColor(Color.GRAY);
+        series.setLineColor(colour);
         series.setLineStyle(
                 new BasicStroke(2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10f, new float[] {8f, 6f}, 0f));
     }

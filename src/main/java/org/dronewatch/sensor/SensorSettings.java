@@ -30,6 +30,11 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
     /** The word for its kind in results: {@code camera}. */
     String kind();
 
+    /** What the values of its observations are, in words for a plot: {@code sound level}. */
+    default String measures() {
+        return "value";
+    }
+
     /**
      * How fast what it senses comes from the drone to it, m/s; infinity unless it takes its time.
      *

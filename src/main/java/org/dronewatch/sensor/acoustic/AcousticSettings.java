@@ -104,6 +104,16 @@ public record AcousticSettings(
         return "acoustic";
     }
 
+    @Override
+    public String measures() {
+        if (propagation instanceof EnergyModel model) {
+            return model.criterion() == EnergyModel.Criterion.BEST_BAND
+                    ? "level over the background in the best band"
+                    : "A-weighted sound level";
+        }
+        return "sound level";
+    }
+
     /** By the energy model sound takes its time; the level model hears at once. */
     @Override
     public double signalSpeed(World world) {

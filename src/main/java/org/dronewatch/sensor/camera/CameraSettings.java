@@ -147,6 +147,11 @@ public record CameraSettings(
     }
 
     @Override
+    public String measures() {
+        return "pixels of the drone";
+    }
+
+    @Override
     public CameraSensor create() {
         return new CameraSensor(this);
     }

@@ -198,6 +198,11 @@ public record RadarSettings(
     }
 
     @Override
+    public String measures() {
+        return "signal-to-noise ratio";
+    }
+
+    @Override
     public RadarSensor create() {
         return new RadarSensor(this);
     }

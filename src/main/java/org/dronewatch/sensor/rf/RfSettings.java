@@ -114,6 +114,11 @@ public record RfSettings(
     }
 
     @Override
+    public String measures() {
+        return "signal-to-noise ratio";
+    }
+
+    @Override
     public RfSensor create() {
         return new RfSensor(this);
     }

@@ -1,0 +1,155 @@
+package org.dronewatch.report;
+
+import java.awt.Color;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.setting.Quantity;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** What one sensor measured over the range. */
+final class RangePlot {
+    private static final double TEN = 10.0;
+
+    /** The threshold is to be seen below the top, in thresholds. */
+    private static final double LEAST_TOP = 1.5;
+
+    /** Thresholds of more runs than that are told without their runs. */
+    private static final int NAMED_RUNS = 2;
+
+    private final SceneResult result;
+    private final String sensor;
+    private final List<RangeCurve> curves;
+    /** The runs of each threshold. */
+    private final Map<Double, Set<Integer>> thresholds = new LinkedHashMap<>();
+
+    /**
+     * A plot.
+     *
+     * @param curves one or more
+     */
+    RangePlot(SceneResult result, String sensor, List<RangeCurve> curves) {
+        this.result = result;
+        this.sensor = sensor;
+        this.curves = curves;
+        for (RangeCurve curve : curves) {
+            curve.thresholds()
+                    .forEach((run, threshold) -> threshold.ifPresent(level -> thresholds
+                            .computeIfAbsent(level, none -> new TreeSet<>())
+                            .add(run)));
+        }
+    }
+
+    XYChart chart() {
+        XYChart chart = Charts.chart(
+                result.scene() + ": what '" + sensor + "' measured over the range", "range [m]", valueAxis());
+        for (int i = 0; i < curves.size(); i++) {
+            RangeCurve curve = curves.get(i);
+            XYSeries series = chart.addSeries(nameOf(curve), curve.ranges(), curve.values());
+            series.setMarker(SeriesMarkers.NONE).setLineColor(Charts.colour(i));
+        }
+        double farthest =
+                curves.stream().mapToDouble(RangeCurve::farthest).max().orElse(1.0);
+        int drawn = 0;
+        for (Map.Entry<Double, Set<Integer>> entry : thresholds.entrySet()) {
+            double[] ends = {0.0, farthest};
+            double[] level = {entry.getKey(), entry.getKey()};
+            Charts.asReference(
+                    chart.addSeries(nameOf(entry.getKey(), entry.getValue()), ends, level),
+                    colourOf(entry.getValue(), drawn++));
+        }
+        RangeCurve any = curves.get(0);
+        if (Double.isFinite(any.top())) {
+            double most = curves.stream().mapToDouble(RangeCurve::highest).max().orElse(0.0);
+            double toSee = thresholds.keySet().stream()
+                    .mapToDouble(threshold -> LEAST_TOP * threshold)
+                    .max()
+                    .orElse(0.0);
+            chart.getStyler().setYAxisMin(0.0);
+            chart.getStyler().setYAxisMax(Math.min(any.top(), Math.max(1.05 * most, toSee)));
+        } else {
+            showDecibels(chart);
+        }
+        return chart;
+    }
+
+    /** Zero is no end of a scale of decibels: from one ten to another, with the thresholds that are drawn. */
+    private void showDecibels(XYChart chart) {
+        double least = thresholds.keySet().stream()
+                .mapToDouble(Double::doubleValue)
+                .min()
+                .orElse(Double.POSITIVE_INFINITY);
+        double most = thresholds.keySet().stream()
+                .mapToDouble(Double::doubleValue)
+                .max()
+                .orElse(Double.NEGATIVE_INFINITY);
+        for (RangeCurve curve : curves) {
+            least = Math.min(least, curve.lowest());
+            most = Math.max(most, curve.highest());
+        }
+        double from = TEN * Math.floor(least / TEN);
+        chart.getStyler().setYAxisMin(from);
+        chart.getStyler().setYAxisMax(Math.max(from + TEN, TEN * Math.ceil(most / TEN)));
+    }
+
+    private String valueAxis() {
+        RangeCurve any = curves.get(0);
+        if (any.unit().isEmpty()) {
+            return "probability";
+        }
+        int run = any.thresholds().keySet().iterator().next();
+        String what = settings(run).sensors().get(sensor).measures() + " [" + any.unit() + "]";
+        boolean cut = curves.stream().anyMatch(RangeCurve::isCut);
+        return cut ? what + ", cut at " + Quantity.NUMBER.inBrief(any.top()) : what;
+    }
+
+    private String nameOf(RangeCurve curve) {
+        Collection<Integer> runs = curve.thresholds().keySet();
+        return runs.size() > 1
+                ? curve.drone() + ", " + runs.size() + " runs alike"
+                : (curve.drone() + swept(runs)).strip();
+    }
+
+    private String nameOf(double threshold, Collection<Integer> runs) {
+        String name = ("threshold " + Quantity.NUMBER.inBrief(threshold) + " "
+                        + curves.get(0).unit())
+                .strip();
+        return thresholds.size() > 1 && runs.size() <= NAMED_RUNS ? name + swept(runs) : name;
+    }
+
+    /** The values of what is swept in some runs, after a comma; nothing when nothing is swept. */
+    private String swept(Collection<Integer> runs) {
+        String values = runs.stream()
+                .map(this::settings)
+                .flatMap(
+                        settings -> settings.sweep().stream().map(sweep -> new SweptValue(settings, sweep).shortText()))
+                .distinct()
+                .collect(Collectors.joining(" and "));
+        return values.isEmpty() ? "" : ", " + values;
+    }
+
+    private SceneSettings settings(int run) {
+        return result.runs().get(run).settings();
+    }
+
+    /** Grey for the only threshold; that of the only curve it belongs to; or one that no curve has. */
+    private Color colourOf(Set<Integer> runs, int number) {
+        if (thresholds.size() == 1) {
+            return Color.GRAY;
+        }
+        List<RangeCurve> theirs = curves.stream()
+                .filter(curve -> curve.thresholds().keySet().stream().anyMatch(runs::contains))
+                .toList();
+        boolean own = theirs.size() == 1
+                && runs.containsAll(theirs.get(0).thresholds().keySet());
+        return Charts.colour(own ? curves.indexOf(theirs.get(0)) : curves.size() + number);
+    }
+}

@@ -1,0 +1,75 @@
+package org.dronewatch.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Color;
+import java.nio.file.Path;
+import java.util.List;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SceneRunner;
+import org.junit.jupiter.api.Test;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYSeries;
+
+/** The plots of what sensors measured over the range, by their series. */
+class RangePlotsTest {
+    private static XYChart chart(String scene, String sensor) {
+        RangePlots plots = new RangePlots();
+        SceneRunner runner = new SceneRunner(new SceneFile(Path.of("scenes", scene + ".yaml")))
+                .threads(1)
+                .onFrame(plots::add);
+        SceneResult result = runner.run();
+        return plots.plot(result, sensor).chart();
+    }
+
+    private static List<String> names(XYChart chart) {
+        return chart.getSeriesCollection().stream().map(XYSeries::getName).toList();
+    }
+
+    /** The noise moves the threshold, not the level: one curve, and a threshold for each noise. */
+    @Test
+    void runsThatMeasureTheSameAreOneCurve() {
+        XYChart chart = chart("acoustic-range", "microphone");
+        assertThat(names(chart))
+                .containsExactly(
+                        "quadrotor, 5 runs alike",
+                        "threshold 45 dB, backgroundNoise 30 dB",
+                        "threshold 40 dB, backgroundNoise 25 dB",
+                        "threshold 35 dB, backgroundNoise 20 dB",
+                        "threshold 30 dB, backgroundNoise 15 dB",
+                        "threshold 25 dB, backgroundNoise 10 dB");
+        assertThat(chart.getSeriesCollection().stream().map(XYSeries::getLineColor))
+                .as("no two of one colour")
+                .doesNotHaveDuplicates();
+        assertThat(chart.getYAxisTitle()).isEqualTo("sound level [dB]");
+        assertThat(chart.getStyler().getYAxisMin()).isEqualTo(20.0);
+        assertThat(chart.getStyler().getYAxisMax()).isEqualTo(50.0);
+    }
+
+    /** Fields of view change the curves; the threshold is one for all. */
+    @Test
+    void runsThatDifferHaveCurvesOfTheirOwn() {
+        XYChart chart = chart("camera-range", "camera");
+        assertThat(names(chart))
+                .containsExactly(
+                        "quadrotor, fov 30 deg",
+                        "quadrotor, fov 36 deg",
+                        "quadrotor, fov 45 deg",
+                        "quadrotor, fov 60 deg",
+                        "quadrotor, fov 90 deg",
+                        "threshold 12 px");
+        assertThat(chart.getSeriesCollection().stream().map(XYSeries::getLineColor))
+                .as("the threshold is grey, and nothing else is")
+                .doesNotHaveDuplicates()
+                .endsWith(Color.GRAY);
+        assertThat(chart.getYAxisTitle()).isEqualTo("pixels of the drone [px], cut at 120");
+    }
+
+    @Test
+    void aRadarMeasuresASignalToNoiseRatio() {
+        XYChart chart = chart("hill-radar", "radar");
+        assertThat(names(chart)).containsExactly("quadrotor", "threshold 13.18 dB");
+        assertThat(chart.getYAxisTitle()).isEqualTo("signal-to-noise ratio [dB]");
+    }
+}
