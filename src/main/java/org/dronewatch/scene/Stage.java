@@ -23,6 +23,7 @@ import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.sensor.positioner.Positioner;
+import org.dronewatch.world.Clearance;
 import org.dronewatch.world.Drone;
 import org.dronewatch.world.FlightPath;
 import org.dronewatch.world.SurfaceSettings;
@@ -65,17 +66,16 @@ public final class Stage {
         }
         settings.sensors().forEach((id, sensor) -> sensor.positioner()
                 .ifPresent(mount -> new MountAdvice(settings, id, mount).tell(models::warn)));
+        Clearance clearance = new Clearance(world);
         settings.sensors().forEach((id, sensor) -> {
             Position at = sensor.position();
+            String where =
+                    String.format(Locale.ROOT, "sensor '%s' at (%.3f, %.3f, %.3f) m", id, at.x(), at.y(), at.z());
             if (world.isInsideWall(at)) {
-                models.warn(String.format(
-                        Locale.ROOT,
-                        "sensor '%s' at (%.2f, %.2f, %.2f) m seems to be inside a wall or under the ground: most of what"
-                                + " is about it shows its back",
-                        id,
-                        at.x(),
-                        at.y(),
-                        at.z()));
+                models.warn(where
+                        + " seems to be inside a wall or under the ground: most of what is about it shows its back");
+            } else if (!sensor.hearsSurfaces() && clearance.isMissing(at)) {
+                models.warn(where + " lies on a surface, which may hide everything from it: put it a millimetre off");
             }
         });
     }

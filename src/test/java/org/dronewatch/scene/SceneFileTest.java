@@ -6,9 +6,12 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;
@@ -62,6 +65,42 @@ class SceneFileTest {
                 .withComparatorForType((a, b) -> Math.abs(a - b) <= 1e-12 * Math.abs(b) ? 0 : 1, Double.class)
                 .ignoringFields("sweep")
                 .isEqualTo(new SceneRunner(fromClass).settingsOfRuns());
+    }
+
+    /** Sight from the very plane of the ground is hidden by the ground; sound is heard from just above it. */
+    @Test
+    void whoSeesFromTheVeryGroundIsWarnedOf() throws IOException {
+        Files.writeString(directory.resolve("flat.obj"), "v -500 -500 0\nv 500 -500 0\nv 0 500 0\nf 1 2 3\n");
+        Files.writeString(
+                directory.resolve("site.yaml"),
+                """
+                world:
+                  models: [{file: flat.obj, upAxis: z}]
+                  surfaces: {materials: {default: grass_turf}}
+                drones:
+                  drone:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: hover, position: [30, 0, 20]}
+                sensors:
+                  camera: {kind: camera, position: [0, 0, 0], aim: {kind: target, lookAt: [30, 0, 20]}}
+                  microphone: {kind: acoustic, position: [0, 0, 0], propagation: {kind: energy-model}}
+                run: {duration: 0.3 s}
+                """);
+        List<String> notes = new ArrayList<>();
+        List<Observation> heard = new ArrayList<>();
+        new SceneRunner(new SceneFile(directory.resolve("site.yaml")))
+                .notes(notes::add)
+                .onFrame(frame -> heard.addAll(frame.observations()))
+                .run();
+
+        assertThat(notes)
+                .filteredOn(note -> note.startsWith("warning"))
+                .containsExactly("warning: sensor 'camera' at (0.000, 0.000, 0.000) m lies on a surface, which may hide"
+                        + " everything from it: put it a millimetre off");
+        assertThat(heard)
+                .filteredOn(observation -> observation.sensor().equals("microphone"))
+                .isNotEmpty()
+                .allMatch(observation -> observation.value() > 30.0);
     }
 
     @Test

@@ -108,6 +108,6 @@ class AcousticRangeTest {
                 .filteredOn(note -> note.startsWith("warning"))
                 .singleElement()
                 .asString()
-                .contains("'microphone' at (0.00, 0.00, 125.00) m", "inside a wall or under the ground");
+                .contains("'microphone' at (0.000, 0.000, 125.000) m", "inside a wall or under the ground");
     }
 }

@@ -13,6 +13,7 @@ import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.Clearance;
 import org.dronewatch.world.World;
 
 /**
@@ -33,6 +34,7 @@ public final class EnergyTracer {
     private static final int BATCH = 500;
 
     private final EnergyModel model;
+    private final Clearance clearance;
     private final Position sensor;
     private final Air air;
     private final ExactPaths exact;
@@ -46,28 +48,30 @@ public final class EnergyTracer {
     /**
      * A tracer to one sensor.
      *
-     * @param sensor where it is, m
+     * @param sensor where it is, m; just before a surface that it lies on
      * @param radius of the ball about the source in which rays from mirrors are counted, m
      */
     public EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {
         BandSurfaces surfaces = new BandSurfaces(world.surfaces());
         WallPlanes planes = new WallPlanes(world.mesh(), surfaces);
         this.model = model;
-        this.sensor = sensor;
+        this.clearance = new Clearance(world);
+        this.sensor = clearance.of(sensor);
         this.air = new Air(world.atmosphere());
         this.exact = new ExactPaths(model, world, planes, surfaces, air);
         this.tally = new EnergyTally(air);
-        this.batches = () -> new RayBatch(model, sensor, radius, world, planes, surfaces, air);
+        this.batches = () -> new RayBatch(model, this.sensor, radius, world, planes, surfaces, air);
     }
 
     /**
      * One look.
      *
-     * @param source the drone's sound
+     * @param drone the drone's sound
      * @param random the random numbers of the rays
      * @param recorder is told every piece of every ray that counts, from the sensor on
      */
-    public EnergyReading trace(SoundSource source, RandomGenerator random, RayRecorder recorder) {
+    public EnergyReading trace(SoundSource drone, RandomGenerator random, RayRecorder recorder) {
+        SoundSource source = drone.at(clearance.of(drone.place()));
         books.clear();
         tally.clear();
         exact.find(source, sensor);

@@ -30,6 +30,18 @@ public final class SoundSource {
         this.emitted = sum;
     }
 
+    private SoundSource(Position place, SoundSource like) {
+        this.place = place;
+        this.power = like.power;
+        this.pattern = like.pattern;
+        this.emitted = like.emitted;
+    }
+
+    /** The same source somewhere else. */
+    SoundSource at(Position other) {
+        return other.equals(place) ? this : new SoundSource(other, this);
+    }
+
     /** Where it is. */
     Position place() {
         return place;

@@ -1,0 +1,64 @@
+package org.dronewatch.world;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTraversal;
+
+/**
+ * Moves places off surfaces that they lie on. A microphone on the ground hears what it would hear a hair's breadth above:
+ * the way over the ground to it has no length otherwise, and no side to come from. One per thread.
+ */
+public final class Clearance {
+    /** How far from a surface a place is moved, m: nothing to a wave, and above the roundings of coordinates. */
+    public static final double GAP = 1e-4;
+
+    /** A place may lie on the walls of a corner. */
+    private static final int MOST_WALLS = 3;
+
+    private static final double[][] AXES = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+
+    private final TriangleMesh mesh;
+    private final KDTraversal traversal;
+    private final double[] normal = new double[3];
+
+    /** For the surfaces of a world. */
+    public Clearance(World world) {
+        this.mesh = world.mesh();
+        this.traversal = world.newTraversal();
+    }
+
+    /** Whether a place lies on a surface. */
+    public boolean isMissing(Position place) {
+        return touched(place) >= 0;
+    }
+
+    /** A place, or one before the surfaces that it lies on: on the side from which their corners run counter-clockwise. */
+    public Position of(Position place) {
+        Position clear = place;
+        for (int wall = 0; wall < MOST_WALLS; wall++) {
+            int triangle = touched(clear);
+            if (triangle < 0) {
+                return clear;
+            }
+            mesh.normal(triangle, normal);
+            double length = Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+            double before = ((clear.x() - mesh.coordinate(triangle, 0, 0)) * normal[0]
+                            + (clear.y() - mesh.coordinate(triangle, 0, 1)) * normal[1]
+                            + (clear.z() - mesh.coordinate(triangle, 0, 2)) * normal[2])
+                    / length;
+            double step = (GAP - before) / length;
+            clear = clear.plus(new Position(step * normal[0], step * normal[1], step * normal[2]));
+        }
+        return clear;
+    }
+
+    /** A triangle nearer than half the gap along an axis; -1 for none. */
+    private int touched(Position place) {
+        for (double[] axis : AXES) {
+            if (traversal.closestHit(place.x(), place.y(), place.z(), axis[0], axis[1], axis[2], 0.0, 0.5 * GAP)) {
+                return traversal.triangle();
+            }
+        }
+        return -1;
+    }
+}

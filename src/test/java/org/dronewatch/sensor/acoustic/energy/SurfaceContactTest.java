@@ -1,0 +1,71 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.dronewatch.sensor.acoustic.energy.Sites.LOWEST;
+
+import java.util.List;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.world.Clearance;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+
+/** Microphones and drones that lie on a surface hear and are heard as just before it. */
+class SurfaceContactTest {
+    private static final SurfaceMaterial RIGID = SurfaceMaterial.uniform("rigid", 0, 0);
+    private static final SurfaceMaterial ROUGH = SurfaceMaterial.uniform("rough", 0.2, 0.6);
+    private static final EnergyModel MODEL = EnergyModel.DEFAULT.withRays(4000).withAccuracy(0.0);
+    private static final Position GROUND = new Position(3, 5, 0);
+    private static final Position ABOVE = new Position(30, 0, 20);
+    private static final double TWICE = 10 * Math.log10(2);
+
+    private static double level(World world, Position source, Position sensor) {
+        return Sites.read(MODEL, world, Sites.sound(source, LOWEST), sensor, 250)
+                .totalLevel();
+    }
+
+    /** On rigid ground the mirror image is where the source is: twice the energy, either way round. */
+    @Test
+    void onRigidGroundThereIsTwiceTheEnergy() {
+        World ground = Sites.world(Sites.square(500, 0), RIGID);
+        double alone = level(Sites.open(), ABOVE, GROUND);
+        assertThat(level(ground, ABOVE, GROUND)).as("the microphone lies there").isCloseTo(alone + TWICE, within(1e-3));
+        assertThat(level(ground, GROUND, ABOVE)).as("the drone stands there").isCloseTo(alone + TWICE, within(1e-3));
+    }
+
+    /** Three rigid walls: eight sources in one place. */
+    @Test
+    void inACornerThereIsEightTimesTheEnergy() {
+        World corner = Sites.world(
+                World.merge(List.of(
+                        Sites.wall(0, 0, 0, 500, 0, 500),
+                        Sites.wall(1, 0, 0, 500, 0, 500),
+                        Sites.wall(2, 0, 0, 500, 0, 500))),
+                RIGID);
+        Position source = new Position(20, 31, 12);
+        Position sensor = new Position(0, 0, 0);
+        assertThat(level(corner, source, sensor))
+                .isCloseTo(level(Sites.open(), source, sensor) + 3 * TWICE, within(1e-3));
+    }
+
+    @Test
+    void onGroundThatScattersItIsAsJustAbove() {
+        World ground = Sites.world(Sites.square(500, 0), ROUGH);
+        Position above = new Position(GROUND.x(), GROUND.y(), 0.001);
+        assertThat(level(ground, ABOVE, GROUND)).as("microphone").isCloseTo(level(ground, ABOVE, above), within(0.05));
+        assertThat(level(ground, GROUND, ABOVE)).as("drone").isCloseTo(level(ground, above, ABOVE), within(0.05));
+    }
+
+    @Test
+    void placesOffSurfacesStayWhereTheyAre() {
+        Clearance clearance = new Clearance(Sites.world(Sites.square(500, 0), RIGID));
+        for (double z : new double[] {1.0, 1e-3, Clearance.GAP, -Clearance.GAP, -1.0}) {
+            Position place = new Position(3, 5, z);
+            assertThat(clearance.of(place)).isSameAs(place);
+        }
+        assertThat(clearance.of(GROUND)).isEqualTo(new Position(3, 5, Clearance.GAP));
+        assertThat(clearance.of(new Position(3, 5, -1e-5)).z()).isCloseTo(Clearance.GAP, within(1e-12));
+    }
+}
