@@ -6,7 +6,8 @@ package org.dronewatch.kdtree;
  * <p>In the frame of the {@link PixelGrid} the ray of pixel (x, y) has the direction (x, y, 1). The three edge functions of
  * a triangle, whose signs tell inside from outside, and the inverse of the ray parameter are linear in x and y there. Each
  * row of pixels is then an interval between the edges. An edge that two triangles share has exactly opposite values in
- * them, and zero counts as inside: no pixel slips through.
+ * them, and zero counts as inside: no pixel slips through an edge. Where corners lie some 1e-5 of a pixel from each other,
+ * and from a pixel's centre, the roundings of different edges may leave it to none of them.
  */
 final class TilePainter {
     /** Relative size of the roundings of the volume between the origin and a triangle. */
@@ -115,22 +116,21 @@ final class TilePainter {
             return;
         }
         double inverse = 1.0 / volume;
-        double[] to = functions;
-        to[TileRows.INVERSE] = nz * inverse;
-        to[TileRows.INVERSE + TileRows.COLUMN] = nx * inverse;
-        to[TileRows.INVERSE + TileRows.ROW] = ny * inverse;
+        functions[TileRows.INVERSE] = nz * inverse;
+        functions[TileRows.INVERSE + TileRows.COLUMN] = nx * inverse;
+        functions[TileRows.INVERSE + TileRows.ROW] = ny * inverse;
 
         // Edge functions, turned so that inside is above zero for what lies before the origin.
         double turn = volume < 0.0 ? -1.0 : 1.0;
-        to[TileRows.EDGE_E] = turn * (bx * cy - by * cx);
-        to[TileRows.EDGE_E + TileRows.COLUMN] = turn * (by * cz - bz * cy);
-        to[TileRows.EDGE_E + TileRows.ROW] = turn * (bz * cx - bx * cz);
-        to[TileRows.EDGE_F] = turn * (cx * ay - cy * ax);
-        to[TileRows.EDGE_F + TileRows.COLUMN] = turn * (cy * az - cz * ay);
-        to[TileRows.EDGE_F + TileRows.ROW] = turn * (cz * ax - cx * az);
-        to[TileRows.EDGE_G] = turn * (ax * by - ay * bx);
-        to[TileRows.EDGE_G + TileRows.COLUMN] = turn * (ay * bz - az * by);
-        to[TileRows.EDGE_G + TileRows.ROW] = turn * (az * bx - ax * bz);
+        functions[TileRows.EDGE_E] = turn * (bx * cy - by * cx);
+        functions[TileRows.EDGE_E + TileRows.COLUMN] = turn * (by * cz - bz * cy);
+        functions[TileRows.EDGE_E + TileRows.ROW] = turn * (bz * cx - bx * cz);
+        functions[TileRows.EDGE_F] = turn * (cx * ay - cy * ax);
+        functions[TileRows.EDGE_F + TileRows.COLUMN] = turn * (cy * az - cz * ay);
+        functions[TileRows.EDGE_F + TileRows.ROW] = turn * (cz * ax - cx * az);
+        functions[TileRows.EDGE_G] = turn * (ax * by - ay * bx);
+        functions[TileRows.EDGE_G + TileRows.COLUMN] = turn * (ay * bz - az * by);
+        functions[TileRows.EDGE_G + TileRows.ROW] = turn * (az * bx - ax * bz);
         rows.paint(functions, triangle, fromColumn, toColumn, fromRow, toRow);
     }
 

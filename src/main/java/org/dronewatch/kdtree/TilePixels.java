@@ -28,7 +28,7 @@ final class TilePixels {
     private int blocksAcross;
 
     /** The numbers of columns, for arithmetic by vectors. */
-    private final double[] columns;
+    private final double[] columnNumbers;
 
     private final double[] rowOfDistances;
 
@@ -41,16 +41,16 @@ final class TilePixels {
      * Pixels of tiles.
      *
      * @param grid where they look; may be set anew between tiles
-     * @param pixels the most of a tile
+     * @param pixels the most of a tile, of {@link TileTraversal#WIDTH} columns at most
      */
     TilePixels(PixelGrid grid, int pixels) {
         this.grid = grid;
         this.nearest = new double[pixels];
         this.triangles = new int[pixels];
         this.leastOfBlock = new double[pixels];
-        this.columns = new double[pixels];
-        Arrays.setAll(columns, i -> i);
-        this.rowOfDistances = new double[pixels];
+        this.columnNumbers = new double[TileTraversal.WIDTH];
+        Arrays.setAll(columnNumbers, i -> i);
+        this.rowOfDistances = new double[TileTraversal.WIDTH];
     }
 
     /** Begins a tile: no pixel sees anything. */
@@ -112,10 +112,10 @@ final class TilePixels {
 
     /** Whether any pixel of a rectangle, borders included, sees nothing as near as an inverse ray parameter. */
     boolean anyBeyond(double inverse, int fromColumn, int toColumn, int fromRow, int toRow) {
-        for (int top = fromRow & -BLOCK; top <= toRow; top += BLOCK) {
-            for (int left = fromColumn & -BLOCK; left <= toColumn; left += BLOCK) {
-                if (leastOfBlock[block(left, top)] < inverse
-                        && anyBeyondInBlock(inverse, left, top, fromColumn, toColumn, fromRow, toRow)) {
+        for (int row = fromRow & -BLOCK; row <= toRow; row += BLOCK) {
+            for (int column = fromColumn & -BLOCK; column <= toColumn; column += BLOCK) {
+                if (leastOfBlock[block(column, row)] < inverse
+                        && anyBeyondInBlock(inverse, column, row, fromColumn, toColumn, fromRow, toRow)) {
                     return true;
                 }
             }
@@ -124,24 +124,26 @@ final class TilePixels {
     }
 
     private boolean anyBeyondInBlock(
-            double inverse, int left, int top, int fromColumn, int toColumn, int fromRow, int toRow) {
-        int lastOfRow = Math.min(toColumn, left + BLOCK - 1);
-        int lastOfColumn = Math.min(toRow, top + BLOCK - 1);
-        for (int row = Math.max(fromRow, top); row <= lastOfColumn; row++) {
-            for (int pixel = row * width + Math.max(fromColumn, left); pixel <= row * width + lastOfRow; pixel++) {
+            double inverse, int blockLeft, int blockTop, int fromColumn, int toColumn, int fromRow, int toRow) {
+        int firstColumn = Math.max(fromColumn, blockLeft);
+        int lastColumn = Math.min(toColumn, blockLeft + BLOCK - 1);
+        int lastRow = Math.min(toRow, blockTop + BLOCK - 1);
+        for (int row = Math.max(fromRow, blockTop); row <= lastRow; row++) {
+            for (int pixel = row * width + firstColumn; pixel <= row * width + lastColumn; pixel++) {
                 if (nearest[pixel] < inverse) {
                     return true;
                 }
             }
         }
-        leastOfBlock[block(left, top)] = least(left, top);
+        leastOfBlock[block(blockLeft, blockTop)] = least(blockLeft, blockTop);
         return false;
     }
 
-    private double least(int left, int top) {
+    private double least(int blockLeft, int blockTop) {
         double least = Double.POSITIVE_INFINITY;
-        for (int row = top; row < Math.min(height, top + BLOCK); row++) {
-            for (int pixel = row * width + left; pixel < row * width + Math.min(width, left + BLOCK); pixel++) {
+        int endColumn = Math.min(width, blockLeft + BLOCK);
+        for (int row = blockTop; row < Math.min(height, blockTop + BLOCK); row++) {
+            for (int pixel = row * width + blockLeft; pixel < row * width + endColumn; pixel++) {
                 least = nearest[pixel] < least ? nearest[pixel] : least;
             }
         }
@@ -172,7 +174,7 @@ final class TilePixels {
         }
     }
 
-    /** Sets what a pixel of the tile sees, whatever it saw before. */
+    /** Sets what a pixel sees that has seen nothing yet. */
     void set(int column, int row, double parameter, int triangle) {
         nearest[row * width + column] = 1.0 / parameter;
         triangles[row * width + column] = triangle;
@@ -195,7 +197,7 @@ final class TilePixels {
 
     /** Writes ray parameters times the lengths of the directions; infinity for nothing. */
     void copyDistances(float[] target, int first, int rowLength) {
-        double[] numbers = columns;
+        double[] numbers = columnNumbers;
         double[] distances = rowOfDistances;
         double stepX = grid.right(0);
         double stepY = grid.right(1);
@@ -204,8 +206,10 @@ final class TilePixels {
             double x = grid.direction(left, top + row, 0);
             double y = grid.direction(left, top + row, 1);
             double z = grid.direction(left, top + row, 2);
-            // The compiler makes vectors of a loop over doubles, but not of what turns doubles into floats.
-            System.arraycopy(nearest, row * width, distances, 0, width);
+            int pixels = row * width;
+            // The compiler makes vectors of a loop over doubles that all begin at 0, but not of what turns doubles into
+            // floats. What sees nothing is at 1 / 0, or at 0 / 0 where the direction has no length.
+            System.arraycopy(nearest, pixels, distances, 0, width);
             for (int column = 0; column < width; column++) {
                 double dx = x + numbers[column] * stepX;
                 double dy = y + numbers[column] * stepY;
@@ -214,7 +218,8 @@ final class TilePixels {
             }
             int start = first + row * rowLength;
             for (int column = 0; column < width; column++) {
-                target[start + column] = (float) distances[column];
+                target[start + column] =
+                        nearest[pixels + column] > 0.0 ? (float) distances[column] : Float.POSITIVE_INFINITY;
             }
         }
     }

@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 import org.dronewatch.bench.CostCurves;
 import org.knowm.xchart.XYChart;
 
-/** Writes curves of costs: a table and a plot each, logarithmic but for threads and for costs of one size. */
+/** Writes curves of costs: a table and a plot each, logarithmic but for threads and for costs within a factor of two. */
 public final class CostReport {
     /** Of the numbers at logarithmic axes, which would be 1E4 otherwise. */
     private static final String PLAIN = "#,##0.#########";
@@ -51,7 +51,7 @@ public final class CostReport {
         XYChart chart = Charts.chart(curves.title(), curves.xLabel(), curves.yLabel());
         if (!curves.xLabel().equals("threads")) {
             chart.getStyler().setXAxisLogarithmic(true).setXAxisDecimalPattern(PLAIN);
-            if (spansDecade(curves)) {
+            if (grows(curves)) {
                 chart.getStyler().setYAxisMin(null).setYAxisLogarithmic(true).setYAxisDecimalPattern(PLAIN);
             }
         }
@@ -61,11 +61,12 @@ public final class CostReport {
         Charts.write(chart, file);
     }
 
-    private static boolean spansDecade(CostCurves curves) {
+    /** A cost that hardly changes is shown from zero. */
+    private static boolean grows(CostCurves curves) {
         DoubleSummaryStatistics costs = curves.lines().stream()
                 .flatMap(line -> line.y().stream())
                 .mapToDouble(Double::doubleValue)
                 .summaryStatistics();
-        return costs.getMax() > 10.0 * costs.getMin();
+        return costs.getMax() > 2.0 * costs.getMin();
     }
 }

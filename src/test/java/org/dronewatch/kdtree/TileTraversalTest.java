@@ -138,6 +138,76 @@ class TileTraversalTest {
         }
     }
 
+    /** Two ulps of a float from the centres of columns 3 and 5: too near for the interval of a row, so signs decide. */
+    @Test
+    void edgesThatPassCentresCloselyLeaveThemOut() {
+        float right = Math.nextUp(Math.nextUp(3f));
+        float left = Math.nextDown(5f);
+        TriangleMesh mesh = TriangleMesh.of(
+                new float[] {right, -99, 1, 99, 4, 1, right, 99, 1, left, -99, 2, left, 99, 2, -99, 4, 2},
+                new int[] {0, 1, 2, 3, 4, 5});
+        // The second triangle lies at twice the distance: seen from the origin its edge is at half the column.
+        for (int triangle = 0; triangle < 2; triangle++) {
+            double step = triangle == 0 ? 1.0 : 0.5;
+            TileTraversal tiles = new TileTraversal(KDTree.of(only(mesh, triangle)));
+            tiles.setPicture(
+                    new double[3], new double[] {0, 0, 1}, new double[] {step, 0, 0}, new double[] {0, step, 0});
+            tiles.trace(0, 0, 9, 9);
+            for (int row = 0; row < 9; row++) {
+                for (int column = 0; column < 9; column++) {
+                    assertThat(tiles.hits(column, row))
+                            .as("triangle %d, column %d, row %d", triangle, column, row)
+                            .isEqualTo(triangle == 0 ? column > 3 : column < 5);
+                }
+            }
+        }
+    }
+
+    private static TriangleMesh only(TriangleMesh mesh, int triangle) {
+        float[] corners = new float[9];
+        for (int i = 0; i < 9; i++) {
+            corners[i] = mesh.coordinate(triangle, i / 3, i % 3);
+        }
+        return TriangleMesh.of(corners, new int[] {0, 1, 2});
+    }
+
+    /** Parameters times lengths of directions; infinity for the sky, even where directions are too short to have a length. */
+    @Test
+    void distancesAreThoseAlongTheRays() {
+        SplittableRandom random = new SplittableRandom(214);
+        TriangleMesh mesh = Meshes.soup(200, 0.3, 215);
+        TileTraversal tiles = new TileTraversal(KDTree.of(mesh));
+        int sky = 0;
+        for (int i = 0; i < 20; i++) {
+            View view = View.random(mesh, random, i, 100);
+            int columns = 1 + random.nextInt(TileTraversal.WIDTH);
+            int rows = 1 + random.nextInt(TileTraversal.HEIGHT);
+            tiles.setPicture(view.from, view.corner, view.right, view.down);
+            tiles.trace(7, 3, columns, rows);
+            float[] distances = new float[5 + 70 * rows];
+            tiles.copyDistances(distances, 5, 70);
+            for (int row = 0; row < rows; row++) {
+                for (int column = 0; column < columns; column++) {
+                    double[] ray = view.ray(7 + column, 3 + row);
+                    double length = Math.sqrt(ray[3] * ray[3] + ray[4] * ray[4] + ray[5] * ray[5]);
+                    double expected = tiles.hits(column, row) ? length * tiles.parameter(column, row) : 1.0 / 0.0;
+                    sky += tiles.hits(column, row) ? 0 : 1;
+                    assertThat((double) distances[5 + 70 * row + column])
+                            .as("seed 214, view %d, column %d, row %d", i, column, row)
+                            .isBetween(expected * (1.0 - 1e-7), expected * (1.0 + 1e-7));
+                }
+            }
+        }
+        assertThat(sky).as("pixels of the sky").isGreaterThan(1000);
+
+        tiles.setPicture(
+                new double[] {9, 9, 9}, new double[] {1e-170, 0, 0}, new double[] {0, 1, 0}, new double[] {0, 0, 1});
+        tiles.trace(0, 0, 2, 2);
+        float[] distances = new float[4];
+        tiles.copyDistances(distances, 0, 2);
+        assertThat(distances).containsOnly(Float.POSITIVE_INFINITY);
+    }
+
     @Test
     void aPictureWithoutAnAreaIsRefused() {
         TileTraversal tiles = new TileTraversal(KDTree.of(Meshes.icosphere(0)));

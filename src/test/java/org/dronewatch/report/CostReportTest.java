@@ -33,16 +33,36 @@ class CostReportTest {
         assertThat(Files.readAllLines(directory.resolve("build.csv")))
                 .containsExactly("line,triangles,time [s]", "a tree,1000,0.001", "a tree,4000,0.0045");
         BufferedImage plot = ImageIO.read(directory.resolve("build.png").toFile());
-        int blue = 0;
-        for (int x = 0; x < plot.getWidth(); x++) {
-            boolean inColumn = false;
-            for (int y = 0; y < plot.getHeight(); y++) {
-                inColumn |= (plot.getRGB(x, y) & 0xffffff) == 0x1f5fbf;
+        // The line goes from the left to the right of the plot, and from its bottom to its top.
+        assertThat(blue(plot, true)).isGreaterThan(plot.getWidth() / 2);
+        assertThat(blue(plot, false)).isGreaterThan(plot.getHeight() / 2);
+    }
+
+    /** Fifty bytes and fifty-five are not a cliff. */
+    @Test
+    void aCostThatHardlyChangesIsShownFromZero() throws IOException {
+        CostCurves.Line line = new CostCurves.Line("bytes", List.of(1000.0, 4000.0), List.of(50.0, 55.0));
+        CostReport.write(
+                directory, () -> List.of(new CostCurves("memory", "Memory", "triangles", "bytes", List.of(line))));
+
+        BufferedImage plot = ImageIO.read(directory.resolve("memory.png").toFile());
+        assertThat(blue(plot, true)).isGreaterThan(plot.getWidth() / 2);
+        assertThat(blue(plot, false)).isLessThan(plot.getHeight() / 4);
+    }
+
+    /** In how many columns, or rows, of a plot there is something of the colour of its first line. */
+    private static int blue(BufferedImage plot, boolean columns) {
+        int across = columns ? plot.getWidth() : plot.getHeight();
+        int along = columns ? plot.getHeight() : plot.getWidth();
+        int found = 0;
+        for (int i = 0; i < across; i++) {
+            boolean any = false;
+            for (int j = 0; j < along; j++) {
+                any |= (plot.getRGB(columns ? i : j, columns ? j : i) & 0xffffff) == 0x1f5fbf;
             }
-            blue += inColumn ? 1 : 0;
+            found += any ? 1 : 0;
         }
-        // The line goes from the left to the right of the plot.
-        assertThat(blue).isGreaterThan(plot.getWidth() / 2);
+        return found;
     }
 
     @Test
