@@ -17,7 +17,6 @@ final class TilePainter {
     private final PixelGrid grid;
     private final TilePixels pixels;
     private final TileRows rows;
-    private final double[] functions = new double[TileRows.NUMBERS];
     private boolean lost;
 
     /**
@@ -116,22 +115,14 @@ final class TilePainter {
             return;
         }
         double inverse = 1.0 / volume;
-        functions[TileRows.INVERSE] = nz * inverse;
-        functions[TileRows.INVERSE + TileRows.COLUMN] = nx * inverse;
-        functions[TileRows.INVERSE + TileRows.ROW] = ny * inverse;
+        rows.setInverse(nz * inverse, nx * inverse, ny * inverse);
 
         // Edge functions, turned so that inside is above zero for what lies before the origin.
         double turn = volume < 0.0 ? -1.0 : 1.0;
-        functions[TileRows.EDGE_E] = turn * (bx * cy - by * cx);
-        functions[TileRows.EDGE_E + TileRows.COLUMN] = turn * (by * cz - bz * cy);
-        functions[TileRows.EDGE_E + TileRows.ROW] = turn * (bz * cx - bx * cz);
-        functions[TileRows.EDGE_F] = turn * (cx * ay - cy * ax);
-        functions[TileRows.EDGE_F + TileRows.COLUMN] = turn * (cy * az - cz * ay);
-        functions[TileRows.EDGE_F + TileRows.ROW] = turn * (cz * ax - cx * az);
-        functions[TileRows.EDGE_G] = turn * (ax * by - ay * bx);
-        functions[TileRows.EDGE_G + TileRows.COLUMN] = turn * (ay * bz - az * by);
-        functions[TileRows.EDGE_G + TileRows.ROW] = turn * (az * bx - ax * bz);
-        rows.paint(functions, triangle, fromColumn, toColumn, fromRow, toRow);
+        rows.setFirstEdge(turn * (bx * cy - by * cx), turn * (by * cz - bz * cy), turn * (bz * cx - bx * cz));
+        rows.setSecondEdge(turn * (cx * ay - cy * ax), turn * (cy * az - cz * ay), turn * (cz * ax - cx * az));
+        rows.setThirdEdge(turn * (ax * by - ay * bx), turn * (ay * bz - az * by), turn * (az * bx - ax * bz));
+        rows.paint(triangle, fromColumn, toColumn, fromRow, toRow);
     }
 
     private boolean mayHoldOrigin(int triangle) {

@@ -6,46 +6,60 @@ package org.dronewatch.kdtree;
  * what a column adds, what a row adds. A row of pixels is then an interval between the edges.
  */
 final class TileRows {
-    /** Where the functions begin, each of three numbers. */
-    static final int INVERSE = 0;
-
-    static final int EDGE_E = 3;
-    static final int EDGE_F = 6;
-    static final int EDGE_G = 9;
-    static final int NUMBERS = 12;
-    /** What a column, what a row adds. */
-    static final int COLUMN = 1;
-
-    static final int ROW = 2;
-
     /** How near to a pixel's centre, in pixels, an edge must pass to be looked at once more. */
     private static final double NEAR_EDGE = 1e-6;
 
     private final TilePixels pixels;
 
+    // The inverse of the ray parameter and the edge functions: at the tile's corner, what a column adds, what a row
+    // adds.
+    private double r;
+    private double rx;
+    private double ry;
+    private double e;
+    private double ex;
+    private double ey;
+    private double f;
+    private double fx;
+    private double fy;
+    private double g;
+    private double gx;
+    private double gy;
+
     TileRows(TilePixels pixels) {
         this.pixels = pixels;
     }
 
-    /**
-     * Paints the part of a triangle that lies in a rectangle, borders included.
-     *
-     * @param functions {@link #NUMBERS} of them
-     * @param triangle its number
-     */
-    void paint(double[] functions, int triangle, int fromColumn, int toColumn, int fromRow, int toRow) {
-        double r = functions[INVERSE];
-        double rx = functions[INVERSE + COLUMN];
-        double ry = functions[INVERSE + ROW];
-        double e = functions[EDGE_E];
-        double ex = functions[EDGE_E + COLUMN];
-        double ey = functions[EDGE_E + ROW];
-        double f = functions[EDGE_F];
-        double fx = functions[EDGE_F + COLUMN];
-        double fy = functions[EDGE_F + ROW];
-        double g = functions[EDGE_G];
-        double gx = functions[EDGE_G + COLUMN];
-        double gy = functions[EDGE_G + ROW];
+    /** Sets the inverse of the ray parameter of the next triangle. */
+    void setInverse(double atCorner, double ofColumn, double ofRow) {
+        r = atCorner;
+        rx = ofColumn;
+        ry = ofRow;
+    }
+
+    /** Sets its first edge function. */
+    void setFirstEdge(double atCorner, double ofColumn, double ofRow) {
+        e = atCorner;
+        ex = ofColumn;
+        ey = ofRow;
+    }
+
+    /** Sets its second edge function. */
+    void setSecondEdge(double atCorner, double ofColumn, double ofRow) {
+        f = atCorner;
+        fx = ofColumn;
+        fy = ofRow;
+    }
+
+    /** Sets its third edge function. */
+    void setThirdEdge(double atCorner, double ofColumn, double ofRow) {
+        g = atCorner;
+        gx = ofColumn;
+        gy = ofRow;
+    }
+
+    /** Paints the part of the triangle that lies in a rectangle, borders included. */
+    void paint(int triangle, int fromColumn, int toColumn, int fromRow, int toRow) {
         double atE = -1.0 / ex;
         double atF = -1.0 / fx;
         double atG = -1.0 / gx;

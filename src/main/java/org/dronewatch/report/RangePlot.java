@@ -102,11 +102,9 @@ final class RangePlot {
 
     private String valueAxis() {
         RangeCurve any = curves.get(0);
-        if (any.unit().isEmpty()) {
-            return "probability";
-        }
         int run = any.thresholds().keySet().iterator().next();
-        String what = settings(run).sensors().get(sensor).measures() + " [" + any.unit() + "]";
+        String measured = settings(run).sensors().get(sensor).measures();
+        String what = any.unit().isEmpty() ? measured : measured + " [" + any.unit() + "]";
         boolean cut = curves.stream().anyMatch(RangeCurve::isCut);
         return cut ? what + ", cut at " + Quantity.NUMBER.inBrief(any.top()) : what;
     }

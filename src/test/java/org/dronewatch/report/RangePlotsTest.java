@@ -5,20 +5,28 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Color;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
 
 /** The plots of what sensors measured over the range, by their series. */
 class RangePlotsTest {
     private static XYChart chart(String scene, String sensor) {
+        return chart(scene, sensor, Map.of());
+    }
+
+    private static XYChart chart(String scene, String sensor, Map<String, String> overrides) {
         RangePlots plots = new RangePlots();
         SceneRunner runner = new SceneRunner(new SceneFile(Path.of("scenes", scene + ".yaml")))
                 .threads(1)
                 .onFrame(plots::add);
+        overrides.forEach(runner::set);
         SceneResult result = runner.run();
         return plots.plot(result, sensor).chart();
     }
@@ -71,5 +79,13 @@ class RangePlotsTest {
         XYChart chart = chart("hill-radar", "radar");
         assertThat(names(chart)).containsExactly("quadrotor", "threshold 13.18 dB");
         assertThat(chart.getYAxisTitle()).isEqualTo("signal-to-noise ratio [dB]");
+    }
+
+    /** Whatever the catalogue puts in the place of the camera, the axis tells what it measures. */
+    @ParameterizedTest
+    @CsvSource({"sensors.camera, cooled-thermal-camera", "sensors.camera.detection, target-task"})
+    void chancesAreProbabilities(String setting, String value) {
+        XYChart chart = chart("camera-range", "camera", Map.of(setting, value, "run.duration", "5 s"));
+        assertThat(chart.getYAxisTitle()).isEqualTo("probability");
     }
 }

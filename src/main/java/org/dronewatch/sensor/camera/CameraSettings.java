@@ -148,7 +148,7 @@ public record CameraSettings(
 
     @Override
     public String measures() {
-        return "pixels of the drone";
+        return detection.unit().isEmpty() ? "probability" : "pixels of the drone";
     }
 
     @Override

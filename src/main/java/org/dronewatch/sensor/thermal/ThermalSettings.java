@@ -163,6 +163,11 @@ public record ThermalSettings(
     }
 
     @Override
+    public String measures() {
+        return "probability";
+    }
+
+    @Override
     public ThermalSensor create() {
         return new ThermalSensor(this);
     }
