@@ -5,7 +5,7 @@ package org.dronewatch.kdtree;
  *
  * <p>In the frame of the {@link PixelGrid} the ray of pixel (x, y) has the direction (x, y, 1). The three edge functions of
  * a triangle, whose signs tell inside from outside, and the inverse of the ray parameter are linear in x and y there. Each
- * row of pixels is then an interval between the edges. An edge that two triangles share has exactly opposite values in
+ * line of pixels is then an interval between the edges. An edge that two triangles share has exactly opposite values in
  * them, and zero counts as inside: no pixel slips through an edge. Where corners lie some 1e-5 of a pixel from each other,
  * and from a pixel's centre, the roundings of different edges may leave it to none of them.
  */
@@ -16,7 +16,7 @@ final class TilePainter {
     private final float[] corners;
     private final PixelGrid grid;
     private final TilePixels pixels;
-    private final TileRows rows;
+    private final TileLines lines;
     private boolean lost;
 
     /**
@@ -30,7 +30,7 @@ final class TilePainter {
         this.corners = corners;
         this.grid = grid;
         this.pixels = pixels;
-        this.rows = new TileRows(pixels);
+        this.lines = new TileLines(pixels);
     }
 
     /** Begins a tile, after its pixels have. */
@@ -83,10 +83,10 @@ final class TilePainter {
             double high = Math.max(ax * ofA, Math.max(bx * ofB, cx * ofC));
             double upper = Math.min(ay * ofA, Math.min(by * ofB, cy * ofC));
             double lower = Math.max(ay * ofA, Math.max(by * ofB, cy * ofC));
-            fromColumn = TileRows.atOrAfter(Math.max(low, 0.0));
-            toColumn = TileRows.atOrBefore(Math.min(high, lastColumn));
-            fromRow = TileRows.atOrAfter(Math.max(upper, 0.0));
-            toRow = TileRows.atOrBefore(Math.min(lower, lastRow));
+            fromColumn = TileLines.atOrAfter(Math.max(low, 0.0));
+            toColumn = TileLines.atOrBefore(Math.min(high, lastColumn));
+            fromRow = TileLines.atOrAfter(Math.max(upper, 0.0));
+            toRow = TileLines.atOrBefore(Math.min(lower, lastRow));
             if (fromColumn > toColumn || fromRow > toRow) {
                 return;
             }
@@ -114,15 +114,16 @@ final class TilePainter {
             lost = true;
             return;
         }
+        lines.setRectangle(fromColumn, toColumn, fromRow, toRow);
         double inverse = 1.0 / volume;
-        rows.setInverse(nz * inverse, nx * inverse, ny * inverse);
+        lines.setInverse(nz * inverse, nx * inverse, ny * inverse);
 
         // Edge functions, turned so that inside is above zero for what lies before the origin.
         double turn = volume < 0.0 ? -1.0 : 1.0;
-        rows.setFirstEdge(turn * (bx * cy - by * cx), turn * (by * cz - bz * cy), turn * (bz * cx - bx * cz));
-        rows.setSecondEdge(turn * (cx * ay - cy * ax), turn * (cy * az - cz * ay), turn * (cz * ax - cx * az));
-        rows.setThirdEdge(turn * (ax * by - ay * bx), turn * (ay * bz - az * by), turn * (az * bx - ax * bz));
-        rows.paint(triangle, fromColumn, toColumn, fromRow, toRow);
+        lines.setFirstEdge(turn * (bx * cy - by * cx), turn * (by * cz - bz * cy), turn * (bz * cx - bx * cz));
+        lines.setSecondEdge(turn * (cx * ay - cy * ax), turn * (cy * az - cz * ay), turn * (cz * ax - cx * az));
+        lines.setThirdEdge(turn * (ax * by - ay * bx), turn * (ay * bz - az * by), turn * (az * bx - ax * bz));
+        lines.paint(triangle);
     }
 
     private boolean mayHoldOrigin(int triangle) {

@@ -160,7 +160,7 @@ final class TilePixels {
      * @param inverse inverse ray parameter of the triangle in the tile's left column
      * @param step what a column adds to it
      */
-    void paint(int row, int first, int last, double inverse, double step, int triangle) {
+    void paintRow(int row, int first, int last, double inverse, double step, int triangle) {
         // What the loop changes is kept in locals: fields would be written back for each pixel.
         double[] nearestNow = nearest;
         int[] seen = triangles;
@@ -171,6 +171,27 @@ final class TilePixels {
                 nearestNow[start + column] = here;
                 seen[start + column] = triangle;
             }
+        }
+    }
+
+    /**
+     * Lets the pixels of a column from one row to another see a triangle where it is the nearest. Apart from rows, since the
+     * compiler makes more of a loop over neighbours.
+     *
+     * @param inverse inverse ray parameter of the triangle in the tile's top row
+     * @param step what a row adds to it
+     */
+    void paintColumn(int column, int first, int last, double inverse, double step, int triangle) {
+        double[] nearestNow = nearest;
+        int[] seen = triangles;
+        int pixel = first * width + column;
+        for (int row = first; row <= last; row++) {
+            double here = inverse + row * step;
+            if (here > nearestNow[pixel]) {
+                nearestNow[pixel] = here;
+                seen[pixel] = triangle;
+            }
+            pixel += width;
         }
     }
 

@@ -247,9 +247,11 @@ public final class TileTraversal {
 
     /** Whether the tile may see something in a cell on the stack. A leaf's cell is looked at when its turn has come. */
     private boolean isWorthWhile(int stacked) {
-        return stackEntry[stacked] <= farthest
-                && (KDNode.kind(tree.nodes()[stackNode[stacked]]) == KDNode.LEAF
-                        || sight.reaches(stackCells, BOX * stacked));
+        if (stackEntry[stacked] > farthest) {
+            return false;
+        }
+        long node = tree.nodes()[stackNode[stacked]];
+        return KDNode.kind(node) == KDNode.LEAF ? KDNode.count(node) > 0 : sight.reaches(stackCells, BOX * stacked);
     }
 
     private void paintLeaf(long leaf) {

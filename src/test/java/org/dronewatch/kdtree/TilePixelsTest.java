@@ -60,8 +60,9 @@ class TilePixelsTest {
         }
     }
 
-    /** Paints a rectangle by rows, in which the inverse grows from the left to the right. */
+    /** Paints a rectangle by rows, in which the inverse grows from the left to the right, or by columns, downwards. */
     private void paint() {
+        boolean upright = random.nextBoolean();
         int left = random.nextInt(columns) / 2;
         int right = left + random.nextInt(columns - left);
         int top = random.nextInt(rows) / 2;
@@ -71,9 +72,14 @@ class TilePixelsTest {
         for (int row = top; row <= bottom; row++) {
             for (int column = left; column <= right; column++) {
                 int pixel = row * columns + column;
-                inverses[pixel] = Math.max(inverses[pixel], inverse + column * step);
+                inverses[pixel] = Math.max(inverses[pixel], inverse + (upright ? row : column) * step);
             }
-            pixels.paint(row, left, right, inverse, step, 7);
+        }
+        for (int row = top; !upright && row <= bottom; row++) {
+            pixels.paintRow(row, left, right, inverse, step, 7);
+        }
+        for (int column = left; upright && column <= right; column++) {
+            pixels.paintColumn(column, top, bottom, inverse, step, 7);
         }
     }
 

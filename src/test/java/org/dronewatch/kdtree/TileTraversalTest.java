@@ -2,6 +2,7 @@ package org.dronewatch.kdtree;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import java.time.Duration;
@@ -138,28 +139,77 @@ class TileTraversalTest {
         }
     }
 
-    /** Two ulps of a float from the centres of columns 3 and 5: too near for the interval of a row, so signs decide. */
+    /**
+     * Two ulps of a float from the centres of columns 3 and 5, or rows: too near for the interval of a line, so signs decide.
+     * A tile of 9 x 9 pixels is painted in rows, one of 9 x 12 in columns.
+     */
     @Test
     void edgesThatPassCentresCloselyLeaveThemOut() {
         float right = Math.nextUp(Math.nextUp(3f));
         float left = Math.nextDown(5f);
-        TriangleMesh mesh = TriangleMesh.of(
-                new float[] {right, -99, 1, 99, 4, 1, right, 99, 1, left, -99, 2, left, 99, 2, -99, 4, 2},
-                new int[] {0, 1, 2, 3, 4, 5});
+        float[] wide = {right, -99, 1, 99, 4, 1, right, 99, 1, left, -99, 2, left, 99, 2, -99, 4, 2};
+        float[] high = wide.clone();
+        for (int corner = 0; corner < 6; corner++) {
+            high[3 * corner] = wide[3 * corner + 1];
+            high[3 * corner + 1] = wide[3 * corner];
+        }
+        for (int rows = 9; rows <= 12; rows += 3) {
+            edgesLeaveCentresOut(wide, false, rows);
+            edgesLeaveCentresOut(high, true, rows);
+        }
+    }
+
+    private static void edgesLeaveCentresOut(float[] corners, boolean level, int rows) {
+        TriangleMesh mesh = TriangleMesh.of(corners, new int[] {0, 1, 2, 3, 4, 5});
         // The second triangle lies at twice the distance: seen from the origin its edge is at half the column.
         for (int triangle = 0; triangle < 2; triangle++) {
             double step = triangle == 0 ? 1.0 : 0.5;
             TileTraversal tiles = new TileTraversal(KDTree.of(only(mesh, triangle)));
             tiles.setPicture(
                     new double[3], new double[] {0, 0, 1}, new double[] {step, 0, 0}, new double[] {0, step, 0});
-            tiles.trace(0, 0, 9, 9);
-            for (int row = 0; row < 9; row++) {
+            tiles.trace(0, 0, 9, rows);
+            for (int row = 0; row < rows; row++) {
                 for (int column = 0; column < 9; column++) {
+                    int across = level ? row : column;
                     assertThat(tiles.hits(column, row))
-                            .as("triangle %d, column %d, row %d", triangle, column, row)
-                            .isEqualTo(triangle == 0 ? column > 3 : column < 5);
+                            .as("triangle %d, column %d, row %d of %d", triangle, column, row, rows)
+                            .isEqualTo(triangle == 0 ? across > 3 : across < 5);
                 }
             }
+        }
+    }
+
+    /**
+     * A floor that all pixels see, as far as 100, met first in a cell near by; and posts in a cell far away, at 99.5, before
+     * what the farthest pixels see.
+     */
+    @Test
+    void whatStandsJustBeforeTheFarthestPixelIsSeen() {
+        List<Float> corners = new ArrayList<>(List.of(-1f, -300f, 0f, 400f, 0f, 0f, -1f, 300f, 0f));
+        for (int i = 0; i < 60; i++) {
+            float side = i / 30f - 1f;
+            // Beside the picture, below the eye; and in it.
+            corners.addAll(List.of(1f, side, -2f, 1f, side + 0.02f, -2f, 1.1f, side, -1.9f));
+            corners.addAll(List.of(99.4f, side, -0.3f, 99.4f, side + 0.06f, -0.3f, 99.6f, side, 0.31f));
+        }
+        float[] all = new float[corners.size()];
+        int[] numbers = new int[all.length / 3];
+        for (int i = 0; i < all.length; i++) {
+            all[i] = corners.get(i);
+            numbers[i / 3] = i / 3;
+        }
+        KDTree tree = KDTree.of(TriangleMesh.of(all, numbers));
+        assertThat(tree.stats().nodes()).isGreaterThan(20);
+        TileTraversal tiles = new TileTraversal(tree);
+        tiles.setPicture(
+                new double[] {0, 0, 1}, new double[] {1, -0.004, -0.01}, new double[] {0, 0.001, 0}, new double[] {
+                    0, 0, -0.001
+                });
+        tiles.trace(0, 0, 9, 9);
+        for (int row = 0; row < 9; row++) {
+            assertThat(tiles.parameter(4, row))
+                    .as("row %d", row)
+                    .isCloseTo(row == 0 ? 99.5 : 1.0 / (0.01 + 0.001 * row), within(1e-4));
         }
     }
 

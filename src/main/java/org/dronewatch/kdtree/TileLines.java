@@ -1,0 +1,145 @@
+package org.dronewatch.kdtree;
+
+/**
+ * Paints triangles into a tile line by line, from their functions: the inverse of the ray parameter on the triangle's plane,
+ * and three edge functions that are zero or more inside. Each is linear in column and row: its value at the tile's corner,
+ * what a column adds, what a row adds. A line of pixels is then an interval between the edges. Lines run the longer way
+ * through the rectangle that holds the triangle, along rows or along columns: so there are few of them.
+ */
+final class TileLines {
+    /** How near to a pixel's centre, in pixels, an edge must pass to be looked at once more. */
+    private static final double NEAR_EDGE = 1e-6;
+
+    private final TilePixels pixels;
+
+    /** Whether lines are columns of pixels, for the next triangle. */
+    private boolean upright;
+
+    // The rectangle: which lines, and which pixels of each.
+    private int firstLine;
+    private int lastLine;
+    private int firstPlace;
+    private int lastPlace;
+
+    // The inverse of the ray parameter and the edge functions: at the tile's corner, what the next pixel of a line
+    // adds, and
+    // what the next line adds.
+    private double r;
+    private double rAlong;
+    private double rAcross;
+    private double e;
+    private double eAlong;
+    private double eAcross;
+    private double f;
+    private double fAlong;
+    private double fAcross;
+    private double g;
+    private double gAlong;
+    private double gAcross;
+
+    TileLines(TilePixels pixels) {
+        this.pixels = pixels;
+    }
+
+    /** Sets the rectangle that the next triangle may lie in, borders included. To be called before the functions are set. */
+    void setRectangle(int fromColumn, int toColumn, int fromRow, int toRow) {
+        upright = toRow - fromRow > toColumn - fromColumn;
+        firstLine = upright ? fromColumn : fromRow;
+        lastLine = upright ? toColumn : toRow;
+        firstPlace = upright ? fromRow : fromColumn;
+        lastPlace = upright ? toRow : toColumn;
+    }
+
+    /** Sets the inverse of the ray parameter of the next triangle. */
+    void setInverse(double atCorner, double ofColumn, double ofRow) {
+        r = atCorner;
+        rAlong = upright ? ofRow : ofColumn;
+        rAcross = upright ? ofColumn : ofRow;
+    }
+
+    /** Sets its first edge function. */
+    void setFirstEdge(double atCorner, double ofColumn, double ofRow) {
+        e = atCorner;
+        eAlong = upright ? ofRow : ofColumn;
+        eAcross = upright ? ofColumn : ofRow;
+    }
+
+    /** Sets its second edge function. */
+    void setSecondEdge(double atCorner, double ofColumn, double ofRow) {
+        f = atCorner;
+        fAlong = upright ? ofRow : ofColumn;
+        fAcross = upright ? ofColumn : ofRow;
+    }
+
+    /** Sets its third edge function. */
+    void setThirdEdge(double atCorner, double ofColumn, double ofRow) {
+        g = atCorner;
+        gAlong = upright ? ofRow : ofColumn;
+        gAcross = upright ? ofColumn : ofRow;
+    }
+
+    /** Paints the triangle. */
+    void paint(int triangle) {
+        double atE = -1.0 / eAlong;
+        double atF = -1.0 / fAlong;
+        double atG = -1.0 / gAlong;
+        for (int line = firstLine; line <= lastLine; line++) {
+            // The places between the edges; a rising edge function bounds them from below.
+            double eLine = e + line * eAcross;
+            double fLine = f + line * fAcross;
+            double gLine = g + line * gAcross;
+            double from = firstPlace;
+            double to = lastPlace;
+            double at = eLine * atE;
+            if (atE < 0.0) {
+                from = at > from ? at : from;
+            } else {
+                to = at < to ? at : to;
+            }
+            at = fLine * atF;
+            if (atF < 0.0) {
+                from = at > from ? at : from;
+            } else {
+                to = at < to ? at : to;
+            }
+            at = gLine * atG;
+            if (atG < 0.0) {
+                from = at > from ? at : from;
+            } else {
+                to = at < to ? at : to;
+            }
+            if (from > to + NEAR_EDGE) {
+                continue;
+            }
+            int first = atOrAfter(from);
+            int last = atOrBefore(to);
+            // Where an edge passes a pixel's centre within rounding, its sign decides.
+            if (Math.abs(first - from) <= NEAR_EDGE
+                    && first <= last
+                    && (eLine + first * eAlong < 0.0 || fLine + first * fAlong < 0.0 || gLine + first * gAlong < 0.0)) {
+                first++;
+            }
+            if (Math.abs(to - last) <= NEAR_EDGE
+                    && first <= last
+                    && (eLine + last * eAlong < 0.0 || fLine + last * fAlong < 0.0 || gLine + last * gAlong < 0.0)) {
+                last--;
+            }
+            double inverse = r + line * rAcross;
+            if (upright) {
+                pixels.paintColumn(line, first, last, inverse, rAlong, triangle);
+            } else {
+                pixels.paintRow(line, first, last, inverse, rAlong, triangle);
+            }
+        }
+    }
+
+    /** The first pixel at or after a place of zero or more. */
+    static int atOrAfter(double place) {
+        return (int) (place + (1.0 - NEAR_EDGE));
+    }
+
+    /** The last pixel at or before a place; -1 for all places before the first pixel, however far. */
+    static int atOrBefore(double place) {
+        return place > -NEAR_EDGE ? (int) (place + NEAR_EDGE) : -1;
+    }
+}
