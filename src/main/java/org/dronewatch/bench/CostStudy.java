@@ -33,6 +33,7 @@ public final class CostStudy {
     private static final double NANO = 1e-9;
     private static final int RUNS = 5;
     private static final long WARM_UP_NANOS = 700_000_000L;
+    private static final double GROWTH = 5.0;
     private static final int SITE_TRIANGLES = 65_000;
     private static final int MOST = 64;
     private static final double DRONE_DISTANCE = 60.0;
@@ -69,8 +70,9 @@ public final class CostStudy {
 
     private List<CostCurves> overTriangles() {
         CostCurves.Points build = new CostCurves.Points("tree build, " + Workers.available() + " threads");
-        CostCurves.Points camera = new CostCurves.Points("camera rays, tiles");
-        CostCurves.Points single = new CostCurves.Points("camera rays, one by one");
+        CostCurves.Points fullHd = new CostCurves.Points("pictures of 1920 x 1080");
+        CostCurves.Points camera = new CostCurves.Points("pictures of 1024 x 768");
+        CostCurves.Points single = new CostCurves.Points("the latter's rays, one by one");
         CostCurves.Points diffuse = new CostCurves.Points("diffuse rays");
         CostCurves.Points memory = new CostCurves.Points("tree and corners");
         for (double size = 1000; size <= 1.01 * largest; size *= nextFactor(size)) {
@@ -81,6 +83,7 @@ public final class CostStudy {
             KDTree tree = KDTree.of(mesh);
             KDTreeStats stats = tree.stats();
             memory.add(triangles, stats.bytes() / (double) triangles);
+            fullHd.add(triangles, rate(tree, new RayGenerator(tree, 1).camera(1920, 1080), TraversalKind.TILES));
             RaySet picture = new RayGenerator(tree, 1).camera();
             camera.add(triangles, rate(tree, picture, TraversalKind.TILES));
             single.add(triangles, rate(tree, picture, TraversalKind.STACK));
@@ -93,13 +96,13 @@ public final class CostStudy {
                         "Tracing, one thread",
                         "triangles",
                         "million rays a second",
-                        List.of(camera.line(), single.line(), diffuse.line())),
+                        List.of(fullHd.line(), camera.line(), single.line(), diffuse.line())),
                 new CostCurves("memory", "Memory", "triangles", "bytes a triangle", List.of(memory.line())));
     }
 
-    /** Four times as many each time, and the largest at the end. */
+    /** Five times as many each time, and the largest at the end. */
     private double nextFactor(double size) {
-        return size < largest && 4.0 * size > largest ? largest / size : 4.0;
+        return size < largest && GROWTH * size > largest ? largest / size : GROWTH;
     }
 
     private static double rate(KDTree tree, RaySet set, TraversalKind kind) {

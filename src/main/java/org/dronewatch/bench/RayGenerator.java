@@ -36,6 +36,11 @@ public final class RayGenerator {
 
     /** A picture of 1024 x 768 pixels, 90 degrees wide. */
     public RaySet camera() {
+        return camera(WIDTH, HEIGHT);
+    }
+
+    /** A picture, 90 degrees wide. */
+    public RaySet camera(int width, int height) {
         AABB box = tree.bounds();
         Point3d center = box.center();
         Point3d eye = new Point3d(
@@ -51,17 +56,17 @@ public final class RayGenerator {
         Vector3d up = new Vector3d();
         up.cross(right, forward);
 
-        float[] rays = new float[WIDTH * HEIGHT * RaySet.FLOATS];
-        for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
-            int row = pixel / WIDTH;
-            double x = 2.0 * (pixel % WIDTH + 0.5) / WIDTH - 1.0;
-            double y = (HEIGHT - 2.0 * (row + 0.5)) / WIDTH;
+        float[] rays = new float[width * height * RaySet.FLOATS];
+        for (int pixel = 0; pixel < width * height; pixel++) {
+            int row = pixel / width;
+            double x = 2.0 * (pixel % width + 0.5) / width - 1.0;
+            double y = (height - 2.0 * (row + 0.5)) / width;
             Vector3d direction = new Vector3d(forward);
             direction.scaleAdd(x, right, direction);
             direction.scaleAdd(y, up, direction);
             put(rays, pixel, eye, direction);
         }
-        return new RaySet("camera", rays, WIDTH);
+        return new RaySet("camera", rays, width);
     }
 
     /**

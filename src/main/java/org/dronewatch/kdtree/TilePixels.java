@@ -41,16 +41,21 @@ final class TilePixels {
      * Pixels of tiles.
      *
      * @param grid where they look; may be set anew between tiles
-     * @param pixels the most of a tile, of {@link TileTraversal#WIDTH} columns at most
+     * @param mostColumns of a tile
+     * @param mostRows of a tile
      */
-    TilePixels(PixelGrid grid, int pixels) {
+    TilePixels(PixelGrid grid, int mostColumns, int mostRows) {
         this.grid = grid;
-        this.nearest = new double[pixels];
-        this.triangles = new int[pixels];
-        this.leastOfBlock = new double[pixels];
-        this.columnNumbers = new double[TileTraversal.WIDTH];
+        this.nearest = new double[mostColumns * mostRows];
+        this.triangles = new int[mostColumns * mostRows];
+        this.leastOfBlock = new double[blocks(mostColumns) * blocks(mostRows)];
+        this.columnNumbers = new double[mostColumns];
         Arrays.setAll(columnNumbers, i -> i);
-        this.rowOfDistances = new double[TileTraversal.WIDTH];
+        this.rowOfDistances = new double[mostColumns];
+    }
+
+    private static int blocks(int pixels) {
+        return (pixels + BLOCK - 1) / BLOCK;
     }
 
     /** Begins a tile: no pixel sees anything. */
@@ -60,8 +65,8 @@ final class TilePixels {
         width = columns;
         height = rows;
         Arrays.fill(nearest, 0, width * height, 0.0);
-        blocksAcross = (width + BLOCK - 1) / BLOCK;
-        Arrays.fill(leastOfBlock, 0, blocksAcross * ((height + BLOCK - 1) / BLOCK), 0.0);
+        blocksAcross = blocks(width);
+        Arrays.fill(leastOfBlock, 0, blocksAcross * blocks(height), 0.0);
         farthestPixel = 0;
         leastInverse = 0.0;
     }

@@ -14,7 +14,7 @@ import java.util.Arrays;
  */
 public final class TileTraversal {
     /** The most pixels of a tile in a row. */
-    public static final int WIDTH = 64;
+    public static final int WIDTH = 128;
     /** The most rows of a tile. */
     public static final int HEIGHT = 64;
     /** How many triangles a tile may meet for each of its pixels before single rays are cheaper. */
@@ -30,7 +30,7 @@ public final class TileTraversal {
     private final KDTree tree;
     private final KDTraversal single;
     private final PixelGrid grid = new PixelGrid();
-    private final TilePixels pixels = new TilePixels(grid, WIDTH * HEIGHT);
+    private final TilePixels pixels = new TilePixels(grid, WIDTH, HEIGHT);
     private final TileSight sight = new TileSight(grid, pixels);
     private final TilePainter painter;
 

@@ -11,7 +11,7 @@ class TilePixelsTest {
     private static final long SEED = 240;
 
     private final SplittableRandom random = new SplittableRandom(SEED);
-    private final TilePixels pixels = new TilePixels(new PixelGrid(), SIZE * SIZE);
+    private final TilePixels pixels = new TilePixels(new PixelGrid(), SIZE, SIZE);
     private final double[] inverses = new double[SIZE * SIZE];
     private int columns;
     private int rows;

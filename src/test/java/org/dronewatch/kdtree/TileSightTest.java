@@ -13,7 +13,7 @@ class TileSightTest {
     private static final double[] ORIGIN = {2.0, -1.0, 0.5};
 
     private final PixelGrid grid = new PixelGrid();
-    private final TilePixels pixels = new TilePixels(grid, SIZE * SIZE);
+    private final TilePixels pixels = new TilePixels(grid, SIZE, SIZE);
     private final TileSight sight = new TileSight(grid, pixels);
 
     /** Looks along +x, columns along +y, rows along -z; a pixel is 0.01 wide at a distance of 1. */

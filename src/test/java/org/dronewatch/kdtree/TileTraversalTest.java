@@ -234,15 +234,16 @@ class TileTraversalTest {
             int rows = 1 + random.nextInt(TileTraversal.HEIGHT);
             tiles.setPicture(view.from, view.corner, view.right, view.down);
             tiles.trace(7, 3, columns, rows);
-            float[] distances = new float[5 + 70 * rows];
-            tiles.copyDistances(distances, 5, 70);
+            int rowLength = TileTraversal.WIDTH + 6;
+            float[] distances = new float[5 + rowLength * rows];
+            tiles.copyDistances(distances, 5, rowLength);
             for (int row = 0; row < rows; row++) {
                 for (int column = 0; column < columns; column++) {
                     double[] ray = view.ray(7 + column, 3 + row);
                     double length = Math.sqrt(ray[3] * ray[3] + ray[4] * ray[4] + ray[5] * ray[5]);
                     double expected = tiles.hits(column, row) ? length * tiles.parameter(column, row) : 1.0 / 0.0;
                     sky += tiles.hits(column, row) ? 0 : 1;
-                    assertThat((double) distances[5 + 70 * row + column])
+                    assertThat((double) distances[5 + rowLength * row + column])
                             .as("seed 214, view %d, column %d, row %d", i, column, row)
                             .isBetween(expected * (1.0 - 1e-7), expected * (1.0 + 1e-7));
                 }
@@ -267,7 +268,7 @@ class TileTraversalTest {
                 .isInstanceOf(IllegalArgumentException.class);
     }
 
-    /** Compares whole pictures whose borders cut tiles. */
+    /** Compares whole pictures, cut into tiles of any size, whose borders cut tiles again. */
     private static void compare(String name, TriangleMesh mesh, int views, int width, long seed) {
         KDTree tree = KDTree.of(mesh);
         TileTraversal tiles = new TileTraversal(tree);
@@ -283,10 +284,12 @@ class TileTraversalTest {
             View view = View.random(mesh, random, i, width);
             int height = 3 * width / 4;
             tiles.setPicture(view.from, view.corner, view.right, view.down);
-            for (int top = 0; top < height; top += TileTraversal.HEIGHT) {
-                for (int left = 0; left < width; left += TileTraversal.WIDTH) {
-                    int columns = Math.min(TileTraversal.WIDTH, width - left);
-                    int rows = Math.min(TileTraversal.HEIGHT, height - top);
+            int across = random.nextInt(16, TileTraversal.WIDTH + 1);
+            int down = random.nextInt(16, TileTraversal.HEIGHT + 1);
+            for (int top = 0; top < height; top += down) {
+                for (int left = 0; left < width; left += across) {
+                    int columns = Math.min(across, width - left);
+                    int rows = Math.min(down, height - top);
                     boolean singly = random.nextInt(4) == 0;
                     if (singly) {
                         tiles.traceSingly(left, top, columns, rows);
