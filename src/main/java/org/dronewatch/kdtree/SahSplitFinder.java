@@ -5,7 +5,8 @@ import java.util.Optional;
 
 /**
  * Finds the cheapest plane to split a voxel, by sweeping a plane along each axis. The cost changes only where a triangle
- * ends, lies, or starts, so these events, sorted, are all there is to try.
+ * ends, lies, or starts, so these events, sorted, are all there is to try; and the planes next to the voxel's faces, where
+ * triangles lie in a face.
  *
  * <p>Where there are many triangles, they are first counted in equal slices of each axis. The counts bound the cost of
  * any plane in a slice from below, so that only slices which may hold the cheapest plane are sorted and swept: the answer
@@ -50,7 +51,7 @@ final class SahSplitFinder {
      * @param boxes the triangles' boxes clipped to the voxel, {@link #BOX} numbers each
      * @param count how many triangles there are
      * @param voxel the voxel's box
-     * @return the cheapest split, or empty when no plane lies inside the voxel or the voxel has no surface
+     * @return the cheapest split, or empty when none of these planes lies inside the voxel or the voxel has no surface
      */
     Optional<Split> find(int[] boxes, int count, int[] voxel) {
         bestCost = Double.POSITIVE_INFINITY;
@@ -61,6 +62,10 @@ final class SahSplitFinder {
         area = section + (highest - lowest) * girth;
         if (!(area > 0.0)) {
             return Optional.empty();
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            setAxis(axis, voxel);
+            tryBesideFaces(boxes, count, axis, voxel);
         }
         if (count < MANY) {
             for (int axis = 0; axis < 3; axis++) {
@@ -139,6 +144,42 @@ final class SahSplitFinder {
             }
             before += started + planar;
         }
+    }
+
+    /**
+     * Tries to cut off triangles that lie in a face of the voxel, one step of the grid inside it: floors and walls would
+     * else share the air before them, and rays through the air would test them all.
+     */
+    private void tryBesideFaces(int[] boxes, int count, int axis, int[] voxel) {
+        boolean inLowFace = false;
+        boolean inHighFace = false;
+        for (int box = axis; box < BOX * count; box += BOX) {
+            if (boxes[box] == boxes[box + 3]) {
+                inLowFace |= boxes[box] == voxel[axis];
+                inHighFace |= boxes[box] == voxel[axis + 3];
+            }
+        }
+        if (voxel[axis] + 1 < voxel[axis + 3]) {
+            if (inLowFace) {
+                tryCounted(boxes, count, axis, voxel[axis] + 1);
+            }
+            if (inHighFace) {
+                tryCounted(boxes, count, axis, voxel[axis + 3] - 1);
+            }
+        }
+    }
+
+    /** Tries a plane after counting what lies on its sides. */
+    private void tryCounted(int[] boxes, int count, int axis, int key) {
+        int left = 0;
+        int planar = 0;
+        int right = 0;
+        for (int box = axis; box < BOX * count; box += BOX) {
+            left += boxes[box] < key ? 1 : 0;
+            planar += boxes[box] == key && boxes[box + 3] == key ? 1 : 0;
+            right += boxes[box + 3] > key ? 1 : 0;
+        }
+        tryPlane(axis, key, left, planar, right);
     }
 
     private int runLength(int from, int size, int event) {

@@ -22,12 +22,14 @@ class SahTest {
         return new int[] {ORIGIN, ORIGIN, ORIGIN, ORIGIN + x, ORIGIN + y, ORIGIN + z};
     }
 
-    /** Boxes on the grid; about a quarter of their sides have no width, those only inside the voxel. */
+    /** Boxes on the grid; about a quarter of their sides have no width, some of these lie in the voxel's faces. */
     private static int[] randomBoxes(int count, int reach, SplittableRandom random) {
         int[] boxes = new int[6 * count];
         for (int i = 0; i < 3 * count; i++) {
             boolean flat = random.nextInt(4) == 0;
-            int low = flat ? 1 + random.nextInt(reach - 1) : random.nextInt(reach);
+            int low = !flat
+                    ? random.nextInt(reach)
+                    : random.nextInt(8) > 0 ? random.nextInt(reach + 1) : reach * random.nextInt(2);
             int high = flat ? low : low + 1 + random.nextInt(reach - low);
             int slot = 6 * (i / 3) + i % 3;
             boxes[slot] = ORIGIN + low;
@@ -68,16 +70,27 @@ class SahTest {
         return 2 * (x * y + y * z + z * x);
     }
 
-    /** The least cost over all planes strictly inside a voxel at which some box begins or ends; infinity for none. */
+    /**
+     * The least cost over all planes strictly inside a voxel at which some box begins or ends, or one step inside a face in
+     * which some box lies; infinity for none.
+     */
     private static double leastCost(int[] boxes, int[] voxel) {
         double least = Double.POSITIVE_INFINITY;
-        for (int axis = 0; axis < 3; axis++) {
+        for (int a = 0; a < 3; a++) {
+            int axis = a;
             TreeSet<Integer> planes = new TreeSet<>();
             for (int i = axis; i < boxes.length; i += 3) {
-                if (i % 3 == axis && boxes[i] > voxel[axis] && boxes[i] < voxel[axis + 3]) {
+                if (i % 3 == axis) {
                     planes.add(boxes[i]);
                 }
             }
+            for (int i = axis; i < boxes.length; i += 6) {
+                if (boxes[i] == boxes[i + 3]) {
+                    planes.add(boxes[i] == voxel[axis] ? boxes[i] + 1 : boxes[i]);
+                    planes.add(boxes[i] == voxel[axis + 3] ? boxes[i] - 1 : boxes[i]);
+                }
+            }
+            planes.removeIf(key -> key <= voxel[axis] || key >= voxel[axis + 3]);
             for (int key : planes) {
                 least = Math.min(least, cost(axis, key, boxes, voxel));
             }
@@ -180,6 +193,24 @@ class SahTest {
             assertThat(split.isLeft(ORIGIN + plane, ORIGIN + plane)).isEqualTo(plane == 16);
             assertThat(split.isRight(ORIGIN + plane, ORIGIN + plane)).isEqualTo(plane == 48);
             assertThat(split.cost()).isCloseTo(0.8 * (4.0 + 1.5 * 0.5), within(1e-12));
+        }
+    }
+
+    /** A floor at the bottom of a voxel, a ceiling at its top: else rays through the air between would test them. */
+    @Test
+    void whatLiesInAFaceIsCutOffFromTheAirBeforeIt() {
+        for (int plane : new int[] {0, 64}) {
+            int[] flat = {ORIGIN, ORIGIN + plane, ORIGIN, ORIGIN + 64, ORIGIN + plane, ORIGIN + 64};
+            int[] twenty = new int[120];
+            Arrays.setAll(twenty, i -> flat[i % 6]);
+
+            Split split =
+                    new SahSplitFinder().find(twenty, 20, voxel(64, 64, 64)).orElseThrow();
+
+            assertThat(split.axis()).isEqualTo(1);
+            assertThat(split.key()).isEqualTo(plane == 0 ? ORIGIN + 1 : ORIGIN + 63);
+            // A slice of one step has two of the cube's six faces, and borders of 4 / 64 of a face.
+            assertThat(split.cost()).isCloseTo(0.8 * (4.0 + 1.5 * 20 * (2.0 + 4.0 / 64) / 6.0), within(1e-9));
         }
     }
 
