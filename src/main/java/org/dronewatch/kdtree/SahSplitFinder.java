@@ -5,8 +5,8 @@ import java.util.Optional;
 
 /**
  * Finds the cheapest plane to split a voxel, by sweeping a plane along each axis. The cost changes only where a triangle
- * ends, lies, or starts, so these events, sorted, are all there is to try; and the planes next to the voxel's faces, where
- * triangles lie in a face.
+ * ends, lies, or starts: these events, sorted, are tried. A plane must lie strictly inside the voxel; in place of a face in
+ * which triangles lie, the plane next to it is tried.
  *
  * <p>Where there are many triangles, they are first counted in equal slices of each axis. The counts bound the cost of
  * any plane in a slice from below, so that only slices which may hold the cheapest plane are sorted and swept: the answer
@@ -148,7 +148,8 @@ final class SahSplitFinder {
 
     /**
      * Tries to cut off triangles that lie in a face of the voxel, one step of the grid inside it: floors and walls would
-     * else share the air before them, and rays through the air would test them all.
+     * else share the air before them, and rays through the air would test them all. The slice of one step has no plane
+     * inside, so it is not cut so again.
      */
     private void tryBesideFaces(int[] boxes, int count, int axis, int[] voxel) {
         boolean inLowFace = false;

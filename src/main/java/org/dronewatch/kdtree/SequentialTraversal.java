@@ -7,7 +7,8 @@ package org.dronewatch.kdtree;
  *
  * <p>Where the original steps by a fixed distance, which skips thin cells and stalls at large coordinates, this one
  * puts the point on the exit axis to the next number behind the face and holds it inside the leaf's bounds on the other
- * axes. Each step so moves on along the ray's sense on one axis and back on none: it ends.
+ * axes. Each step so moves on along the ray's sense on one axis and back on none: it ends. A ray that starts exactly on a
+ * plane of the tree and runs inside it may lose a triangle on whose edge it lies; the traversal with a stack does not.
  */
 public final class SequentialTraversal extends KDTraversal {
     private final double[] point = new double[3];

@@ -22,7 +22,7 @@ final class TileLines {
     private int lastPlace;
 
     // The inverse of the ray parameter and the edge functions: at the tile's corner, what the next pixel of a line
-    // adds, and
+    // adds,
     // what the next line adds.
     private double r;
     private double rAlong;
@@ -41,8 +41,8 @@ final class TileLines {
         this.pixels = pixels;
     }
 
-    /** Sets the rectangle that the next triangle may lie in, borders included. To be called before the functions are set. */
-    void setRectangle(int fromColumn, int toColumn, int fromRow, int toRow) {
+    /** Begins a triangle, whose functions come next: the rectangle that it may lie in, borders included. */
+    void begin(int fromColumn, int toColumn, int fromRow, int toRow) {
         upright = toRow - fromRow > toColumn - fromColumn;
         firstLine = upright ? fromColumn : fromRow;
         lastLine = upright ? toColumn : toRow;

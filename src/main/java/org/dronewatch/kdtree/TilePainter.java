@@ -5,8 +5,9 @@ package org.dronewatch.kdtree;
  *
  * <p>In the frame of the {@link PixelGrid} the ray of pixel (x, y) has the direction (x, y, 1). The three edge functions of
  * a triangle, whose signs tell inside from outside, and the inverse of the ray parameter are linear in x and y there. Each
- * line of pixels is then an interval between the edges. An edge that two triangles share has exactly opposite values in
- * them, and zero counts as inside: no pixel slips through an edge. Where corners lie some 1e-5 of a pixel from each other,
+ * line of pixels is then an interval between the edges. An edge that two triangles share has opposite functions in
+ * them, and zero counts as inside: no pixel slips through an edge. That holds where one is painted by rows and the other by
+ * columns, too: the two orders of adding round differently, but never across zero. Where corners lie some 1e-5 of a pixel from each other,
  * and from a pixel's centre, the roundings of different edges may leave it to none of them.
  */
 final class TilePainter {
@@ -114,7 +115,7 @@ final class TilePainter {
             lost = true;
             return;
         }
-        lines.setRectangle(fromColumn, toColumn, fromRow, toRow);
+        lines.begin(fromColumn, toColumn, fromRow, toRow);
         double inverse = 1.0 / volume;
         lines.setInverse(nz * inverse, nx * inverse, ny * inverse);
 
