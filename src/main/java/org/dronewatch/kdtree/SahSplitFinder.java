@@ -5,8 +5,7 @@ import java.util.Optional;
 
 /**
  * Finds the cheapest plane to split a voxel, by sweeping a plane along each axis. The cost changes only where a triangle
- * ends, lies, or starts: these events, sorted, are tried. A plane must lie strictly inside the voxel; in place of a face in
- * which triangles lie, the plane next to it is tried.
+ * ends, lies, or starts: these events, sorted, are tried, and in place of a face in which triangles lie the plane next to it.
  *
  * <p>Where there are many triangles, they are first counted in equal slices of each axis. The counts bound the cost of
  * any plane in a slice from below, so that only slices which may hold the cheapest plane are sorted and swept: the answer
@@ -34,16 +33,7 @@ final class SahSplitFinder {
     private int[] events = new int[0];
     private final AxisSlices[] slices = {new AxisSlices(), new AxisSlices(), new AxisSlices()};
 
-    // The voxel's shares on the axis that is being swept, and the best split so far, while one search runs.
-    private double lowest;
-    private double highest;
-    private double girth;
-    private double section;
-    private double area;
-    private double bestCost;
-    private int bestAxis;
-    private int bestKey;
-    private boolean bestPlanarLeft;
+    private final CheapestSplit cheapest = new CheapestSplit();
 
     /**
      * The cheapest split of a voxel. Of equally cheap ones the one on the first axis, there the lowest.
@@ -54,50 +44,25 @@ final class SahSplitFinder {
      * @return the cheapest split, or empty when none of these planes lies inside the voxel or the voxel has no surface
      */
     Optional<Split> find(int[] boxes, int count, int[] voxel) {
-        bestCost = Double.POSITIVE_INFINITY;
+        if (!cheapest.begin(voxel)) {
+            return Optional.empty();
+        }
         if (events.length < 2 * count) {
             events = new int[2 * count];
         }
-        setAxis(0, voxel);
-        area = section + (highest - lowest) * girth;
-        if (!(area > 0.0)) {
-            return Optional.empty();
-        }
         for (int axis = 0; axis < 3; axis++) {
-            setAxis(axis, voxel);
+            cheapest.setAxis(axis);
             tryBesideFaces(boxes, count, axis, voxel);
         }
         if (count < MANY) {
             for (int axis = 0; axis < 3; axis++) {
-                setAxis(axis, voxel);
-                sweep(axis, 0, fillEvents(boxes, count, axis), 0, count, voxel);
+                cheapest.setAxis(axis);
+                sweep(0, fillEvents(boxes, count, axis), 0, count);
             }
         } else {
-            findInSlices(boxes, count, voxel);
+            findInSlices(boxes, count);
         }
-        return bestCost < Double.POSITIVE_INFINITY
-                ? Optional.of(new Split(bestAxis, bestKey, bestPlanarLeft, bestCost))
-                : Optional.empty();
-    }
-
-    private void setAxis(int axis, int[] voxel) {
-        int second = (axis + 1) % 3;
-        int third = (axis + 2) % 3;
-        lowest = KDNode.value(voxel[axis]);
-        highest = KDNode.value(voxel[axis + 3]);
-        double depth = (double) KDNode.value(voxel[second + 3]) - KDNode.value(voxel[second]);
-        double height = (double) KDNode.value(voxel[third + 3]) - KDNode.value(voxel[third]);
-        girth = depth + height;
-        section = depth * height;
-    }
-
-    /** Surface of what lies below a plane over that of the voxel. */
-    private double leftShare(double plane) {
-        return (section + (plane - lowest) * girth) / area;
-    }
-
-    private double rightShare(double plane) {
-        return (section + (highest - plane) * girth) / area;
+        return cheapest.split();
     }
 
     private int fillEvents(int[] boxes, int count, int axis) {
@@ -124,7 +89,7 @@ final class SahSplitFinder {
      * @param left how many triangles start or lie before the first event
      * @param right how many end or lie at it or after it
      */
-    private void sweep(int axis, int from, int size, int left, int right, int[] voxel) {
+    private void sweep(int from, int size, int left, int right) {
         int before = left;
         int after = right;
         int next = from;
@@ -139,9 +104,7 @@ final class SahSplitFinder {
             next += started;
 
             after -= ended + planar;
-            if (key > voxel[axis] && key < voxel[axis + 3]) {
-                tryPlane(axis, key, before, planar, after);
-            }
+            cheapest.tryPlane(key, before, planar, after);
             before += started + planar;
         }
     }
@@ -160,13 +123,11 @@ final class SahSplitFinder {
                 inHighFace |= boxes[box] == voxel[axis + 3];
             }
         }
-        if (voxel[axis] + 1 < voxel[axis + 3]) {
-            if (inLowFace) {
-                tryCounted(boxes, count, axis, voxel[axis] + 1);
-            }
-            if (inHighFace) {
-                tryCounted(boxes, count, axis, voxel[axis + 3] - 1);
-            }
+        if (inLowFace) {
+            tryCounted(boxes, count, axis, voxel[axis] + 1);
+        }
+        if (inHighFace) {
+            tryCounted(boxes, count, axis, voxel[axis + 3] - 1);
         }
     }
 
@@ -180,7 +141,7 @@ final class SahSplitFinder {
             planar += boxes[box] == key && boxes[box + 3] == key ? 1 : 0;
             right += boxes[box + 3] > key ? 1 : 0;
         }
-        tryPlane(axis, key, left, planar, right);
+        cheapest.tryPlane(key, left, planar, right);
     }
 
     private int runLength(int from, int size, int event) {
@@ -191,27 +152,12 @@ final class SahSplitFinder {
         return end - from;
     }
 
-    private void tryPlane(int axis, int key, int left, int planar, int right) {
-        double plane = KDNode.value(key);
-        double leftShare = leftShare(plane);
-        double rightShare = rightShare(plane);
-        double planarLeftCost = SahCost.split(leftShare, rightShare, left + planar, right);
-        double planarRightCost = SahCost.split(leftShare, rightShare, left, right + planar);
-        double cost = Math.min(planarLeftCost, planarRightCost);
-        if (cost < bestCost || cost == bestCost && (axis < bestAxis || axis == bestAxis && key < bestKey)) {
-            bestCost = cost;
-            bestAxis = axis;
-            bestKey = key;
-            bestPlanarLeft = planarLeftCost <= planarRightCost;
-        }
-    }
-
     /** Sweeps the most promising slice first, then all that may be better than what it holds. */
-    private void findInSlices(int[] boxes, int count, int[] voxel) {
+    private void findInSlices(int[] boxes, int count) {
         int bestSlice = 0;
         int sliceAxis = 0;
         for (int axis = 0; axis < 3; axis++) {
-            setAxis(axis, voxel);
+            cheapest.setAxis(axis);
             slices[axis].count(boxes, count, axis);
             int promising = slices[axis].mostPromising();
             if (slices[axis].bound[promising] < slices[sliceAxis].bound[bestSlice]) {
@@ -219,11 +165,11 @@ final class SahSplitFinder {
                 sliceAxis = axis;
             }
         }
-        setAxis(sliceAxis, voxel);
-        slices[sliceAxis].sweepBelow(boxes, count, sliceAxis, Math.nextUp(slices[sliceAxis].bound[bestSlice]), voxel);
+        cheapest.setAxis(sliceAxis);
+        slices[sliceAxis].sweepBelow(boxes, count, sliceAxis, Math.nextUp(slices[sliceAxis].bound[bestSlice]));
         for (int axis = 0; axis < 3; axis++) {
-            setAxis(axis, voxel);
-            slices[axis].sweepBelow(boxes, count, axis, Math.nextUp(bestCost), voxel);
+            cheapest.setAxis(axis);
+            slices[axis].sweepBelow(boxes, count, axis, Math.nextUp(cheapest.cost()));
         }
     }
 
@@ -242,20 +188,24 @@ final class SahSplitFinder {
         void count(int[] boxes, int count, int axis) {
             Arrays.fill(starts, 0);
             Arrays.fill(ends, 0);
-            origin = lowest;
-            perMetre = highest > lowest ? SLICES / (highest - lowest) : 0.0;
+            origin = cheapest.lowest();
+            double length = cheapest.highest() - origin;
+            perMetre = length > 0.0 ? SLICES / length : 0.0;
             for (int i = 0; i < count; i++) {
                 starts[slice(boxes[BOX * i + axis])]++;
                 ends[slice(boxes[BOX * i + axis + 3])]++;
             }
             int before = 0;
             int after = count;
-            double width = (highest - lowest) / SLICES;
+            double width = length / SLICES;
             for (int slice = 0; slice < SLICES; slice++) {
                 boolean holdsEvents = starts[slice] + ends[slice] > 0;
                 after -= ends[slice];
                 double cost = SahCost.split(
-                        leftShare(lowest + slice * width), rightShare(lowest + (slice + 1) * width), before, after);
+                        cheapest.leftShare(origin + slice * width),
+                        cheapest.rightShare(origin + (slice + 1) * width),
+                        before,
+                        after);
                 open[slice] = holdsEvents;
                 bound[slice] = holdsEvents ? cost * LESS : Double.POSITIVE_INFINITY;
                 before += starts[slice];
@@ -276,7 +226,7 @@ final class SahSplitFinder {
         }
 
         /** Sweeps all slices whose bound is below a cost, but those that have been swept. */
-        void sweepBelow(int[] boxes, int count, int axis, double cost, int[] voxel) {
+        void sweepBelow(int[] boxes, int count, int axis, double cost) {
             boolean any = false;
             boolean[] chosen = new boolean[SLICES];
             for (int slice = 0; slice < SLICES; slice++) {
@@ -305,11 +255,11 @@ final class SahSplitFinder {
                 }
             }
             Arrays.sort(events, 0, size);
-            sweepSlices(axis, size, count, chosen, voxel);
+            sweepSlices(size, count, chosen);
         }
 
         /** The events of a slice follow each other; what lies before it is in the counts. */
-        private void sweepSlices(int axis, int size, int count, boolean[] chosen, int[] voxel) {
+        private void sweepSlices(int size, int count, boolean[] chosen) {
             int before = 0;
             int after = count;
             int next = 0;
@@ -319,7 +269,7 @@ final class SahSplitFinder {
                     while (end < size && slice(KDNode.eventKey(events[end])) == slice) {
                         end++;
                     }
-                    sweep(axis, next, end, before, after, voxel);
+                    sweep(next, end, before, after);
                     next = end;
                 }
                 before += starts[slice];

@@ -21,9 +21,7 @@ final class TileLines {
     private int firstPlace;
     private int lastPlace;
 
-    // The inverse of the ray parameter and the edge functions: at the tile's corner, what the next pixel of a line
-    // adds,
-    // what the next line adds.
+    // Inverse of the ray parameter and edge functions: at the tile's corner, the next pixel's share, the next line's.
     private double r;
     private double rAlong;
     private double rAcross;

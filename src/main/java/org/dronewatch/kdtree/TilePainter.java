@@ -5,10 +5,10 @@ package org.dronewatch.kdtree;
  *
  * <p>In the frame of the {@link PixelGrid} the ray of pixel (x, y) has the direction (x, y, 1). The three edge functions of
  * a triangle, whose signs tell inside from outside, and the inverse of the ray parameter are linear in x and y there. Each
- * line of pixels is then an interval between the edges. An edge that two triangles share has opposite functions in
- * them, and zero counts as inside: no pixel slips through an edge. That holds where one is painted by rows and the other by
- * columns, too: the two orders of adding round differently, but never across zero. Where corners lie some 1e-5 of a pixel from each other,
- * and from a pixel's centre, the roundings of different edges may leave it to none of them.
+ * line of pixels is then an interval between the edges. An edge that two triangles share has opposite functions in them,
+ * and zero counts as inside: no pixel slips through an edge. That holds where one is painted by rows and the other by
+ * columns, too: the two orders of adding round differently, but never across zero. Where corners lie some 1e-5 of a pixel
+ * from each other, and from a pixel's centre, the roundings of different edges may leave it to none of them.
  */
 final class TilePainter {
     /** Relative size of the roundings of the volume between the origin and a triangle. */
