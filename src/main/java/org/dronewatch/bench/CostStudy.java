@@ -72,7 +72,7 @@ public final class CostStudy {
         CostCurves.Points build = new CostCurves.Points("tree build, " + Workers.available() + " threads");
         CostCurves.Points fullHd = new CostCurves.Points("pictures of 1920 x 1080");
         CostCurves.Points camera = new CostCurves.Points("pictures of 1024 x 768");
-        CostCurves.Points single = new CostCurves.Points("the latter's rays, one by one");
+        CostCurves.Points single = new CostCurves.Points("1024 x 768, rays one by one");
         CostCurves.Points diffuse = new CostCurves.Points("diffuse rays");
         CostCurves.Points memory = new CostCurves.Points("tree and corners");
         for (double size = 1000; size <= 1.01 * largest; size *= nextFactor(size)) {

@@ -88,6 +88,11 @@ final class RangeCurve {
         return unit.isEmpty() ? 1.0 : TOP * firstThreshold;
     }
 
+    /** Whether the drone kept its range, as one that hovers before a fixed sensor does: then there is no line to draw. */
+    boolean isOfOneRange() {
+        return ranges.stream().distinct().count() == 1;
+    }
+
     double highest() {
         return values.stream().mapToDouble(Double::doubleValue).max().orElse(0.0);
     }

@@ -54,7 +54,8 @@ final class RangePlot {
         for (int i = 0; i < curves.size(); i++) {
             RangeCurve curve = curves.get(i);
             XYSeries series = chart.addSeries(nameOf(curve), curve.ranges(), curve.values());
-            series.setMarker(SeriesMarkers.NONE).setLineColor(Charts.colour(i));
+            series.setMarker(curve.isOfOneRange() ? SeriesMarkers.CIRCLE : SeriesMarkers.NONE);
+            series.setMarkerColor(Charts.colour(i)).setLineColor(Charts.colour(i));
         }
         double farthest =
                 curves.stream().mapToDouble(RangeCurve::farthest).max().orElse(1.0);

@@ -14,6 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.markers.Marker;
+import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** The plots of what sensors measured over the range, by their series. */
 class RangePlotsTest {
@@ -72,6 +74,18 @@ class RangePlotsTest {
                 .doesNotHaveDuplicates()
                 .endsWith(Color.GRAY);
         assertThat(chart.getYAxisTitle()).isEqualTo("pixels of the drone [px], cut at 120");
+    }
+
+    /** A line of no length would not be seen. */
+    @Test
+    void aDroneThatHoversIsAPoint() {
+        assertThat(markers(chart("closed-space", "camera", Map.of("run.duration", "1 s"))))
+                .containsExactly(SeriesMarkers.CIRCLE, SeriesMarkers.NONE);
+        assertThat(markers(chart("hill-radar", "radar"))).containsExactly(SeriesMarkers.NONE, SeriesMarkers.NONE);
+    }
+
+    private static List<Marker> markers(XYChart chart) {
+        return chart.getSeriesCollection().stream().map(XYSeries::getMarker).toList();
     }
 
     @Test
