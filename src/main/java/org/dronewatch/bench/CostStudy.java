@@ -1,7 +1,6 @@
 package org.dronewatch.bench;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
@@ -9,7 +8,6 @@ import java.util.function.IntFunction;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
-import org.dronewatch.kdtree.KDTreeStats;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Sample;
@@ -26,14 +24,9 @@ import org.dronewatch.world.ModelSettings;
 import org.dronewatch.world.World;
 
 /**
- * Measures how costs grow with triangles, rays, sensors, drones and threads, on ground that it makes itself. Every figure
- * is the median of several runs after others that warmed up.
+ * Measures how costs grow with triangles, rays, sensors, drones and threads, on ground that it makes itself.
  */
 public final class CostStudy {
-    private static final double NANO = 1e-9;
-    private static final int RUNS = 5;
-    private static final long WARM_UP_NANOS = 700_000_000L;
-    private static final double GROWTH = 5.0;
     private static final int SITE_TRIANGLES = 65_000;
     private static final int MOST = 64;
     private static final double DRONE_DISTANCE = 60.0;
@@ -43,6 +36,7 @@ public final class CostStudy {
 
     private final int largest;
     private final Consumer<String> progress;
+    private final Stopwatch watch;
 
     /**
      * A study.
@@ -52,69 +46,25 @@ public final class CostStudy {
      * @param progress is told what is measured next
      */
     public CostStudy(TriangleMesh droneMesh, int largest, Consumer<String> progress) {
+        this(droneMesh, largest, new Stopwatch(), progress);
+    }
+
+    CostStudy(TriangleMesh droneMesh, int largest, Stopwatch watch, Consumer<String> progress) {
         this.droneTree = KDTree.of(droneMesh);
         this.largest = largest;
+        this.watch = watch;
         this.progress = progress;
     }
 
     /** Runs all of it. */
     public List<CostCurves> run() {
-        List<CostCurves> all = new ArrayList<>(overTriangles());
+        List<CostCurves> all = new ArrayList<>(new TracingStudy(largest, watch, progress).run());
         World site = World.of(RollingTerrain.of(SITE_TRIANGLES));
         all.add(overRays(site));
         all.add(overSensors(site));
         all.add(overDrones(site));
         all.add(overThreads(site));
         return all;
-    }
-
-    private List<CostCurves> overTriangles() {
-        CostCurves.Points build = new CostCurves.Points("tree build, " + Workers.available() + " threads");
-        CostCurves.Points fullHd = new CostCurves.Points("pictures of 1920 x 1080");
-        CostCurves.Points camera = new CostCurves.Points("pictures of 1024 x 768");
-        CostCurves.Points single = new CostCurves.Points("1024 x 768, rays one by one");
-        CostCurves.Points diffuse = new CostCurves.Points("diffuse rays");
-        CostCurves.Points memory = new CostCurves.Points("tree and corners");
-        for (double size = 1000; size <= 1.01 * largest; size *= nextFactor(size)) {
-            TriangleMesh mesh = RollingTerrain.of((int) size);
-            int triangles = mesh.triangleCount();
-            progress.accept(String.format("%,d triangles", triangles));
-            build.add(triangles, seconds(() -> KDTree.of(mesh)));
-            KDTree tree = KDTree.of(mesh);
-            KDTreeStats stats = tree.stats();
-            memory.add(triangles, stats.bytes() / (double) triangles);
-            fullHd.add(triangles, rate(tree, new RayGenerator(tree, 1).camera(1920, 1080), TraversalKind.TILES));
-            RaySet picture = new RayGenerator(tree, 1).camera();
-            camera.add(triangles, rate(tree, picture, TraversalKind.TILES));
-            single.add(triangles, rate(tree, picture, TraversalKind.STACK));
-            diffuse.add(triangles, rate(tree, new RayGenerator(tree, 1).diffuse(picture), TraversalKind.WIDE));
-        }
-        return List.of(
-                new CostCurves("build", "Building the tree", "triangles", "time [s]", List.of(build.line())),
-                new CostCurves(
-                        "triangles",
-                        "Tracing, one thread",
-                        "triangles",
-                        "million rays a second",
-                        List.of(fullHd.line(), camera.line(), single.line(), diffuse.line())),
-                new CostCurves("memory", "Memory", "triangles", "bytes a triangle", List.of(memory.line())));
-    }
-
-    /** Five times as many each time, and the largest at the end. */
-    private double nextFactor(double size) {
-        return size < largest && GROWTH * size > largest ? largest / size : GROWTH;
-    }
-
-    private static double rate(KDTree tree, RaySet set, TraversalKind kind) {
-        Tracer tracer = kind.tracers(tree, set).get();
-        float[] distances = new float[set.count()];
-        int[] triangles = new int[set.count()];
-        double seconds = seconds(() -> {
-            for (int piece = 0; piece < tracer.pieces(); piece++) {
-                tracer.trace(piece, distances, triangles);
-            }
-        });
-        return 1e-6 * set.count() / seconds;
     }
 
     private CostCurves overRays(World site) {
@@ -133,11 +83,13 @@ public final class CostStudy {
                     .create();
             level.add(
                     rays,
-                    1e3 * seconds(() -> byLevel.listenFully(site, drone, new SplittableRandom(1), RayRecorder.NONE)));
+                    1e3
+                            * watch.seconds(
+                                    () -> byLevel.listenFully(site, drone, new SplittableRandom(1), RayRecorder.NONE)));
             AcousticSensor byEnergy = AcousticSettings.at(place)
                     .withPropagation(EnergyModel.DEFAULT.withRays(count).withAccuracy(0.0))
                     .create();
-            energy.add(rays, 1e3 * seconds(() -> byEnergy.read(site, drone, new SplittableRandom(1))));
+            energy.add(rays, 1e3 * watch.seconds(() -> byEnergy.read(site, drone, new SplittableRandom(1))));
         }
         return new CostCurves(
                 "rays",
@@ -199,10 +151,10 @@ public final class CostStudy {
             double[] times;
             try (Workers workers = new Workers(threads)) {
                 times = workers.call(() -> new double[] {
-                    seconds(() -> CameraSettings.at(place).create().depthImage(site, List.of())),
-                    seconds(() -> byLevel.listenFully(site, drone, new SplittableRandom(1), RayRecorder.NONE)),
-                    seconds(() -> byEnergy.read(site, drone, new SplittableRandom(1))),
-                    seconds(() -> KDTree.of(site.mesh()))
+                    watch.seconds(() -> CameraSettings.at(place).create().depthImage(site, List.of())),
+                    watch.seconds(() -> byLevel.listenFully(site, drone, new SplittableRandom(1), RayRecorder.NONE)),
+                    watch.seconds(() -> byEnergy.read(site, drone, new SplittableRandom(1))),
+                    watch.seconds(() -> KDTree.of(site.mesh()))
                 });
             }
             alone = threads == 1 ? times : alone;
@@ -226,9 +178,9 @@ public final class CostStudy {
     }
 
     /** Time of a look of all sensors, us. */
-    private static double frame(World site, List<Drone> drones, List<? extends Sensor> sensors) {
+    private double frame(World site, List<Drone> drones, List<? extends Sensor> sensors) {
         return 1e6
-                * seconds(() ->
+                * watch.seconds(() ->
                         Workers.forEach(sensors.size(), i -> sensors.get(i).observe(site, drones, sample(i))));
     }
 
@@ -271,28 +223,5 @@ public final class CostStudy {
             all.add(make.apply(i));
         }
         return all;
-    }
-
-    /** Median time of a piece of work, s. Short work is done many times over. */
-    private static double seconds(Runnable work) {
-        long repeats = 1;
-        long begun = System.nanoTime();
-        long once;
-        do {
-            long start = System.nanoTime();
-            work.run();
-            once = Math.max(1, System.nanoTime() - start);
-        } while (System.nanoTime() - begun < WARM_UP_NANOS && once < WARM_UP_NANOS);
-        repeats = Math.max(1, WARM_UP_NANOS / 20 / once);
-        double[] times = new double[once > WARM_UP_NANOS ? 1 + RUNS / 2 : RUNS];
-        for (int run = 0; run < times.length; run++) {
-            long start = System.nanoTime();
-            for (long i = 0; i < repeats; i++) {
-                work.run();
-            }
-            times[run] = NANO * (System.nanoTime() - start) / repeats;
-        }
-        Arrays.sort(times);
-        return times[times.length / 2];
     }
 }

@@ -1,0 +1,78 @@
+package org.dronewatch.bench;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Measures how long work takes: the median of several runs, after others that warmed up. Short work is done many times over
+ * in a run. Works that are to be compared run in turn, so that a slow spell of the machine strikes all of them, and so that
+ * the compiler of the virtual machine has seen all of them before any is measured.
+ */
+final class Stopwatch {
+    private static final double NANO = 1e-9;
+    private static final int RUNS = 9;
+    private static final int RUNS_OF_LONG_WORK = 3;
+
+    private final long warmUp;
+    private final int mostRuns;
+
+    Stopwatch() {
+        this(700_000_000L, RUNS);
+    }
+
+    /**
+     * A stopwatch.
+     *
+     * @param warmUp for how long each work is done before it is measured, at least once, ns; a run lasts a twentieth of it
+     * @param mostRuns how many runs are measured; of work that takes longer than the warm-up, three at most
+     */
+    Stopwatch(long warmUp, int mostRuns) {
+        this.warmUp = warmUp;
+        this.mostRuns = mostRuns;
+    }
+
+    /** Median time of a piece of work, s. */
+    double seconds(Runnable work) {
+        return secondsInTurn(List.of(work))[0];
+    }
+
+    /** Median times of pieces of work that run in turn, s. */
+    double[] secondsInTurn(List<Runnable> works) {
+        long[] repeats = new long[works.size()];
+        long longest = 0;
+        for (int i = 0; i < repeats.length; i++) {
+            long once = warmUp(works.get(i));
+            repeats[i] = Math.max(1, warmUp / 20 / once);
+            longest = Math.max(longest, once);
+        }
+        double[][] times =
+                new double[works.size()][longest > warmUp ? Math.min(RUNS_OF_LONG_WORK, mostRuns) : mostRuns];
+        for (int run = 0; run < times[0].length; run++) {
+            for (int i = 0; i < repeats.length; i++) {
+                long start = System.nanoTime();
+                for (long k = 0; k < repeats[i]; k++) {
+                    works.get(i).run();
+                }
+                times[i][run] = NANO * (System.nanoTime() - start) / repeats[i];
+            }
+        }
+        return Arrays.stream(times).mapToDouble(Stopwatch::median).toArray();
+    }
+
+    /** Does a work until it is warm, and tells how long it took last, ns. */
+    private long warmUp(Runnable work) {
+        long begun = System.nanoTime();
+        long once;
+        do {
+            long start = System.nanoTime();
+            work.run();
+            once = Math.max(1, System.nanoTime() - start);
+        } while (System.nanoTime() - begun < warmUp);
+        return once;
+    }
+
+    private static double median(double[] times) {
+        Arrays.sort(times);
+        return times[times.length / 2];
+    }
+}
