@@ -6,78 +6,93 @@ package org.dronewatch.kdtree;
  * what a column adds, what a row adds. A line of pixels is then an interval between the edges. Lines run the longer way
  * through the rectangle that holds the triangle, along rows or along columns: so there are few of them.
  */
-final class TileLines {
+class TileLines {
     /** How near to a pixel's centre, in pixels, an edge must pass to be looked at once more. */
     private static final double NEAR_EDGE = 1e-6;
 
-    private final TilePixels pixels;
+    final TilePixels pixels;
 
-    /** Whether lines are columns of pixels, for the next triangle. */
-    private boolean upright;
+    // The rectangle that the triangle may lie in.
+    int fromColumn;
+    int toColumn;
+    int fromRow;
+    int toRow;
 
-    // The rectangle: which lines, and which pixels of each.
-    private int firstLine;
-    private int lastLine;
-    private int firstPlace;
-    private int lastPlace;
-
-    // Inverse of the ray parameter and edge functions: at the tile's corner, the next pixel's share, the next line's.
-    private double r;
-    private double rAlong;
-    private double rAcross;
-    private double e;
-    private double eAlong;
-    private double eAcross;
-    private double f;
-    private double fAlong;
-    private double fAcross;
-    private double g;
-    private double gAlong;
-    private double gAcross;
+    // Inverse of the ray parameter and edge functions: at the tile's corner, what a column adds, what a row adds.
+    double r;
+    double rOfColumn;
+    double rOfRow;
+    double e;
+    double eOfColumn;
+    double eOfRow;
+    double f;
+    double fOfColumn;
+    double fOfRow;
+    double g;
+    double gOfColumn;
+    double gOfRow;
 
     TileLines(TilePixels pixels) {
         this.pixels = pixels;
     }
 
-    /** Begins a triangle, whose functions come next: the rectangle that it may lie in, borders included. */
-    void begin(int fromColumn, int toColumn, int fromRow, int toRow) {
-        upright = toRow - fromRow > toColumn - fromColumn;
-        firstLine = upright ? fromColumn : fromRow;
-        lastLine = upright ? toColumn : toRow;
-        firstPlace = upright ? fromRow : fromColumn;
-        lastPlace = upright ? toRow : toColumn;
+    /** Sets the rectangle that the next triangle may lie in, borders included. */
+    void setRectangle(int firstColumn, int lastColumn, int firstRow, int lastRow) {
+        fromColumn = firstColumn;
+        toColumn = lastColumn;
+        fromRow = firstRow;
+        toRow = lastRow;
     }
 
     /** Sets the inverse of the ray parameter of the next triangle. */
     void setInverse(double atCorner, double ofColumn, double ofRow) {
         r = atCorner;
-        rAlong = upright ? ofRow : ofColumn;
-        rAcross = upright ? ofColumn : ofRow;
+        rOfColumn = ofColumn;
+        rOfRow = ofRow;
     }
 
     /** Sets its first edge function. */
     void setFirstEdge(double atCorner, double ofColumn, double ofRow) {
         e = atCorner;
-        eAlong = upright ? ofRow : ofColumn;
-        eAcross = upright ? ofColumn : ofRow;
+        eOfColumn = ofColumn;
+        eOfRow = ofRow;
     }
 
     /** Sets its second edge function. */
     void setSecondEdge(double atCorner, double ofColumn, double ofRow) {
         f = atCorner;
-        fAlong = upright ? ofRow : ofColumn;
-        fAcross = upright ? ofColumn : ofRow;
+        fOfColumn = ofColumn;
+        fOfRow = ofRow;
     }
 
     /** Sets its third edge function. */
     void setThirdEdge(double atCorner, double ofColumn, double ofRow) {
         g = atCorner;
-        gAlong = upright ? ofRow : ofColumn;
-        gAcross = upright ? ofColumn : ofRow;
+        gOfColumn = ofColumn;
+        gOfRow = ofRow;
+    }
+
+    /** Whether lines are columns of pixels. */
+    boolean isUpright() {
+        return toRow - fromRow > toColumn - fromColumn;
     }
 
     /** Paints the triangle. */
     void paint(int triangle) {
+        boolean upright = isUpright();
+        int firstLine = upright ? fromColumn : fromRow;
+        int lastLine = upright ? toColumn : toRow;
+        int firstPlace = upright ? fromRow : fromColumn;
+        int lastPlace = upright ? toRow : toColumn;
+        // What the next line adds, and what the next pixel of a line.
+        double rAcross = upright ? rOfColumn : rOfRow;
+        double rAlong = upright ? rOfRow : rOfColumn;
+        double eAcross = upright ? eOfColumn : eOfRow;
+        double eAlong = upright ? eOfRow : eOfColumn;
+        double fAcross = upright ? fOfColumn : fOfRow;
+        double fAlong = upright ? fOfRow : fOfColumn;
+        double gAcross = upright ? gOfColumn : gOfRow;
+        double gAlong = upright ? gOfRow : gOfColumn;
         double atE = -1.0 / eAlong;
         double atF = -1.0 / fAlong;
         double atG = -1.0 / gAlong;

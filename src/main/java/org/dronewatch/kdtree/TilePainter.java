@@ -26,12 +26,13 @@ final class TilePainter {
      * @param corners nine coordinates a triangle
      * @param grid where the pixels look
      * @param pixels what it paints
+     * @param lines paint lines of the same pixels
      */
-    TilePainter(float[] corners, PixelGrid grid, TilePixels pixels) {
+    TilePainter(float[] corners, PixelGrid grid, TilePixels pixels, TileLines lines) {
         this.corners = corners;
         this.grid = grid;
         this.pixels = pixels;
-        this.lines = new TileLines(pixels);
+        this.lines = lines;
     }
 
     /** Begins a tile, after its pixels have. */
@@ -115,7 +116,7 @@ final class TilePainter {
             lost = true;
             return;
         }
-        lines.begin(fromColumn, toColumn, fromRow, toRow);
+        lines.setRectangle(fromColumn, toColumn, fromRow, toRow);
         double inverse = 1.0 / volume;
         lines.setInverse(nz * inverse, nx * inverse, ny * inverse);
 

@@ -5,7 +5,7 @@ import java.util.Arrays;
 /** The pixels of a tile: what each of them sees, and how near that is. One per thread. */
 final class TilePixels {
     /** Columns and rows of a block, a power of two. */
-    private static final int BLOCK = 4;
+    static final int BLOCK = 4;
 
     private final PixelGrid grid;
 
@@ -14,10 +14,17 @@ final class TilePixels {
     private int width;
     private int height;
 
-    /** Inverse ray parameter of the nearest surface of each pixel, 0 for none; and which triangle it is. */
-    private final double[] nearest;
+    /**
+     * Inverse ray parameter of the nearest surface of each pixel, 0 for none; infinite for what rows are longer than the
+     * tile is wide, so that nothing is ever painted there.
+     */
+    final double[] nearest;
 
-    private final int[] triangles;
+    /** Which triangle that is. */
+    final int[] triangles;
+
+    /** From a pixel to that below it: the tile's width or a little more, as many whole blocks. */
+    private int rowLength;
 
     /**
      * An inverse ray parameter for each block of pixels that none of it is below: that of its farthest pixel when somebody
@@ -46,8 +53,8 @@ final class TilePixels {
      */
     TilePixels(PixelGrid grid, int mostColumns, int mostRows) {
         this.grid = grid;
-        this.nearest = new double[mostColumns * mostRows];
-        this.triangles = new int[mostColumns * mostRows];
+        this.nearest = new double[BLOCK * blocks(mostColumns) * mostRows];
+        this.triangles = new int[nearest.length];
         this.leastOfBlock = new double[blocks(mostColumns) * blocks(mostRows)];
         this.columnNumbers = new double[mostColumns];
         Arrays.setAll(columnNumbers, i -> i);
@@ -64,8 +71,12 @@ final class TilePixels {
         top = firstRow;
         width = columns;
         height = rows;
-        Arrays.fill(nearest, 0, width * height, 0.0);
         blocksAcross = blocks(width);
+        rowLength = BLOCK * blocksAcross;
+        Arrays.fill(nearest, 0, rowLength * height, 0.0);
+        for (int end = rowLength; rowLength > width && end <= rowLength * height; end += rowLength) {
+            Arrays.fill(nearest, end - rowLength + width, end, Double.POSITIVE_INFINITY);
+        }
         Arrays.fill(leastOfBlock, 0, blocksAcross * blocks(height), 0.0);
         farthestPixel = 0;
         leastInverse = 0.0;
@@ -79,6 +90,10 @@ final class TilePixels {
     /** Row of the tile's top pixels in the picture. */
     int top() {
         return top;
+    }
+
+    int rowLength() {
+        return rowLength;
     }
 
     int lastColumn() {
@@ -98,7 +113,7 @@ final class TilePixels {
     }
 
     private void findFarthest() {
-        int all = width * height;
+        int all = rowLength * height;
         if (leastInverse == 0.0) {
             // Those before it see something, and will for ever.
             while (farthestPixel < all && nearest[farthestPixel] > 0.0) {
@@ -134,7 +149,7 @@ final class TilePixels {
         int lastColumn = Math.min(toColumn, blockLeft + BLOCK - 1);
         int lastRow = Math.min(toRow, blockTop + BLOCK - 1);
         for (int row = Math.max(fromRow, blockTop); row <= lastRow; row++) {
-            for (int pixel = row * width + firstColumn; pixel <= row * width + lastColumn; pixel++) {
+            for (int pixel = row * rowLength + firstColumn; pixel <= row * rowLength + lastColumn; pixel++) {
                 if (nearest[pixel] < inverse) {
                     return true;
                 }
@@ -148,7 +163,7 @@ final class TilePixels {
         double least = Double.POSITIVE_INFINITY;
         int endColumn = Math.min(width, blockLeft + BLOCK);
         for (int row = blockTop; row < Math.min(height, blockTop + BLOCK); row++) {
-            for (int pixel = row * width + blockLeft; pixel < row * width + endColumn; pixel++) {
+            for (int pixel = row * rowLength + blockLeft; pixel < row * rowLength + endColumn; pixel++) {
                 least = nearest[pixel] < least ? nearest[pixel] : least;
             }
         }
@@ -169,7 +184,7 @@ final class TilePixels {
         // What the loop changes is kept in locals: fields would be written back for each pixel.
         double[] nearestNow = nearest;
         int[] seen = triangles;
-        int start = row * width;
+        int start = row * rowLength;
         for (int column = first; column <= last; column++) {
             double here = inverse + column * step;
             if (here > nearestNow[start + column]) {
@@ -189,40 +204,40 @@ final class TilePixels {
     void paintColumn(int column, int first, int last, double inverse, double step, int triangle) {
         double[] nearestNow = nearest;
         int[] seen = triangles;
-        int pixel = first * width + column;
+        int pixel = first * rowLength + column;
         for (int row = first; row <= last; row++) {
             double here = inverse + row * step;
             if (here > nearestNow[pixel]) {
                 nearestNow[pixel] = here;
                 seen[pixel] = triangle;
             }
-            pixel += width;
+            pixel += rowLength;
         }
     }
 
     /** Sets what a pixel sees that has seen nothing yet. */
     void set(int column, int row, double parameter, int triangle) {
-        nearest[row * width + column] = 1.0 / parameter;
-        triangles[row * width + column] = triangle;
+        nearest[row * rowLength + column] = 1.0 / parameter;
+        triangles[row * rowLength + column] = triangle;
     }
 
     /** Whether a pixel sees a triangle. */
     boolean hits(int column, int row) {
-        return nearest[row * width + column] > 0.0;
+        return nearest[row * rowLength + column] > 0.0;
     }
 
     /** Ray parameter of what a pixel sees; infinity for nothing. */
     double parameter(int column, int row) {
-        return 1.0 / nearest[row * width + column];
+        return 1.0 / nearest[row * rowLength + column];
     }
 
     /** What a pixel sees, if it sees anything. */
     int triangle(int column, int row) {
-        return triangles[row * width + column];
+        return triangles[row * rowLength + column];
     }
 
     /** Writes ray parameters times the lengths of the directions; infinity for nothing. */
-    void copyDistances(float[] target, int first, int rowLength) {
+    void copyDistances(float[] target, int first, int targetRowLength) {
         double[] numbers = columnNumbers;
         double[] distances = rowOfDistances;
         double stepX = grid.right(0);
@@ -232,7 +247,7 @@ final class TilePixels {
             double x = grid.direction(left, top + row, 0);
             double y = grid.direction(left, top + row, 1);
             double z = grid.direction(left, top + row, 2);
-            int pixels = row * width;
+            int pixels = row * rowLength;
             // The compiler makes vectors of a loop over doubles that all begin at 0, but not of what turns doubles into
             // floats. What sees nothing is at 1 / 0, or at 0 / 0 where the direction has no length.
             System.arraycopy(nearest, pixels, distances, 0, width);
@@ -242,7 +257,7 @@ final class TilePixels {
                 double dz = z + numbers[column] * stepZ;
                 distances[column] = Math.sqrt(dx * dx + dy * dy + dz * dz) / distances[column];
             }
-            int start = first + row * rowLength;
+            int start = first + row * targetRowLength;
             for (int column = 0; column < width; column++) {
                 target[start + column] =
                         nearest[pixels + column] > 0.0 ? (float) distances[column] : Float.POSITIVE_INFINITY;

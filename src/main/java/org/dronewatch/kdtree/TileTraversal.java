@@ -20,6 +20,12 @@ public final class TileTraversal {
     /** How many triangles a tile may meet for each of its pixels before single rays are cheaper. */
     static final double TRIANGLES_PER_PIXEL = 8.0;
 
+    /**
+     * How many triangles a model has that is painted by vectors: they pay once the compiler has worked for a quarter of a
+     * second, and such a tree takes longer than that to build.
+     */
+    private static final int MANY = 500_000;
+
     /** How many triangles are remembered as painted, a power of two. */
     private static final int REMEMBERED = 1024;
     /** Numbers that make a box. */
@@ -64,9 +70,15 @@ public final class TileTraversal {
 
     /** A traversal of a tree for the use of one thread. */
     public TileTraversal(KDTree tree) {
+        this(tree, tree.mesh().triangleCount() >= MANY && Vectors.areAvailable());
+    }
+
+    /** A traversal that paints by vector instructions or does not: what the pixels see is the same. */
+    TileTraversal(KDTree tree, boolean byVectors) {
         this.tree = tree;
         this.single = new StackTraversal(tree);
-        this.painter = new TilePainter(tree.corners(), grid, pixels);
+        TileLines lines = byVectors ? new VectorTileLines(pixels) : new TileLines(pixels);
+        this.painter = new TilePainter(tree.corners(), grid, pixels, lines);
         int size = tree.depth() + 1;
         this.stackNode = new int[size];
         this.stackEntry = new double[size];

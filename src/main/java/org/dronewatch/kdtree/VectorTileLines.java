@@ -1,0 +1,92 @@
+package org.dronewatch.kdtree;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.LongVector;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * Paints triangles of few columns four pixels at a time, by vector instructions; others as {@link TileLines} does. All
+ * pixels of the rectangle are looked at, without a branch for any: where triangles are small most of them are inside.
+ *
+ * <p>What it buys: pictures of models of many triangles are 1.2 times as fast, once the just-in-time compiler is done with
+ * it. Each sum is made in the order in which lines make it, so that the pixels are the same, bit for bit.
+ */
+final class VectorTileLines extends TileLines {
+    private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
+    private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_256;
+    private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_128;
+    /** Pixels of a vector: rows have whole blocks, and those are as wide. */
+    private static final int LANES = TilePixels.BLOCK;
+    /** Triangles that may have more columns are painted by lines. */
+    private static final int MOST_COLUMNS = 24;
+
+    private final double[] columnNumbers = new double[TileTraversal.WIDTH];
+
+    VectorTileLines(TilePixels pixels) {
+        super(pixels);
+        for (int column = 0; column < columnNumbers.length; column++) {
+            columnNumbers[column] = column;
+        }
+    }
+
+    @Override
+    void paint(int triangle) {
+        if (toColumn - fromColumn >= MOST_COLUMNS) {
+            super.paint(triangle);
+            return;
+        }
+        double[] nearest = pixels.nearest;
+        int[] seen = pixels.triangles;
+        int rowLength = pixels.rowLength();
+        // Each sum in the order of lines: first the value at the corner and the line's share, then the pixel's. The
+        // zero
+        // that is added to the other part makes +0 of a -0: so no sum is -0, and its sign tells inside from outside.
+        boolean upright = isUpright();
+        double rToRows = upright ? 0.0 : r;
+        double eToRows = upright ? 0.0 : e;
+        double fToRows = upright ? 0.0 : f;
+        double gToRows = upright ? 0.0 : g;
+        double rToColumns = upright ? r : 0.0;
+        double eToColumns = upright ? e : 0.0;
+        double fToColumns = upright ? f : 0.0;
+        double gToColumns = upright ? g : 0.0;
+        DoubleVector number = LongVector.broadcast(LONGS, triangle).reinterpretAsDoubles();
+        for (int left = fromColumn & -LANES; left <= toColumn; left += LANES) {
+            DoubleVector columns = DoubleVector.fromArray(DOUBLES, columnNumbers, left);
+            DoubleVector rOfColumns = columns.mul(rOfColumn).add(rToColumns);
+            DoubleVector eOfColumns = columns.mul(eOfColumn).add(eToColumns);
+            DoubleVector fOfColumns = columns.mul(fOfColumn).add(fToColumns);
+            DoubleVector gOfColumns = columns.mul(gOfColumn).add(gToColumns);
+            for (int row = fromRow; row <= toRow; row++) {
+                int at = row * rowLength + left;
+                LongVector outside = eOfColumns
+                        .add(eToRows + row * eOfRow)
+                        .reinterpretAsLongs()
+                        .or(fOfColumns.add(fToRows + row * fOfRow).reinterpretAsLongs())
+                        .or(gOfColumns.add(gToRows + row * gOfRow).reinterpretAsLongs())
+                        .and(Long.MIN_VALUE);
+                // Outside it gets a minus, and is not above what the pixel sees.
+                DoubleVector here = rOfColumns
+                        .add(rToRows + row * rOfRow)
+                        .reinterpretAsLongs()
+                        .or(outside)
+                        .reinterpretAsDoubles();
+                DoubleVector before = DoubleVector.fromArray(DOUBLES, nearest, at);
+                var nearer = here.compare(VectorOperators.GT, before);
+                before.blend(here, nearer).intoArray(nearest, at);
+                // As wide as the rest while one is chosen: masks that change their width are not compiled to plain
+                // code.
+                IntVector.fromArray(INTS, seen, at)
+                        .convertShape(VectorOperators.I2L, LONGS, 0)
+                        .reinterpretAsDoubles()
+                        .blend(number, nearer)
+                        .reinterpretAsLongs()
+                        .convertShape(VectorOperators.L2I, INTS, 0)
+                        .reinterpretAsInts()
+                        .intoArray(seen, at);
+            }
+        }
+    }
+}

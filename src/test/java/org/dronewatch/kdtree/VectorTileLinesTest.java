@@ -1,0 +1,110 @@
+package org.dronewatch.kdtree;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.SplittableRandom;
+import org.dronewatch.geometry.TriangleMesh;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Tiles painted by vectors are those painted by lines, bit for bit, whatever the size of triangles and tiles. */
+class VectorTileLinesTest {
+    private static final long SEED = 260;
+    private static final int WIDTH = 160;
+
+    private final SplittableRandom random = new SplittableRandom(SEED);
+
+    @BeforeEach
+    void needVectors() {
+        assumeTrue(Vectors.areAvailable(), "no vectors of 256 bits, or the module of vectors is not named");
+    }
+
+    @Test
+    void allPixelsAreTheSame() {
+        Map<String, TriangleMesh> meshes = new LinkedHashMap<>(Meshes.degenerate());
+        for (String model : new String[] {"hill.obj", "house.obj", "cathedral.obj", "quadrotor.obj"}) {
+            meshes.put(model, Meshes.model(model));
+        }
+        meshes.put("room", Meshes.room());
+        meshes.put("ball", Meshes.icosphere(3));
+        meshes.put("small triangles", Meshes.soup(2000, 0.05, 261));
+        meshes.put("large triangles", Meshes.soup(300, 0.9, 262));
+        int hits = 0;
+        for (Map.Entry<String, TriangleMesh> entry : meshes.entrySet()) {
+            hits += compare(entry.getKey(), entry.getValue());
+        }
+        assertThat(hits).as("pixels that see something").isGreaterThan(300_000);
+    }
+
+    /** Edges through the centres of pixels, exactly: there sums are zero, some of them with a minus. */
+    @Test
+    void edgesThroughCentres() {
+        float[] corners = new float[9 * 2 * 64];
+        int at = 0;
+        for (int cell = 0; cell < 64; cell++) {
+            float x = cell % 8;
+            float y = cell / 8;
+            for (float[] corner : new float[][] {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
+                corners[at++] = x + corner[0] - 4;
+                corners[at++] = y + corner[1] - 4;
+                corners[at++] = 8;
+            }
+        }
+        int[] numbers = new int[corners.length / 3];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = i;
+        }
+        KDTree tree = KDTree.of(TriangleMesh.of(corners, numbers));
+        double[] eye = new double[3];
+        int hits = 0;
+        for (int i = 0; i < 200; i++) {
+            double signX = random.nextBoolean() ? 0.125 : -0.125;
+            double signY = random.nextBoolean() ? 0.125 : -0.125;
+            double[] corner = {-signX * random.nextInt(6), -signY * random.nextInt(6), 1};
+            boolean turned = random.nextBoolean();
+            double[] right = {turned ? 0 : signX, turned ? signX : 0, 0};
+            double[] down = {turned ? signY : 0, turned ? 0 : signY, 0};
+            PinholeView view = new PinholeView(eye, corner, right, down);
+            hits += compare("grid", tree, view, 12);
+        }
+        assertThat(hits).as("pixels that see the grid").isGreaterThan(5_000);
+    }
+
+    private int compare(String name, TriangleMesh mesh) {
+        KDTree tree = KDTree.of(mesh);
+        int hits = 0;
+        for (int i = 0; i < 12; i++) {
+            hits += compare(name, tree, PinholeView.random(mesh, random, i, WIDTH), WIDTH);
+        }
+        return hits;
+    }
+
+    private int compare(String name, KDTree tree, PinholeView view, int width) {
+        TileTraversal byLines = new TileTraversal(tree, false);
+        TileTraversal byVectors = new TileTraversal(tree, true);
+        byLines.setPicture(view.from, view.corner, view.right, view.down);
+        byVectors.setPicture(view.from, view.corner, view.right, view.down);
+        int across = random.nextInt(1, Math.min(width, TileTraversal.WIDTH) + 1);
+        int down = random.nextInt(1, TileTraversal.HEIGHT + 1);
+        int hits = 0;
+        for (int left = 0; left < width; left += across) {
+            byLines.trace(left, 0, across, down);
+            byVectors.trace(left, 0, across, down);
+            for (int pixel = 0; pixel < across * down; pixel++) {
+                int column = pixel % across;
+                int row = pixel / across;
+                boolean hit = byLines.hits(column, row);
+                assertThat(byVectors.hits(column, row) == hit
+                                && byVectors.parameter(column, row) == byLines.parameter(column, row)
+                                && (!hit || byVectors.triangle(column, row) == byLines.triangle(column, row)))
+                        .as("%s, seed %d, tile of %d x %d, column %d, row %d", name, SEED, across, down, column, row)
+                        .isTrue();
+                hits += hit ? 1 : 0;
+            }
+        }
+        return hits;
+    }
+}
