@@ -20,8 +20,11 @@ final class TilePixels {
      */
     final double[] nearest;
 
-    /** Which triangle that is. */
-    final int[] triangles;
+    /**
+     * Which triangle that is, as wide as what tells whether it is nearer: vectors that turn ints into doubles and back make
+     * {@link WideTraversal} a third slower, since the compiler takes its vectors for more kinds than they are.
+     */
+    final double[] triangles;
 
     /** From a pixel to that below it: the tile's width or a little more, as many whole blocks. */
     private int rowLength;
@@ -54,7 +57,7 @@ final class TilePixels {
     TilePixels(PixelGrid grid, int mostColumns, int mostRows) {
         this.grid = grid;
         this.nearest = new double[BLOCK * blocks(mostColumns) * mostRows];
-        this.triangles = new int[nearest.length];
+        this.triangles = new double[nearest.length];
         this.leastOfBlock = new double[blocks(mostColumns) * blocks(mostRows)];
         this.columnNumbers = new double[mostColumns];
         Arrays.setAll(columnNumbers, i -> i);
@@ -183,7 +186,7 @@ final class TilePixels {
     void paintRow(int row, int first, int last, double inverse, double step, int triangle) {
         // What the loop changes is kept in locals: fields would be written back for each pixel.
         double[] nearestNow = nearest;
-        int[] seen = triangles;
+        double[] seen = triangles;
         int start = row * rowLength;
         for (int column = first; column <= last; column++) {
             double here = inverse + column * step;
@@ -203,7 +206,7 @@ final class TilePixels {
      */
     void paintColumn(int column, int first, int last, double inverse, double step, int triangle) {
         double[] nearestNow = nearest;
-        int[] seen = triangles;
+        double[] seen = triangles;
         int pixel = first * rowLength + column;
         for (int row = first; row <= last; row++) {
             double here = inverse + row * step;
@@ -233,7 +236,7 @@ final class TilePixels {
 
     /** What a pixel sees, if it sees anything. */
     int triangle(int column, int row) {
-        return triangles[row * rowLength + column];
+        return (int) triangles[row * rowLength + column];
     }
 
     /** Writes ray parameters times the lengths of the directions; infinity for nothing. */

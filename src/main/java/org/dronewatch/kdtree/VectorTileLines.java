@@ -1,7 +1,6 @@
 package org.dronewatch.kdtree;
 
 import jdk.incubator.vector.DoubleVector;
-import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.LongVector;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
@@ -15,8 +14,6 @@ import jdk.incubator.vector.VectorSpecies;
  */
 final class VectorTileLines extends TileLines {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
-    private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_256;
-    private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_128;
     /** Pixels of a vector: rows have whole blocks, and those are as wide. */
     private static final int LANES = TilePixels.BLOCK;
     /** Triangles that may have more columns are painted by lines. */
@@ -38,7 +35,7 @@ final class VectorTileLines extends TileLines {
             return;
         }
         double[] nearest = pixels.nearest;
-        int[] seen = pixels.triangles;
+        double[] seen = pixels.triangles;
         int rowLength = pixels.rowLength();
         // Each sum in the order of lines: first the value at the corner and the line's share, then the pixel's. The
         // zero
@@ -52,7 +49,7 @@ final class VectorTileLines extends TileLines {
         double eToColumns = upright ? e : 0.0;
         double fToColumns = upright ? f : 0.0;
         double gToColumns = upright ? g : 0.0;
-        DoubleVector number = LongVector.broadcast(LONGS, triangle).reinterpretAsDoubles();
+        DoubleVector number = DoubleVector.broadcast(DOUBLES, triangle);
         for (int left = fromColumn & -LANES; left <= toColumn; left += LANES) {
             DoubleVector columns = DoubleVector.fromArray(DOUBLES, columnNumbers, left);
             DoubleVector rOfColumns = columns.mul(rOfColumn).add(rToColumns);
@@ -76,16 +73,7 @@ final class VectorTileLines extends TileLines {
                 DoubleVector before = DoubleVector.fromArray(DOUBLES, nearest, at);
                 var nearer = here.compare(VectorOperators.GT, before);
                 before.blend(here, nearer).intoArray(nearest, at);
-                // As wide as the rest while one is chosen: masks that change their width are not compiled to plain
-                // code.
-                IntVector.fromArray(INTS, seen, at)
-                        .convertShape(VectorOperators.I2L, LONGS, 0)
-                        .reinterpretAsDoubles()
-                        .blend(number, nearer)
-                        .reinterpretAsLongs()
-                        .convertShape(VectorOperators.L2I, INTS, 0)
-                        .reinterpretAsInts()
-                        .intoArray(seen, at);
+                DoubleVector.fromArray(DOUBLES, seen, at).blend(number, nearer).intoArray(seen, at);
             }
         }
     }
