@@ -1,6 +1,7 @@
 package org.dronewatch.jmh;
 
 import java.util.concurrent.TimeUnit;
+import org.dronewatch.bench.RollingTerrain;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.TileTraversal;
@@ -33,9 +34,10 @@ import org.openjdk.jmh.annotations.Warmup;
 public class PictureTracing {
     private static final int WIDTH = 1024;
     private static final int HEIGHT = 768;
+    private static final int GROUND = 2_000_000;
 
     /** The model to look at. */
-    @Param({"hill", "cathedral", "house"})
+    @Param({"hill", "cathedral", "house", "ground"})
     public String model;
 
     private TileTraversal tiles;
@@ -43,7 +45,7 @@ public class PictureTracing {
     /** Puts a camera into the model. */
     @Setup
     public void load() {
-        World world = World.of(Bench.worldMesh(model));
+        World world = World.of(model.equals("ground") ? RollingTerrain.of(GROUND) : Bench.worldMesh(model));
         AABB box = world.bounds();
         Point3d middle = box.center();
         // A church is looked at from within, the others from outside.
@@ -88,6 +90,16 @@ public class PictureTracing {
             }
         }
         return sum;
+    }
+
+    /** The same where no vectors are to be had: the ground of two million triangles is painted by them, the others are not. */
+    @Benchmark
+    @Fork(
+            value = 1,
+            jvmArgs = {"-Xmx3g"})
+    @OperationsPerInvocation(WIDTH * HEIGHT)
+    public double byTilesWithoutVectors() {
+        return byTiles();
     }
 
     /** The whole picture, ray by ray. */

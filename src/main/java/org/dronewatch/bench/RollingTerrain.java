@@ -4,7 +4,7 @@ import java.util.List;
 import org.dronewatch.geometry.TriangleMesh;
 
 /** Ground of any number of triangles: hills upon hills, the same for the same number. 1 km square, z up. */
-final class RollingTerrain {
+public final class RollingTerrain {
     private static final double SIZE = 1000.0;
     private static final double HEIGHT = 60.0;
     private static final int OCTAVES = 9;
@@ -14,7 +14,7 @@ final class RollingTerrain {
     private RollingTerrain() {}
 
     /** A mesh of about so many triangles, 2 or more. */
-    static TriangleMesh of(int triangles) {
+    public static TriangleMesh of(int triangles) {
         int cells = Math.max(1, (int) Math.round(Math.sqrt(0.5 * triangles)));
         float[] vertices = new float[3 * (cells + 1) * (cells + 1)];
         for (int i = 0; i <= cells; i++) {
