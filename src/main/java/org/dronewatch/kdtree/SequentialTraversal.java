@@ -7,8 +7,8 @@ package org.dronewatch.kdtree;
  *
  * <p>Where the original steps by a fixed distance, which skips thin cells and stalls at large coordinates, this one
  * puts the point on the exit axis to the next number behind the face and holds it inside the leaf's bounds on the other
- * axes. Each step so moves on along the ray's sense on one axis and back on none: it ends. A ray that starts exactly on a
- * plane of the tree and runs inside it may lose a triangle on whose edge it lies; the traversal with a stack does not.
+ * axes. Each step so moves on along the ray's sense on one axis and back on none: it ends. A ray that lies in planes of the
+ * tree walks along each of their sides: the leaves there end at different places.
  */
 public final class SequentialTraversal extends KDTraversal {
     private final double[] point = new double[3];
@@ -30,9 +30,31 @@ public final class SequentialTraversal extends KDTraversal {
         if (!(entry <= exit)) {
             return;
         }
+        int still = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            still |= direction[axis] == 0.0 ? 1 << axis : 0;
+        }
+        // A ray that runs inside planes of the tree goes along each of their sides in turn.
+        int above = still;
+        while (true) {
+            walk(entry, exit, tMin, anyHit, above);
+            if (above == 0 || anyHit && intersection.found()) {
+                return;
+            }
+            above = above - 1 & still;
+        }
+    }
+
+    /**
+     * Walks from leaf to leaf.
+     *
+     * @param above bits of the axes on which a point in a plane counts to what is above it
+     */
+    private void walk(double entry, double exit, double tMin, boolean anyHit, int above) {
         float[] root = tree.rootBox();
         for (int axis = 0; axis < 3; axis++) {
-            point[axis] = clamp(origin[axis] + entry * direction[axis], root[axis], root[axis + 3]);
+            double place = clamp(origin[axis] + entry * direction[axis], root[axis], root[axis + 3]);
+            point[axis] = (above & 1 << axis) == 0 ? place : Math.nextUp(place);
         }
         double leafEntry = entry;
         while (true) {
@@ -100,8 +122,9 @@ public final class SequentialTraversal extends KDTraversal {
         int behind = 0;
         for (int axis = 0; axis < 3; axis++) {
             if (direction[axis] == 0.0) {
-                ahead |= point[axis] == high[axis] ? 1 << axis : 0;
-            } else if (exitParameter(axis) * (1.0 - OVERLAP) <= t * (1.0 + OVERLAP)) {
+                continue;
+            }
+            if (exitParameter(axis) * (1.0 - OVERLAP) <= t * (1.0 + OVERLAP)) {
                 ahead |= 1 << axis;
             } else if (entryParameter(axis) * (1.0 + OVERLAP) >= t * (1.0 - OVERLAP)) {
                 behind |= 1 << axis;

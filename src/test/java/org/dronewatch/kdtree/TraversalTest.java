@@ -139,6 +139,45 @@ class TraversalTest {
         assertSameAsExhaustive(tree, way, new double[] {0, 20, 0.25, 0, -1, 0}, "from the north");
     }
 
+    /**
+     * Rays inside the planes of flat faces, where planes of the tree lie too, towards corners and edges in that plane: what
+     * stands on its one side is met by a ray that any rounding would put on the other.
+     */
+    @ParameterizedTest
+    @EnumSource
+    void raysInsidePlanesMeetWhatTouchesThem(Way way) {
+        for (TriangleMesh mesh : List.of(Meshes.room(), Meshes.icosphere(2), Meshes.model("house.obj"))) {
+            KDTree tree = KDTree.of(mesh);
+            Exhaustive exhaustive = new Exhaustive(tree);
+            KDTraversal traversal = way.on(tree);
+            Rays rays = new Rays(mesh, 66);
+            SplittableRandom random = new SplittableRandom(67);
+            int hits = 0;
+            for (int i = 0; i < 3000; i++) {
+                int triangle = random.nextInt(mesh.triangleCount());
+                int axis = random.nextInt(3);
+                double share = i % 2 == 0 ? 0.0 : random.nextDouble();
+                double[] origin = rays.inBox(1.0);
+                double[] ray = new double[6];
+                for (int k = 0; k < 3; k++) {
+                    double a = mesh.coordinate(triangle, 0, k);
+                    double b = mesh.coordinate(triangle, 1, k);
+                    double from = k == axis ? a : origin[k];
+                    ray[k] = from;
+                    ray[3 + k] = k == axis ? 0.0 : a + share * (b - a) - from;
+                }
+                double expected = exhaustive.closest(ray, 0.0, END);
+                hits += expected < END ? 1 : 0;
+                // Triangles that meet in the point that is hit may differ by roundings, and a cell behind hold the
+                // nearer.
+                assertThat(closest(traversal, ray))
+                        .as("%s of seeds 66 and 67, ray %d", Arrays.toString(ray), i)
+                        .isBetween(expected, expected + 1e-14 * expected);
+            }
+            assertThat(hits).as("hits of %d triangles", mesh.triangleCount()).isGreaterThan(1000);
+        }
+    }
+
     private static double[] box(KDTree tree) {
         double[] box = new double[6];
         Arrays.setAll(box, k -> tree.rootBox()[k]);
