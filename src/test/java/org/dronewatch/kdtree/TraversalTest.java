@@ -9,7 +9,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import java.util.function.Function;
 import org.dronewatch.geometry.Hit;
 import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Ray;
@@ -19,41 +18,9 @@ import org.jogamp.vecmath.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** What either way through a tree must find, above all for rays that touch the tree's and the triangles' borders. */
+/** What any way through a tree must find, and how it tells it. */
 class TraversalTest {
     private static final double END = Double.POSITIVE_INFINITY;
-
-    /** The ways through a tree. */
-    enum Way {
-        STACK(StackTraversal::new),
-        SEQUENTIAL(SequentialTraversal::new),
-        /** By vectors where the machine has them, as in the build's own tests. */
-        SCATTERED(KDTree::newScatteredTraversal);
-
-        private final Function<KDTree, KDTraversal> maker;
-
-        Way(Function<KDTree, KDTraversal> maker) {
-            this.maker = maker;
-        }
-
-        KDTraversal on(KDTree tree) {
-            return maker.apply(tree);
-        }
-    }
-
-    private static void assertSameAsExhaustive(KDTree tree, Way way, double[] ray, String seed) {
-        Exhaustive exhaustive = new Exhaustive(tree);
-        KDTraversal traversal = way.on(tree);
-        double expected = exhaustive.closest(ray, 0.0, END);
-        String what = Arrays.toString(ray) + " of " + seed;
-
-        assertThat(closest(traversal, ray)).as(what).isEqualTo(expected);
-        assertThat(Rays.isOccluded(traversal, ray, 0.0, END)).as(what).isEqualTo(expected < END);
-    }
-
-    private static double closest(KDTraversal traversal, double[] ray) {
-        return Rays.closestHit(traversal, ray) ? traversal.distance() : END;
-    }
 
     @ParameterizedTest
     @EnumSource
@@ -62,151 +29,9 @@ class TraversalTest {
             TriangleMesh mesh = Meshes.soup(10 * (seed - 19), 0.02 * (seed - 15), seed);
             KDTree tree = KDTree.of(mesh);
             for (double[] ray : new Rays(mesh, seed).any(400)) {
-                assertSameAsExhaustive(tree, way, ray, "soup and rays of seed " + seed);
+                way.assertSameAsExhaustive(tree, ray, "soup and rays of seed " + seed);
             }
         }
-    }
-
-    /** Only where the ray's line comes within a rounding of the hit triangle's edge may another triangle be hit. */
-    @ParameterizedTest
-    @EnumSource
-    void raysFromAndAlongTheBordersOfCells(Way way) {
-        for (TriangleMesh mesh : List.of(Meshes.room(), Meshes.soup(200, 0.3, 61), Meshes.icosphere(2))) {
-            KDTree tree = KDTree.of(mesh);
-            KDTraversal traversal = way.on(tree);
-            BruteForce bruteForce = new BruteForce(mesh);
-            List<double[]> cells = cells(tree, 0, box(tree));
-            Rays rays = new Rays(mesh, 62);
-            SplittableRandom random = new SplittableRandom(63);
-            for (int i = 0; i < 6000; i++) {
-                double[] origin = onBorder(cells.get(random.nextInt(cells.size())), random);
-                double[] target = onBorder(cells.get(random.nextInt(cells.size())), random);
-                double[] ray =
-                        switch (i % 3) {
-                            case 0 -> Rays.ray(origin, rays.axisParallel());
-                            case 1 -> Rays.ray(origin, rays.withOneZero());
-                            default -> Rays.towards(origin, target);
-                        };
-
-                BruteForce.Answer expected = bruteForce.closest(ray);
-                double found = closest(traversal, ray);
-                boolean startsOnSurface = Math.min(found, expected.distance()) < 1e-12;
-                boolean same = found == expected.distance()
-                        || Math.abs(found - expected.distance()) <= 1e-9 * expected.distance() + 1e-14;
-                if (!same && !startsOnSurface) {
-                    int first = found < expected.distance() ? traversal.triangle() : expected.triangle();
-                    assertThat(bruteForce.edgeDistance(ray, first))
-                            .as("%s of seeds 62 and 63 hits at %s, not %s", Arrays.toString(ray), found, expected)
-                            .isLessThanOrEqualTo(1e-12);
-                }
-            }
-        }
-    }
-
-    @ParameterizedTest
-    @EnumSource
-    void aRayInsideTwoSplitPlanesHitsTheNearestTriangle(Way way) {
-        KDTree tree = KDTree.of(Meshes.room());
-        double[] ray = {3.1375741958618164, 5.58209228515625, 0.23422181606292725, 0.0, -1.0, 0.0};
-
-        assertThat(closest(way.on(tree), ray)).isEqualTo(0.08209228515625);
-    }
-
-    /**
-     * Triangles that touch the plane x = 0 from its two sides, and a ray inside that plane: the cells on both sides span the
-     * same range, and a hit on one side says nothing about the other.
-     */
-    @ParameterizedTest
-    @EnumSource
-    void aRayInsideASplitPlaneSeesBothItsSides(Way way) {
-        List<Float> vertices = new ArrayList<>();
-        for (int i = 0; i < 40; i++) {
-            // Nearest on the right, or on the left, by turns of the ray's sense.
-            float x = i < 20 ? -1 : 1;
-            float y = 3 + 0.5f * (i % 20) + (i < 20 ? 0.25f : 0);
-            for (float value : new float[] {0, y, -1, 0, y, 1, x, y, 0}) {
-                vertices.add(value);
-            }
-        }
-        float[] flat = new float[vertices.size()];
-        int[] corners = new int[flat.length / 3];
-        for (int i = 0; i < flat.length; i++) {
-            flat[i] = vertices.get(i);
-            corners[i / 3] = i / 3;
-        }
-        KDTree tree = KDTree.of(TriangleMesh.of(flat, corners));
-        assertSameAsExhaustive(tree, way, new double[] {0, 0, 0.25, 0, 1, 0}, "from the south");
-        assertSameAsExhaustive(tree, way, new double[] {0, 20, 0.25, 0, -1, 0}, "from the north");
-    }
-
-    /**
-     * Rays inside the planes of flat faces, where planes of the tree lie too, towards corners and edges in that plane: what
-     * stands on its one side is met by a ray that any rounding would put on the other.
-     */
-    @ParameterizedTest
-    @EnumSource
-    void raysInsidePlanesMeetWhatTouchesThem(Way way) {
-        for (TriangleMesh mesh : List.of(Meshes.room(), Meshes.icosphere(2), Meshes.model("house.obj"))) {
-            KDTree tree = KDTree.of(mesh);
-            Exhaustive exhaustive = new Exhaustive(tree);
-            KDTraversal traversal = way.on(tree);
-            Rays rays = new Rays(mesh, 66);
-            SplittableRandom random = new SplittableRandom(67);
-            int hits = 0;
-            for (int i = 0; i < 3000; i++) {
-                int triangle = random.nextInt(mesh.triangleCount());
-                int axis = random.nextInt(3);
-                double share = i % 2 == 0 ? 0.0 : random.nextDouble();
-                double[] origin = rays.inBox(1.0);
-                double[] ray = new double[6];
-                for (int k = 0; k < 3; k++) {
-                    double a = mesh.coordinate(triangle, 0, k);
-                    double b = mesh.coordinate(triangle, 1, k);
-                    double from = k == axis ? a : origin[k];
-                    ray[k] = from;
-                    ray[3 + k] = k == axis ? 0.0 : a + share * (b - a) - from;
-                }
-                double expected = exhaustive.closest(ray, 0.0, END);
-                hits += expected < END ? 1 : 0;
-                // Triangles that meet in the point that is hit may differ by roundings, and a cell behind hold the
-                // nearer.
-                assertThat(closest(traversal, ray))
-                        .as("%s of seeds 66 and 67, ray %d", Arrays.toString(ray), i)
-                        .isBetween(expected, expected + 1e-14 * expected);
-            }
-            assertThat(hits).as("hits of %d triangles", mesh.triangleCount()).isGreaterThan(1000);
-        }
-    }
-
-    private static double[] box(KDTree tree) {
-        double[] box = new double[6];
-        Arrays.setAll(box, k -> tree.rootBox()[k]);
-        return box;
-    }
-
-    private static List<double[]> cells(KDTree tree, int index, double[] box) {
-        long node = tree.nodes()[index];
-        int axis = KDNode.kind(node);
-        if (axis == KDNode.LEAF) {
-            return List.of(box);
-        }
-        double[] left = box.clone();
-        left[axis + 3] = KDNode.split(node);
-        double[] right = box.clone();
-        right[axis] = KDNode.split(node);
-        List<double[]> cells = new ArrayList<>(cells(tree, index + 1, left));
-        cells.addAll(cells(tree, KDNode.rightChild(node), right));
-        return cells;
-    }
-
-    /** A corner of a box, or the middle of an edge or a face, or its centre. */
-    private static double[] onBorder(double[] box, SplittableRandom random) {
-        double[] point = new double[3];
-        for (int axis = 0; axis < 3; axis++) {
-            double share = 0.5 * random.nextInt(3);
-            point[axis] = (1 - share) * box[axis] + share * box[axis + 3];
-        }
-        return point;
     }
 
     @ParameterizedTest

@@ -14,17 +14,17 @@ class WatertightTest {
 
     @ParameterizedTest
     @EnumSource
-    void aMillionRaysFromInsideABallAllHitIt(TraversalTest.Way way) {
+    void aMillionRaysFromInsideABallAllHitIt(Way way) {
         assertThat(leaks(Meshes.icosphere(4), way)).as("leaks of seeds 0 to 9").isZero();
     }
 
     @ParameterizedTest
     @EnumSource
-    void aMillionRaysFromInsideARoomAllHitIt(TraversalTest.Way way) {
+    void aMillionRaysFromInsideARoomAllHitIt(Way way) {
         assertThat(leaks(Meshes.room(), way)).as("leaks of seeds 0 to 9").isZero();
     }
 
-    private static long leaks(TriangleMesh mesh, TraversalTest.Way way) {
+    private static long leaks(TriangleMesh mesh, Way way) {
         KDTree tree = KDTree.of(mesh);
         return IntStream.range(0, PARTS)
                 .parallel()

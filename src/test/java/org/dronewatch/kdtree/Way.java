@@ -1,0 +1,40 @@
+package org.dronewatch.kdtree;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.function.Function;
+
+/** The ways through a tree. */
+enum Way {
+    STACK(StackTraversal::new),
+    SEQUENTIAL(SequentialTraversal::new),
+    /** By vectors where the machine has them, as in the build's own tests. */
+    SCATTERED(KDTree::newScatteredTraversal);
+
+    private final Function<KDTree, KDTraversal> maker;
+
+    Way(Function<KDTree, KDTraversal> maker) {
+        this.maker = maker;
+    }
+
+    KDTraversal on(KDTree tree) {
+        return maker.apply(tree);
+    }
+
+    /** The nearest hit, or infinity. */
+    static double closest(KDTraversal traversal, double[] ray) {
+        return Rays.closestHit(traversal, ray) ? traversal.distance() : Double.POSITIVE_INFINITY;
+    }
+
+    /** Asserts that a ray hits, and is occluded, as if every triangle were tested. */
+    void assertSameAsExhaustive(KDTree tree, double[] ray, String seed) {
+        double end = Double.POSITIVE_INFINITY;
+        double expected = new Exhaustive(tree).closest(ray, 0.0, end);
+        KDTraversal traversal = on(tree);
+        String what = Arrays.toString(ray) + " of " + seed;
+
+        assertThat(closest(traversal, ray)).as(what).isEqualTo(expected);
+        assertThat(Rays.isOccluded(traversal, ray, 0.0, end)).as(what).isEqualTo(expected < end);
+    }
+}
