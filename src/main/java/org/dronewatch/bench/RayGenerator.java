@@ -27,11 +27,18 @@ public final class RayGenerator {
 
     private final KDTree tree;
     private final long seed;
+    private final Vector3d up;
 
-    /** A generator of rays for a tree; the same seed gives the same rays. */
+    /** A generator of rays for the tree of a model as it is written, y up; the same seed gives the same rays. */
     public RayGenerator(KDTree tree, long seed) {
+        this(tree, seed, new Vector3d(0, 1, 0));
+    }
+
+    /** A generator of rays for a tree, with the unit direction that is upwards in pictures. */
+    RayGenerator(KDTree tree, long seed, Vector3d up) {
         this.tree = tree;
         this.seed = seed;
+        this.up = up;
     }
 
     /** A picture of 1024 x 768 pixels, 90 degrees wide. */
@@ -51,10 +58,10 @@ public final class RayGenerator {
         forward.sub(eye);
         forward.normalize();
         Vector3d right = new Vector3d();
-        right.cross(forward, Math.abs(forward.y) < 0.99 ? new Vector3d(0, 1, 0) : new Vector3d(0, 0, 1));
+        right.cross(forward, Math.abs(forward.dot(up)) < 0.99 ? up : new Vector3d(up.y, up.z, up.x));
         right.normalize();
-        Vector3d up = new Vector3d();
-        up.cross(right, forward);
+        Vector3d upwards = new Vector3d();
+        upwards.cross(right, forward);
 
         float[] rays = new float[width * height * RaySet.FLOATS];
         for (int pixel = 0; pixel < width * height; pixel++) {
@@ -63,7 +70,7 @@ public final class RayGenerator {
             double y = (height - 2.0 * (row + 0.5)) / width;
             Vector3d direction = new Vector3d(forward);
             direction.scaleAdd(x, right, direction);
-            direction.scaleAdd(y, up, direction);
+            direction.scaleAdd(y, upwards, direction);
             put(rays, pixel, eye, direction);
         }
         return new RaySet("camera", rays, width);

@@ -2,6 +2,7 @@ package org.dronewatch.bench;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.LongSupplier;
 
 /**
  * Measures how long work takes: the median of several runs, after others that warmed up. Short work is done many times over
@@ -15,9 +16,10 @@ final class Stopwatch {
 
     private final long warmUp;
     private final int mostRuns;
+    private final LongSupplier clock;
 
     Stopwatch() {
-        this(700_000_000L, RUNS);
+        this(700_000_000L, RUNS, System::nanoTime);
     }
 
     /**
@@ -25,9 +27,11 @@ final class Stopwatch {
      *
      * @param warmUp for how long each work is done before it is measured, at least once, ns; a run lasts a twentieth of it
      * @param mostRuns how many runs are measured; of work that takes longer than the warm-up, three at most
+     * @param clock what time it is, ns
      */
-    Stopwatch(long warmUp, int mostRuns) {
+    Stopwatch(long warmUp, int mostRuns, LongSupplier clock) {
         this.warmUp = warmUp;
+        this.clock = clock;
         this.mostRuns = mostRuns;
     }
 
@@ -49,11 +53,11 @@ final class Stopwatch {
                 new double[works.size()][longest > warmUp ? Math.min(RUNS_OF_LONG_WORK, mostRuns) : mostRuns];
         for (int run = 0; run < times[0].length; run++) {
             for (int i = 0; i < repeats.length; i++) {
-                long start = System.nanoTime();
+                long start = clock.getAsLong();
                 for (long k = 0; k < repeats[i]; k++) {
                     works.get(i).run();
                 }
-                times[i][run] = NANO * (System.nanoTime() - start) / repeats[i];
+                times[i][run] = NANO * (clock.getAsLong() - start) / repeats[i];
             }
         }
         return Arrays.stream(times).mapToDouble(Stopwatch::median).toArray();
@@ -61,13 +65,13 @@ final class Stopwatch {
 
     /** Does a work until it is warm, and tells how long it took last, ns. */
     private long warmUp(Runnable work) {
-        long begun = System.nanoTime();
+        long begun = clock.getAsLong();
         long once;
         do {
-            long start = System.nanoTime();
+            long start = clock.getAsLong();
             work.run();
-            once = Math.max(1, System.nanoTime() - start);
-        } while (System.nanoTime() - begun < warmUp);
+            once = Math.max(1, clock.getAsLong() - start);
+        } while (clock.getAsLong() - begun < warmUp);
         return once;
     }
 

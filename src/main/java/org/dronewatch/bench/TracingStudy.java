@@ -7,6 +7,7 @@ import java.util.function.Function;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.parallel.Workers;
+import org.jogamp.vecmath.Vector3d;
 
 /** Measures how the costs of building trees and of tracing rays grow with the triangles of the ground. */
 final class TracingStudy {
@@ -58,10 +59,10 @@ final class TracingStudy {
                 new CostCurves("memory", "Memory", "triangles", "bytes a triangle", List.of(memory.line())));
     }
 
-    /** How many triangles each ground is to have: five times as many each time, and the largest at the end. */
+    /** How many triangles grounds are to have: five times as many each time, and the largest, well above the last of them. */
     static List<Integer> sizes(int largest) {
         List<Integer> sizes = new ArrayList<>();
-        for (long size = LEAST; size < largest; size *= GROWTH) {
+        for (long size = LEAST; size < 0.9 * largest; size *= GROWTH) {
             sizes.add((int) size);
         }
         sizes.add(largest);
@@ -69,15 +70,20 @@ final class TracingStudy {
     }
 
     private static RaySet fullHd(KDTree tree) {
-        return new RayGenerator(tree, 1).camera(1920, 1080);
+        return generator(tree).camera(1920, 1080);
     }
 
     private static RaySet camera(KDTree tree) {
-        return new RayGenerator(tree, 1).camera();
+        return generator(tree).camera();
     }
 
     private static RaySet diffuse(KDTree tree) {
-        return new RayGenerator(tree, 1).diffuse(camera(tree));
+        return generator(tree).diffuse(camera(tree));
+    }
+
+    /** The ground's z is up. */
+    private static RayGenerator generator(KDTree tree) {
+        return new RayGenerator(tree, 1, new Vector3d(0, 0, 1));
     }
 
     /** Traces rays of a kind in all grounds in turn: what is shown is how speeds compare. */

@@ -21,8 +21,8 @@ final class TilePixels {
     final double[] nearest;
 
     /**
-     * Which triangle that is, as wide as what tells whether it is nearer: vectors that turn ints into doubles and back make
-     * {@link WideTraversal} a third slower, since the compiler takes its vectors for more kinds than they are.
+     * Which triangle that is, as wide as what tells whether it is nearer: vectors of ints turned into doubles and back
+     * make {@link WideTraversal} a third slower in the same virtual machine, whose compiler then inlines less of either.
      */
     final double[] triangles;
 
@@ -38,7 +38,7 @@ final class TilePixels {
     private int blocksAcross;
 
     /** The numbers of columns, for arithmetic by vectors. */
-    private final double[] columnNumbers;
+    final double[] columnNumbers;
 
     private final double[] rowOfDistances;
 
@@ -59,7 +59,7 @@ final class TilePixels {
         this.nearest = new double[BLOCK * blocks(mostColumns) * mostRows];
         this.triangles = new double[nearest.length];
         this.leastOfBlock = new double[blocks(mostColumns) * blocks(mostRows)];
-        this.columnNumbers = new double[mostColumns];
+        this.columnNumbers = new double[BLOCK * blocks(mostColumns)];
         Arrays.setAll(columnNumbers, i -> i);
         this.rowOfDistances = new double[mostColumns];
     }

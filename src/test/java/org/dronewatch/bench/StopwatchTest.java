@@ -1,45 +1,51 @@
 package org.dronewatch.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 
-/** Measuring works in turn. */
+/** Measuring works in turn, by a clock that only works move on. */
 class StopwatchTest {
+    private static final long MS = 1_000_000L;
+
+    private long now;
+    private final StringBuilder done = new StringBuilder();
+
+    private Stopwatch watch(long warmUp) {
+        return new Stopwatch(warmUp, 9, () -> now);
+    }
+
+    private Runnable work(char name, long duration) {
+        return () -> {
+            done.append(name);
+            now += duration;
+        };
+    }
+
     @Test
     void worksAreWarmBeforeAnyIsMeasuredAndThenTakeTurns() {
-        StringBuilder done = new StringBuilder();
-        Runnable first = () -> done.append('a');
-        Runnable second = () -> done.append('b');
-        // Warmed up for no time: once each. Then three runs of each, since that was long work.
-        new Stopwatch(0, 9).secondsInTurn(List.of(first, second));
+        // Both take longer than the warm-up, so three runs are enough.
+        double[] seconds = watch(5 * MS).secondsInTurn(List.of(work('a', 6 * MS), work('b', 8 * MS)));
         assertThat(done).hasToString("ab" + "ababab");
+        assertThat(seconds).containsExactly(0.006, 0.008);
     }
 
+    /** 2 ms for a warm-up of 200 ms: a hundred times to warm up, then nine runs of five times, 10 ms. */
     @Test
     void shortWorkIsDoneManyTimesInARun() {
-        int[] done = new int[1];
-        new Stopwatch(20_000_000L, 9).seconds(() -> done[0]++);
-        assertThat(done[0]).isGreaterThan(1000);
+        double seconds = watch(200 * MS).seconds(work('a', 2 * MS));
+        assertThat(seconds).isEqualTo(0.002);
+        assertThat(done).hasSize(100 + 9 * 5);
     }
 
-    /** A run is 5, 1 and 3 ms long, not counting that of the warm-up: the median is the last. */
+    /** Runs of 5, 1 and 3 ms, after one to warm up. */
     @Test
     void theMedianIsTold() {
-        List<Integer> milliseconds = new ArrayList<>(List.of(0, 5, 1, 3));
-        double seconds = new Stopwatch(0, 9).seconds(() -> pause(milliseconds.remove(0)));
+        List<Integer> milliseconds = new ArrayList<>(List.of(1, 5, 1, 3));
+        double seconds = watch(0).seconds(() -> now += MS * milliseconds.remove(0));
         assertThat(milliseconds).isEmpty();
-        assertThat(seconds).isCloseTo(3e-3, within(1.9e-3));
-    }
-
-    private static void pause(int milliseconds) {
-        long end = System.nanoTime() + milliseconds * 1_000_000L;
-        while (System.nanoTime() < end) {
-            LockSupport.parkNanos(end - System.nanoTime());
-        }
+        assertThat(seconds).isEqualTo(0.003);
     }
 }

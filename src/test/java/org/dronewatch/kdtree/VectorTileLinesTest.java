@@ -3,6 +3,7 @@ package org.dronewatch.kdtree;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.SplittableRandom;
@@ -54,9 +55,7 @@ class VectorTileLinesTest {
             }
         }
         int[] numbers = new int[corners.length / 3];
-        for (int i = 0; i < numbers.length; i++) {
-            numbers[i] = i;
-        }
+        Arrays.setAll(numbers, i -> i);
         KDTree tree = KDTree.of(TriangleMesh.of(corners, numbers));
         double[] eye = new double[3];
         int hits = 0;
@@ -71,6 +70,43 @@ class VectorTileLinesTest {
             hits += compare("grid", tree, view, 12);
         }
         assertThat(hits).as("pixels that see the grid").isGreaterThan(5_000);
+    }
+
+    /**
+     * A plane of small triangles at the height of a level camera that looks along it, somewhat to the side: all are seen
+     * edge-on in the row of the horizon, where their edge functions are roundings.
+     */
+    @Test
+    void trianglesInThePlaneOfTheEye() {
+        int cells = 60;
+        float[] corners = new float[18 * cells * cells];
+        int at = 0;
+        for (int cell = 0; cell < cells * cells; cell++) {
+            for (int[] corner : new int[][] {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
+                corners[at++] = 0.7f * (cell % cells + corner[0]);
+                corners[at++] = 0.7f * (cell / cells + corner[1]);
+                corners[at++] = 3.3f;
+            }
+        }
+        int[] numbers = new int[corners.length / 3];
+        Arrays.setAll(numbers, i -> i);
+        KDTree tree = KDTree.of(TriangleMesh.of(corners, numbers));
+        int hits = 0;
+        for (int i = 0; i < 200; i++) {
+            double azimuth = 2.0 * Math.PI * random.nextDouble();
+            double step = 0.002 + 0.002 * random.nextDouble();
+            double[] ahead = {Math.sin(azimuth), Math.cos(azimuth), 0};
+            double[] right = {step * Math.cos(azimuth), -step * Math.sin(azimuth), 0};
+            double[] down = {0, 0, -step};
+            double[] corner = new double[3];
+            int horizon = random.nextInt(10);
+            for (int k = 0; k < 3; k++) {
+                corner[k] = ahead[k] - 80 * right[k] - horizon * down[k];
+            }
+            double[] eye = {20 - 30 * ahead[0], 20 - 30 * ahead[1], 3.3f};
+            hits += compare("plane", tree, new PinholeView(eye, corner, right, down), WIDTH);
+        }
+        assertThat(hits).as("pixels of the horizon").isGreaterThan(1_000);
     }
 
     private int compare(String name, TriangleMesh mesh) {
