@@ -58,7 +58,7 @@ public final class RayGenerator {
         forward.sub(eye);
         forward.normalize();
         Vector3d right = new Vector3d();
-        right.cross(forward, Math.abs(forward.dot(up)) < 0.99 ? up : new Vector3d(up.y, up.z, up.x));
+        right.cross(forward, Math.abs(forward.dot(up)) < 0.99 ? up : new Vector3d(up.z, up.x, up.y));
         right.normalize();
         Vector3d upwards = new Vector3d();
         upwards.cross(right, forward);
