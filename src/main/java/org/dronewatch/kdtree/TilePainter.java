@@ -10,14 +10,14 @@ package org.dronewatch.kdtree;
  * columns, too: the two orders of adding round differently, but never across zero. Where corners lie some 1e-5 of a pixel
  * from each other, and from a pixel's centre, the roundings of different edges may leave it to none of them.
  */
-final class TilePainter {
+class TilePainter {
     /** Relative size of the roundings of the volume between the origin and a triangle. */
-    private static final double IN_PLANE = 1e-12;
+    static final double IN_PLANE = 1e-12;
 
-    private final float[] corners;
-    private final PixelGrid grid;
-    private final TilePixels pixels;
-    private final TileLines lines;
+    final float[] corners;
+    final PixelGrid grid;
+    final TilePixels pixels;
+    final TileLines lines;
     private boolean lost;
 
     /**
@@ -45,7 +45,7 @@ final class TilePainter {
         return lost;
     }
 
-    /** Paints a triangle into the tile. */
+    /** Paints a triangle into the tile, now or when it is told to finish. */
     void paint(int triangle) {
         // The corners in grid coordinates, from the tile's own corner.
         float[] c = corners;
@@ -127,6 +127,9 @@ final class TilePainter {
         lines.setThirdEdge(turn * (ax * by - ay * bx), turn * (ay * bz - az * by), turn * (az * bx - ax * bz));
         lines.paint(triangle);
     }
+
+    /** Paints what it has not painted yet. */
+    void finish() {}
 
     private boolean mayHoldOrigin(int triangle) {
         boolean inside = true;

@@ -11,8 +11,11 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Tiles painted by vectors are those painted by lines, bit for bit, whatever the size of triangles and tiles. */
-class VectorTileLinesTest {
+/**
+ * All ways to paint tiles show the same, bit for bit, whatever the size of triangles and tiles. Vectors name the same
+ * triangle, too, where several are equally near, as lines do that paint in the same order.
+ */
+class TilePaintingTest {
     private static final long SEED = 260;
     private static final int WIDTH = 160;
 
@@ -21,6 +24,13 @@ class VectorTileLinesTest {
     @BeforeEach
     void needVectors() {
         assumeTrue(Vectors.areAvailable(), "no vectors of 256 bits, or the module of vectors is not named");
+    }
+
+    @Test
+    void byTheNumberOfTriangles() {
+        assertThat(TilePainting.of(0)).isEqualTo(TilePainting.FEW);
+        assertThat(TilePainting.of(499_999)).isEqualTo(TilePainting.FEW);
+        assertThat(TilePainting.of(500_000)).isEqualTo(TilePainting.MANY_BY_VECTORS);
     }
 
     @Test
@@ -74,7 +84,8 @@ class VectorTileLinesTest {
 
     /**
      * A plane of small triangles at the height of a level camera that looks along it, somewhat to the side: all are seen
-     * edge-on in the row of the horizon, where their edge functions are roundings.
+     * edge-on in the row of the horizon, where their edge functions and distances are roundings, which need not lie in the
+     * triangle's cell: so what is seen depends on the cells that are asked, and only one order is compared.
      */
     @Test
     void trianglesInThePlaneOfTheEye() {
@@ -104,7 +115,7 @@ class VectorTileLinesTest {
                 corner[k] = ahead[k] - 80 * right[k] - horizon * down[k];
             }
             double[] eye = {20 - 30 * ahead[0], 20 - 30 * ahead[1], 3.3f};
-            hits += compare("plane", tree, new PinholeView(eye, corner, right, down), WIDTH);
+            hits += compare("plane", tree, new PinholeView(eye, corner, right, down), WIDTH, TilePainting.MANY);
         }
         assertThat(hits).as("pixels of the horizon").isGreaterThan(1_000);
     }
@@ -119,28 +130,46 @@ class VectorTileLinesTest {
     }
 
     private int compare(String name, KDTree tree, PinholeView view, int width) {
-        TileTraversal byLines = new TileTraversal(tree, false);
-        TileTraversal byVectors = new TileTraversal(tree, true);
-        byLines.setPicture(view.from, view.corner, view.right, view.down);
-        byVectors.setPicture(view.from, view.corner, view.right, view.down);
+        return compare(name, tree, view, width, TilePainting.FEW);
+    }
+
+    private int compare(String name, KDTree tree, PinholeView view, int width, TilePainting reference) {
         int across = random.nextInt(1, Math.min(width, TileTraversal.WIDTH) + 1);
         int down = random.nextInt(1, TileTraversal.HEIGHT + 1);
+        TileTraversal expected = painting(tree, view, reference);
+        TileTraversal many = painting(tree, view, TilePainting.MANY);
+        TileTraversal byVectors = painting(tree, view, TilePainting.MANY_BY_VECTORS);
         int hits = 0;
         for (int left = 0; left < width; left += across) {
-            byLines.trace(left, 0, across, down);
+            expected.trace(left, 0, across, down);
+            many.trace(left, 0, across, down);
             byVectors.trace(left, 0, across, down);
             for (int pixel = 0; pixel < across * down; pixel++) {
                 int column = pixel % across;
                 int row = pixel / across;
-                boolean hit = byLines.hits(column, row);
+                boolean hit = expected.hits(column, row);
+                double parameter = expected.parameter(column, row);
+                assertThat(many.hits(column, row) == hit && many.parameter(column, row) == parameter)
+                        .as(
+                                "several leaves at a time: %s, seed %d, tile of %d x %d, column %d, row %d",
+                                name, SEED, across, down, column, row)
+                        .isTrue();
                 assertThat(byVectors.hits(column, row) == hit
-                                && byVectors.parameter(column, row) == byLines.parameter(column, row)
-                                && (!hit || byVectors.triangle(column, row) == byLines.triangle(column, row)))
-                        .as("%s, seed %d, tile of %d x %d, column %d, row %d", name, SEED, across, down, column, row)
+                                && byVectors.parameter(column, row) == parameter
+                                && (!hit || byVectors.triangle(column, row) == many.triangle(column, row)))
+                        .as(
+                                "by vectors: %s, seed %d, tile of %d x %d, column %d, row %d",
+                                name, SEED, across, down, column, row)
                         .isTrue();
                 hits += hit ? 1 : 0;
             }
         }
         return hits;
+    }
+
+    private static TileTraversal painting(KDTree tree, PinholeView view, TilePainting painting) {
+        TileTraversal tiles = new TileTraversal(tree, painting);
+        tiles.setPicture(view.from, view.corner, view.right, view.down);
+        return tiles;
     }
 }

@@ -1,0 +1,67 @@
+package org.dronewatch.kdtree;
+
+import java.util.Arrays;
+
+/** Paints the triangles of leaves into a tile, each of them once, as far as it remembers. One per thread. */
+final class LeafPainter {
+    /** How many triangles are remembered as painted, a power of two. */
+    private static final int REMEMBERED = 1024;
+
+    private final int[] leafTriangles;
+    private final TilePainter painter;
+
+    /**
+     * Triangles that were painted into this tile lately, each in the place of its lowest bits: triangles lie in many leaves.
+     * One that was forgotten is painted again, which changes nothing, and counts as met again.
+     */
+    private final int[] painted = new int[REMEMBERED];
+
+    private int met;
+
+    /**
+     * A painter of leaves.
+     *
+     * @param leafTriangles the triangles of a tree, leaf by leaf
+     * @param painter paints them
+     */
+    LeafPainter(int[] leafTriangles, TilePainter painter) {
+        this.leafTriangles = leafTriangles;
+        this.painter = painter;
+    }
+
+    /** Begins a tile, after its pixels have. */
+    void begin() {
+        painter.begin();
+        met = 0;
+        Arrays.fill(painted, -1);
+    }
+
+    /** How many triangles the tile has met. */
+    int met() {
+        return met;
+    }
+
+    /** Whether a triangle came that cannot be painted. */
+    boolean isLost() {
+        return painter.isLost();
+    }
+
+    /**
+     * Paints the triangles of neighbouring leaves.
+     *
+     * @param from the first of the leaves' entries
+     * @param to the entry after their last
+     */
+    void paint(int from, int to) {
+        for (int i = from; i < to; i++) {
+            int triangle = leafTriangles[i];
+            int place = triangle & (REMEMBERED - 1);
+            if (painted[place] != triangle) {
+                painted[place] = triangle;
+                met++;
+                painter.paint(triangle);
+            }
+        }
+        painter.finish();
+    }
+}

@@ -1,0 +1,213 @@
+package org.dronewatch.kdtree;
+
+/**
+ * Descends a tree for all rays of a tile at once, nearer cells first, and has painted what the cells hold that the tile may
+ * see something in. One per thread.
+ */
+final class TileDescent {
+    /** Numbers that make a box. */
+    private static final int BOX = 6;
+    /** Widens the interval of a cell by more than the roundings of its bounds. */
+    private static final double WIDER = 1e-12;
+
+    private final KDTree tree;
+    private final PixelGrid grid;
+    private final TilePixels pixels;
+    private final TileSight sight;
+    private final LeafPainter leaves;
+    private final int nodesPaintedWhole;
+
+    /** The ray parameter beyond which the tile sees nothing any more. */
+    private double farthest;
+
+    /**
+     * For each axis, first for planes above the origin, then for planes below: ray parameter per metre at which the first
+     * ray of the tile meets a plane, and at which the last one does. Infinite where none does, or not all.
+     */
+    private final double[] first = new double[6];
+
+    private final double[] last = new double[6];
+
+    /** The parts of the tree that wait: the first of their nodes, the one after the last, and their intervals. */
+    private final int[] stackNode;
+
+    private final int[] stackEnd;
+    private final double[] stackEntry;
+    private final double[] stackExit;
+
+    /** The box of the cell that is walked, and of those on the stack: minimum on three axes, then maximum. */
+    private final double[] cell = new double[BOX];
+
+    private final double[] stackCells;
+
+    /**
+     * A descent.
+     *
+     * @param tree what to descend
+     * @param grid where the pixels look
+     * @param pixels of the tile
+     * @param leaves paints what leaves hold
+     * @param nodesPaintedWhole parts of the tree that have no more nodes are painted whole, 1 for leaves
+     */
+    TileDescent(KDTree tree, PixelGrid grid, TilePixels pixels, LeafPainter leaves, int nodesPaintedWhole) {
+        this.tree = tree;
+        this.grid = grid;
+        this.pixels = pixels;
+        this.sight = new TileSight(grid, pixels);
+        this.leaves = leaves;
+        this.nodesPaintedWhole = nodesPaintedWhole;
+        int size = tree.depth() + 1;
+        this.stackNode = new int[size];
+        this.stackEnd = new int[size];
+        this.stackEntry = new double[size];
+        this.stackExit = new double[size];
+        this.stackCells = new double[BOX * size];
+    }
+
+    private void begin() {
+        sight.begin();
+        leaves.begin();
+        farthest = Double.POSITIVE_INFINITY;
+        setDirections();
+    }
+
+    /** The range of the rays' steps along each axis is that of the tile's corners: they are a grid. */
+    private void setDirections() {
+        for (int axis = 0; axis < 3; axis++) {
+            double atCorner = grid.direction(pixels.left(), pixels.top(), axis);
+            double across = pixels.lastColumn() * grid.right(axis);
+            double downwards = pixels.lastRow() * grid.down(axis);
+            double low = atCorner + Math.min(across, 0.0) + Math.min(downwards, 0.0);
+            double high = atCorner + Math.max(across, 0.0) + Math.max(downwards, 0.0);
+            first[2 * axis] = high > 0.0 ? (1.0 - WIDER) / high : Double.POSITIVE_INFINITY;
+            last[2 * axis] = low > 0.0 ? (1.0 + WIDER) / low : Double.POSITIVE_INFINITY;
+            first[2 * axis + 1] = low < 0.0 ? (1.0 - WIDER) / low : Double.NEGATIVE_INFINITY;
+            last[2 * axis + 1] = high < 0.0 ? (1.0 + WIDER) / high : Double.NEGATIVE_INFINITY;
+        }
+    }
+
+    /**
+     * Paints what the tile that the pixels have begun can see, nearer cells first. The interval of a cell holds every ray parameter at which any ray of the
+     * tile is inside.
+     *
+     * @param limit how many triangles are worth painting
+     * @return false when there are more, or one that cannot be painted
+     */
+    boolean paint(int limit) {
+        begin();
+        double entry = 0.0;
+        double exit = Double.POSITIVE_INFINITY;
+        double[] origin = grid.origin;
+        float[] box = tree.rootBox();
+        for (int axis = 0; axis < 3; axis++) {
+            cell[axis] = box[axis];
+            cell[axis + 3] = box[axis + 3];
+            // The face towards the origin lets in, the other one out; from inside no face lets in.
+            double toLow = box[axis] - origin[axis];
+            double toHigh = box[axis + 3] - origin[axis];
+            if (toLow > 0.0) {
+                entry = Math.max(entry, toLow * first[2 * axis]);
+                exit = Math.min(exit, toHigh * last[2 * axis]);
+            } else if (toHigh < 0.0) {
+                entry = Math.max(entry, toHigh * first[2 * axis + 1]);
+                exit = Math.min(exit, toLow * last[2 * axis + 1]);
+            }
+        }
+        if (!(entry <= exit) || entry == Double.POSITIVE_INFINITY) {
+            return true;
+        }
+        long[] nodes = tree.nodes();
+        int stacked = 0;
+        int index = 0;
+        int end = nodes.length;
+        while (true) {
+            while (end - index > nodesPaintedWhole) {
+                long node = nodes[index];
+                int axis = KDNode.kind(node);
+                // The origin's side is the nearer one. Where a parameter is not a number the origin lies in the plane:
+                // the comparisons then visit both sides.
+                double plane = KDNode.split(node);
+                double toPlane = plane - origin[axis];
+                int near = index + 1;
+                int nearEnd = KDNode.rightChild(node);
+                int far = nearEnd;
+                int farEnd = end;
+                int side = 2 * axis;
+                int nearFace = axis + 3;
+                int farFace = axis;
+                if (toPlane < 0.0) {
+                    far = near;
+                    near = nearEnd;
+                    farEnd = nearEnd;
+                    nearEnd = end;
+                    side++;
+                    nearFace = axis;
+                    farFace = axis + 3;
+                }
+                double firstMeets = toPlane * first[side];
+                double lastMeets = toPlane * last[side];
+                if (firstMeets > exit) {
+                    index = near;
+                    end = nearEnd;
+                    cell[nearFace] = plane;
+                } else if (lastMeets < entry) {
+                    index = far;
+                    end = farEnd;
+                    cell[farFace] = plane;
+                } else {
+                    stackNode[stacked] = far;
+                    stackEnd[stacked] = farEnd;
+                    stackEntry[stacked] = firstMeets > entry ? firstMeets : entry;
+                    stackExit[stacked] = exit;
+                    System.arraycopy(cell, 0, stackCells, BOX * stacked, BOX);
+                    stackCells[BOX * stacked + farFace] = plane;
+                    stacked++;
+                    index = near;
+                    end = nearEnd;
+                    cell[nearFace] = plane;
+                    exit = lastMeets < exit ? lastMeets : exit;
+                }
+            }
+
+            paintPart(index, end);
+            if (leaves.met() > limit || leaves.isLost()) {
+                return false;
+            }
+            do {
+                if (stacked == 0) {
+                    return true;
+                }
+                stacked--;
+            } while (!isWorthWhile(stacked));
+            System.arraycopy(stackCells, BOX * stacked, cell, 0, BOX);
+            index = stackNode[stacked];
+            end = stackEnd[stacked];
+            entry = stackEntry[stacked];
+            exit = Math.min(stackExit[stacked], farthest);
+        }
+    }
+
+    /** Whether the tile may see something in a cell on the stack. What is painted whole is looked at when its turn has come. */
+    private boolean isWorthWhile(int stacked) {
+        if (stackEntry[stacked] > farthest) {
+            return false;
+        }
+        return stackEnd[stacked] - stackNode[stacked] <= nodesPaintedWhole || sight.reaches(stackCells, BOX * stacked);
+    }
+
+    /** Paints a part of the tree, if the tile may see something in it. Its leaves lie one behind the other, as its nodes do. */
+    private void paintPart(int index, int end) {
+        long[] nodes = tree.nodes();
+        int firstLeaf = index;
+        while (KDNode.kind(nodes[firstLeaf]) != KDNode.LEAF) {
+            firstLeaf++;
+        }
+        long lastLeaf = nodes[end - 1];
+        int from = KDNode.first(nodes[firstLeaf]);
+        int to = KDNode.first(lastLeaf) + KDNode.count(lastLeaf);
+        if (to > from && sight.reaches(cell, 0)) {
+            leaves.paint(from, to);
+            farthest = pixels.farthest() * (1.0 + WIDER);
+        }
+    }
+}

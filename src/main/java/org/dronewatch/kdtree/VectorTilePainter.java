@@ -1,0 +1,262 @@
+package org.dronewatch.kdtree;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * Paints triangles as {@link TilePainter} does, but collects them first and works out four at a time, by vector instructions,
+ * where they lie in the tile and what their functions are. Those without a pixel's centre in the rectangle about them, a
+ * third where triangles are small, are left out without a branch.
+ *
+ * <p>What it buys: pictures of models of many triangles are 1.2 times as fast, once the just-in-time compiler is done with
+ * it. Each sum is made in the order in which {@link TilePainter} makes it, so that the pixels are the same, bit for bit.
+ */
+final class VectorTilePainter extends TilePainter {
+    private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
+    /** Triangles worked out at once. */
+    private static final int LANES = 4;
+    /** Triangles collected before they are painted. */
+    private static final int MOST = 64;
+
+    // Methods are short, and loads and stores written out, since the compiler inlines only so much: what it does not,
+    // moves
+    // vectors through the heap and is slower than no vectors at all.
+
+    // Where the numbers of a triangle are. Corners: from the origin first, then in the tile's frame. Functions: three
+    // numbers each, as lines take them.
+    private static final int CORNER_A = 0;
+    private static final int CORNER_B = 3 * LANES;
+    private static final int CORNER_C = 6 * LANES;
+    private static final int INVERSE = 9 * LANES;
+    private static final int FIRST_EDGE = 12 * LANES;
+    private static final int SECOND_EDGE = 15 * LANES;
+    private static final int THIRD_EDGE = 18 * LANES;
+    private static final int LEFT = 21 * LANES;
+    private static final int RIGHT = 22 * LANES;
+    private static final int UPPER = 23 * LANES;
+    private static final int LOWER = 24 * LANES;
+    /** Below zero when no pixel's centre lies in the rectangle. */
+    private static final int ROOM = 25 * LANES;
+    /** Above zero when the functions say what the pixels see: the corners lie before the origin, which is not in the plane. */
+    private static final int SOUND = 26 * LANES;
+    /** -1 where the edge functions have to be turned, or 1. */
+    private static final int TURN = 27 * LANES;
+
+    private static final int NUMBERS = 28;
+
+    /** Adding and subtracting it rounds to the nearest whole number. */
+    private static final double WHOLE = 0x1.8p52;
+    /** How generously rectangles are asked for pixels: more than lines look beside an edge. */
+    private static final double GENEROUS = 3e-6;
+
+    private final int[] collected = new int[MOST];
+    private int count;
+
+    /** Four triangles side by side: their first numbers, their second numbers, and so on; then the next four. */
+    private final double[] numbers = new double[NUMBERS * MOST];
+
+    /** Which of those collected may hold a pixel's centre. */
+    private final int[] roomy = new int[MOST];
+
+    VectorTilePainter(float[] corners, PixelGrid grid, TilePixels pixels, VectorTileLines lines) {
+        super(corners, grid, pixels, lines);
+    }
+
+    @Override
+    void paint(int triangle) {
+        float[] c = corners;
+        double[] n = numbers;
+        double x = grid.origin[0];
+        double y = grid.origin[1];
+        double z = grid.origin[2];
+        int base = 9 * triangle;
+        int at = place(count);
+        n[at] = c[base] - x;
+        n[at + LANES] = c[base + 1] - y;
+        n[at + 2 * LANES] = c[base + 2] - z;
+        n[at + CORNER_B] = c[base + 3] - x;
+        n[at + CORNER_B + LANES] = c[base + 4] - y;
+        n[at + CORNER_B + 2 * LANES] = c[base + 5] - z;
+        n[at + CORNER_C] = c[base + 6] - x;
+        n[at + CORNER_C + LANES] = c[base + 7] - y;
+        n[at + CORNER_C + 2 * LANES] = c[base + 8] - z;
+        collected[count++] = triangle;
+        if (count == MOST) {
+            finish();
+        }
+    }
+
+    @Override
+    void finish() {
+        project();
+        findPlanes();
+        findEdges();
+        int left = 0;
+        for (int i = 0; i < count; i++) {
+            roomy[left] = i;
+            // What is not a number is kept: a corner lies beside the origin.
+            left += numbers[place(i) + ROOM] < 0.0 ? 0 : 1;
+        }
+        count = 0;
+        for (int i = 0; i < left; i++) {
+            paintCollected(roomy[i]);
+        }
+    }
+
+    private void paintCollected(int i) {
+        double[] n = numbers;
+        int at = place(i);
+        if (!(n[at + SOUND] > 0.0)) {
+            super.paint(collected[i]);
+            return;
+        }
+        int fromColumn = TileLines.atOrAfter(n[at + LEFT]);
+        int toColumn = TileLines.atOrBefore(n[at + RIGHT]);
+        int fromRow = TileLines.atOrAfter(n[at + UPPER]);
+        int toRow = TileLines.atOrBefore(n[at + LOWER]);
+        if (fromColumn > toColumn || fromRow > toRow) {
+            return;
+        }
+        lines.setRectangle(fromColumn, toColumn, fromRow, toRow);
+        int f = at + INVERSE;
+        lines.setInverse(n[f], n[f + LANES], n[f + 2 * LANES]);
+        f = at + FIRST_EDGE;
+        lines.setFirstEdge(n[f], n[f + LANES], n[f + 2 * LANES]);
+        f = at + SECOND_EDGE;
+        lines.setSecondEdge(n[f], n[f + LANES], n[f + 2 * LANES]);
+        f = at + THIRD_EDGE;
+        lines.setThirdEdge(n[f], n[f + LANES], n[f + 2 * LANES]);
+        lines.paint(collected[i]);
+    }
+
+    private static int place(int i) {
+        return i / LANES * (NUMBERS * LANES) + i % LANES;
+    }
+
+    /** Takes a corner into the tile's frame. */
+    private void moveToTile(int at, int corner) {
+        double[] m = grid.toGrid;
+        DoubleVector x = DoubleVector.fromArray(DOUBLES, numbers, at + corner);
+        DoubleVector y = DoubleVector.fromArray(DOUBLES, numbers, at + corner + LANES);
+        DoubleVector z = DoubleVector.fromArray(DOUBLES, numbers, at + corner + 2 * LANES);
+        DoubleVector depth = x.mul(m[0]).add(y.mul(m[1])).add(z.mul(m[2]));
+        DoubleVector across = x.mul(m[3]).add(y.mul(m[4])).add(z.mul(m[5]));
+        DoubleVector downwards = x.mul(m[6]).add(y.mul(m[7])).add(z.mul(m[8]));
+        across.sub(depth.mul((double) pixels.left())).intoArray(numbers, at + corner);
+        downwards.sub(depth.mul((double) pixels.top())).intoArray(numbers, at + corner + LANES);
+        depth.intoArray(numbers, at + corner + 2 * LANES);
+    }
+
+    /** The corners in the tile's frame, and the rectangles about them. */
+    private void project() {
+        DoubleVector one = DoubleVector.broadcast(DOUBLES, 1.0);
+        for (int at = 0, i = 0; i < count; i += LANES, at += NUMBERS * LANES) {
+            moveToTile(at, CORNER_A);
+            moveToTile(at, CORNER_B);
+            moveToTile(at, CORNER_C);
+            DoubleVector az = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + 2 * LANES);
+            DoubleVector bz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + 2 * LANES);
+            DoubleVector cz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + 2 * LANES);
+            DoubleVector ofA = one.div(az);
+            DoubleVector ofB = one.div(bz);
+            DoubleVector ofC = one.div(cz);
+            DoubleVector ofAx =
+                    DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A).mul(ofA);
+            DoubleVector ofBx =
+                    DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B).mul(ofB);
+            DoubleVector ofCx =
+                    DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C).mul(ofC);
+            DoubleVector ofAy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + LANES)
+                    .mul(ofA);
+            DoubleVector ofBy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + LANES)
+                    .mul(ofB);
+            DoubleVector ofCy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + LANES)
+                    .mul(ofC);
+            DoubleVector low = ofAx.min(ofBx.min(ofCx)).max(0.0);
+            DoubleVector high = ofAx.max(ofBx.max(ofCx)).min(pixels.lastColumn());
+            DoubleVector upper = ofAy.min(ofBy.min(ofCy)).max(0.0);
+            DoubleVector lower = ofAy.max(ofBy.max(ofCy)).min(pixels.lastRow());
+            low.intoArray(numbers, at + LEFT);
+            high.intoArray(numbers, at + RIGHT);
+            upper.intoArray(numbers, at + UPPER);
+            lower.intoArray(numbers, at + LOWER);
+            DoubleVector columns =
+                    high.add(GENEROUS).sub(low.add(0.5 - GENEROUS).add(WHOLE).sub(WHOLE));
+            DoubleVector rows =
+                    lower.add(GENEROUS).sub(upper.add(0.5 - GENEROUS).add(WHOLE).sub(WHOLE));
+            // The rectangle says nothing when a corner does not lie before the origin: then there is room.
+            DoubleVector before = az.min(bz.min(cz)).sub(Double.MIN_NORMAL);
+            columns.min(rows).max(before.neg()).intoArray(numbers, at + ROOM);
+            before.intoArray(numbers, at + SOUND);
+        }
+    }
+
+    /** The triangles' planes, and the inverse ray parameter on them. */
+    private void findPlanes() {
+        DoubleVector one = DoubleVector.broadcast(DOUBLES, 1.0);
+        for (int at = 0, i = 0; i < count; i += LANES, at += NUMBERS * LANES) {
+            DoubleVector ax = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A);
+            DoubleVector ay = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + LANES);
+            DoubleVector az = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + 2 * LANES);
+            DoubleVector toBx =
+                    DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B).sub(ax);
+            DoubleVector toBy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + LANES)
+                    .sub(ay);
+            DoubleVector toBz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + 2 * LANES)
+                    .sub(az);
+            DoubleVector toCx =
+                    DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C).sub(ax);
+            DoubleVector toCy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + LANES)
+                    .sub(ay);
+            DoubleVector toCz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + 2 * LANES)
+                    .sub(az);
+            DoubleVector nx = toBy.mul(toCz).sub(toBz.mul(toCy));
+            DoubleVector ny = toBz.mul(toCx).sub(toBx.mul(toCz));
+            DoubleVector nz = toBx.mul(toCy).sub(toBy.mul(toCx));
+            DoubleVector partX = ax.mul(nx);
+            DoubleVector partY = ay.mul(ny);
+            DoubleVector partZ = az.mul(nz);
+            DoubleVector volume = partX.add(partY).add(partZ);
+            DoubleVector parts = partX.abs().add(partY.abs()).add(partZ.abs());
+            volume.abs()
+                    .sub(parts.mul(IN_PLANE))
+                    .min(DoubleVector.fromArray(DOUBLES, numbers, at + SOUND))
+                    .intoArray(numbers, at + SOUND);
+            DoubleVector inverse = one.div(volume);
+            nz.mul(inverse).intoArray(numbers, at + INVERSE);
+            nx.mul(inverse).intoArray(numbers, at + INVERSE + LANES);
+            ny.mul(inverse).intoArray(numbers, at + INVERSE + 2 * LANES);
+            // 1 with the volume's sign.
+            volume.reinterpretAsLongs()
+                    .and(Long.MIN_VALUE)
+                    .or(one.reinterpretAsLongs())
+                    .reinterpretAsDoubles()
+                    .intoArray(numbers, at + TURN);
+        }
+    }
+
+    /** The edge functions, turned so that inside is above zero for what lies before the origin. */
+    private void findEdges() {
+        for (int at = 0, i = 0; i < count; i += LANES, at += NUMBERS * LANES) {
+            DoubleVector ax = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A);
+            DoubleVector ay = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + LANES);
+            DoubleVector az = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + 2 * LANES);
+            DoubleVector bx = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B);
+            DoubleVector by = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + LANES);
+            DoubleVector bz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + 2 * LANES);
+            DoubleVector cx = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C);
+            DoubleVector cy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + LANES);
+            DoubleVector cz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + 2 * LANES);
+            DoubleVector turn = DoubleVector.fromArray(DOUBLES, numbers, at + TURN);
+            bx.mul(cy).sub(by.mul(cx)).mul(turn).intoArray(numbers, at + FIRST_EDGE);
+            by.mul(cz).sub(bz.mul(cy)).mul(turn).intoArray(numbers, at + FIRST_EDGE + LANES);
+            bz.mul(cx).sub(bx.mul(cz)).mul(turn).intoArray(numbers, at + FIRST_EDGE + 2 * LANES);
+            cx.mul(ay).sub(cy.mul(ax)).mul(turn).intoArray(numbers, at + SECOND_EDGE);
+            cy.mul(az).sub(cz.mul(ay)).mul(turn).intoArray(numbers, at + SECOND_EDGE + LANES);
+            cz.mul(ax).sub(cx.mul(az)).mul(turn).intoArray(numbers, at + SECOND_EDGE + 2 * LANES);
+            ax.mul(by).sub(ay.mul(bx)).mul(turn).intoArray(numbers, at + THIRD_EDGE);
+            ay.mul(bz).sub(az.mul(by)).mul(turn).intoArray(numbers, at + THIRD_EDGE + LANES);
+            az.mul(bx).sub(ax.mul(bz)).mul(turn).intoArray(numbers, at + THIRD_EDGE + 2 * LANES);
+        }
+    }
+}
