@@ -28,7 +28,7 @@ public abstract class KDTraversal {
 
     KDTraversal(KDTree tree) {
         this.tree = tree;
-        this.intersection = new TriangleIntersection(tree.corners());
+        this.intersection = new TriangleIntersection(tree.triangles());
         this.origin = new double[3];
         this.direction = new double[3];
         this.inverse = new double[3];
@@ -151,11 +151,11 @@ public abstract class KDTraversal {
 
     /** Tests the triangles of a leaf. */
     final void testLeaf(long leaf, double tMin) {
-        int[] leafTriangles = tree.leafTriangles();
+        int[] leafPlaces = tree.leafPlaces();
         int from = KDNode.first(leaf);
         int to = from + KDNode.count(leaf);
         for (int i = from; i < to; i++) {
-            intersection.test(leafTriangles[i], tMin);
+            intersection.test(leafPlaces[i], tMin);
         }
     }
 }

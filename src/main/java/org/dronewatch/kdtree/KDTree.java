@@ -5,14 +5,14 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles' corners. Holds data only; a
+ * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles at their places. Holds data only; a
  * {@link KDTraversal} walks it and {@link KDTreeStats} measures it. Immutable, shared by all threads.
  */
 public final class KDTree {
     private final TriangleMesh mesh;
     private final long[] nodes;
-    private final int[] leafTriangles;
-    private final float[] corners;
+    private final int[] leafPlaces;
+    private final PlacedTriangles triangles;
     private final float[] bounds;
     private final int depth;
 
@@ -24,16 +24,16 @@ public final class KDTree {
      *
      * @param mesh what it indexes
      * @param nodes packed nodes, the root first
-     * @param leafTriangles triangle numbers, leaf by leaf
-     * @param corners nine coordinates a triangle
+     * @param leafPlaces places of triangles, leaf by leaf
+     * @param triangles at their places
      * @param bounds the root's box, minimum on three axes, then maximum
      * @param depth the largest number of splits above a leaf
      */
-    KDTree(TriangleMesh mesh, long[] nodes, int[] leafTriangles, float[] corners, float[] bounds, int depth) {
+    KDTree(TriangleMesh mesh, long[] nodes, int[] leafPlaces, PlacedTriangles triangles, float[] bounds, int depth) {
         this.mesh = mesh;
         this.nodes = nodes;
-        this.leafTriangles = leafTriangles;
-        this.corners = corners;
+        this.leafPlaces = leafPlaces;
+        this.triangles = triangles;
         this.bounds = bounds;
         this.depth = depth;
     }
@@ -95,7 +95,7 @@ public final class KDTree {
 
     private synchronized WideTree wide() {
         if (wide == null) {
-            wide = new WideTreeBuilder(corners).build();
+            wide = new WideTreeBuilder(triangles).build();
         }
         return wide;
     }
@@ -104,12 +104,12 @@ public final class KDTree {
         return nodes;
     }
 
-    int[] leafTriangles() {
-        return leafTriangles;
+    int[] leafPlaces() {
+        return leafPlaces;
     }
 
-    float[] corners() {
-        return corners;
+    PlacedTriangles triangles() {
+        return triangles;
     }
 
     float[] rootBox() {

@@ -47,7 +47,9 @@ final class KDTreeBuilder {
             }
         }
         Subtree tree = new Grower().grow(all, voxel, 0);
-        return new KDTree(mesh, tree.nodes(), tree.leafTriangles(), corners, rootBox, tree.depth());
+        int[] leafPlaces = tree.leafTriangles();
+        PlacedTriangles triangles = PlacedTriangles.place(leafPlaces, corners);
+        return new KDTree(mesh, tree.nodes(), leafPlaces, triangles, rootBox, tree.depth());
     }
 
     private static float[] flatten(TriangleMesh mesh) {

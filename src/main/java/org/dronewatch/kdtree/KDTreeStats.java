@@ -11,7 +11,7 @@ package org.dronewatch.kdtree;
  * @param maxLeafSize triangles in the fullest leaf
  * @param depth splits above the deepest leaf
  * @param sahCost expected cost of a ray that meets the root's box, in units of {@link SahCost}
- * @param bytes memory of nodes, leaf lists and corners
+ * @param bytes memory of nodes, leaf lists, and triangles with corners and numbers
  */
 public record KDTreeStats(
         int triangles,
@@ -29,14 +29,14 @@ public record KDTreeStats(
         double cost = count.costOf(0, tree.rootBox().clone());
         int filled = count.leaves - count.emptyLeaves;
         long bytes = Long.BYTES * (long) tree.nodes().length
-                + Integer.BYTES * (long) tree.leafTriangles().length
-                + Float.BYTES * (long) tree.corners().length;
+                + Integer.BYTES * (long) (tree.leafPlaces().length + tree.triangles().numbers.length)
+                + Float.BYTES * (long) tree.triangles().corners.length;
         return new KDTreeStats(
                 tree.mesh().triangleCount(),
                 tree.nodes().length,
                 count.leaves,
                 count.emptyLeaves,
-                filled == 0 ? 0.0 : tree.leafTriangles().length / (double) filled,
+                filled == 0 ? 0.0 : tree.leafPlaces().length / (double) filled,
                 count.maxLeafSize,
                 tree.depth(),
                 cost,

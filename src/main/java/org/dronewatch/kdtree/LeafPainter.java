@@ -7,11 +7,11 @@ final class LeafPainter {
     /** How many triangles are remembered as painted, a power of two. */
     private static final int REMEMBERED = 1024;
 
-    private final int[] leafTriangles;
+    private final int[] leafPlaces;
     private final TilePainter painter;
 
     /**
-     * Triangles that were painted into this tile lately, each in the place of its lowest bits: triangles lie in many leaves.
+     * Places of triangles that were painted into this tile lately, each in the slot of its lowest bits: they lie in many leaves.
      * One that was forgotten is painted again, which changes nothing, and counts as met again.
      */
     private final int[] painted = new int[REMEMBERED];
@@ -21,11 +21,11 @@ final class LeafPainter {
     /**
      * A painter of leaves.
      *
-     * @param leafTriangles the triangles of a tree, leaf by leaf
+     * @param leafPlaces places of a tree's triangles, leaf by leaf
      * @param painter paints them
      */
-    LeafPainter(int[] leafTriangles, TilePainter painter) {
-        this.leafTriangles = leafTriangles;
+    LeafPainter(int[] leafPlaces, TilePainter painter) {
+        this.leafPlaces = leafPlaces;
         this.painter = painter;
     }
 
@@ -54,12 +54,12 @@ final class LeafPainter {
      */
     void paint(int from, int to) {
         for (int i = from; i < to; i++) {
-            int triangle = leafTriangles[i];
-            int place = triangle & (REMEMBERED - 1);
-            if (painted[place] != triangle) {
-                painted[place] = triangle;
+            int place = leafPlaces[i];
+            int slot = place & (REMEMBERED - 1);
+            if (painted[slot] != place) {
+                painted[slot] = place;
                 met++;
-                painter.paint(triangle);
+                painter.paint(place);
             }
         }
         painter.finish();

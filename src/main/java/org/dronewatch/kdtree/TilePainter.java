@@ -15,6 +15,7 @@ class TilePainter {
     static final double IN_PLANE = 1e-12;
 
     final float[] corners;
+    final int[] numbers;
     final PixelGrid grid;
     final TilePixels pixels;
     final TileLines lines;
@@ -23,13 +24,14 @@ class TilePainter {
     /**
      * A painter.
      *
-     * @param corners nine coordinates a triangle
+     * @param triangles what there is to paint
      * @param grid where the pixels look
      * @param pixels what it paints
      * @param lines paint lines of the same pixels
      */
-    TilePainter(float[] corners, PixelGrid grid, TilePixels pixels, TileLines lines) {
-        this.corners = corners;
+    TilePainter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels, TileLines lines) {
+        this.corners = triangles.corners;
+        this.numbers = triangles.numbers;
         this.grid = grid;
         this.pixels = pixels;
         this.lines = lines;
@@ -45,14 +47,14 @@ class TilePainter {
         return lost;
     }
 
-    /** Paints a triangle into the tile, now or when it is told to finish. */
-    void paint(int triangle) {
+    /** Paints the triangle at a place into the tile, now or when it is told to finish. */
+    void paint(int place) {
         // The corners in grid coordinates, from the tile's own corner.
         float[] c = corners;
         double[] m = grid.toGrid;
         int left = pixels.left();
         int top = pixels.top();
-        int base = 9 * triangle;
+        int base = 9 * place;
         double x = c[base] - grid.origin[0];
         double y = c[base + 1] - grid.origin[1];
         double z = c[base + 2] - grid.origin[2];
@@ -111,7 +113,7 @@ class TilePainter {
         double nz = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
         double volume = ax * nx + ay * ny + az * nz;
         if (Math.abs(volume) <= IN_PLANE * (Math.abs(ax * nx) + Math.abs(ay * ny) + Math.abs(az * nz))
-                && mayHoldOrigin(triangle)) {
+                && mayHoldOrigin(place)) {
             // Every pixel sees it at no distance, and the edge functions say nothing: single rays know.
             lost = true;
             return;
@@ -125,18 +127,18 @@ class TilePainter {
         lines.setFirstEdge(turn * (bx * cy - by * cx), turn * (by * cz - bz * cy), turn * (bz * cx - bx * cz));
         lines.setSecondEdge(turn * (cx * ay - cy * ax), turn * (cy * az - cz * ay), turn * (cz * ax - cx * az));
         lines.setThirdEdge(turn * (ax * by - ay * bx), turn * (ay * bz - az * by), turn * (az * bx - ax * bz));
-        lines.paint(triangle);
+        lines.paint(numbers[place]);
     }
 
     /** Paints what it has not painted yet. */
     void finish() {}
 
-    private boolean mayHoldOrigin(int triangle) {
+    private boolean mayHoldOrigin(int place) {
         boolean inside = true;
         for (int axis = 0; axis < 3; axis++) {
-            float a = corners[9 * triangle + axis];
-            float b = corners[9 * triangle + 3 + axis];
-            float c = corners[9 * triangle + 6 + axis];
+            float a = corners[9 * place + axis];
+            float b = corners[9 * place + 3 + axis];
+            float c = corners[9 * place + 6 + axis];
             inside &= grid.origin[axis] >= Math.min(a, Math.min(b, c))
                     && grid.origin[axis] <= Math.max(a, Math.max(b, c));
         }

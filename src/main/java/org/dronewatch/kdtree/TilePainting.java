@@ -5,8 +5,8 @@ enum TilePainting {
     /** Leaf by leaf, triangle by triangle. */
     FEW {
         @Override
-        TilePainter painter(float[] corners, PixelGrid grid, TilePixels pixels) {
-            return new TilePainter(corners, grid, pixels, new TileLines(pixels));
+        TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels) {
+            return new TilePainter(triangles, grid, pixels, new TileLines(pixels));
         }
 
         @Override
@@ -17,8 +17,8 @@ enum TilePainting {
     /** Several leaves at a time: cells so small are not worth to be asked whether they are seen. */
     MANY {
         @Override
-        TilePainter painter(float[] corners, PixelGrid grid, TilePixels pixels) {
-            return FEW.painter(corners, grid, pixels);
+        TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels) {
+            return FEW.painter(triangles, grid, pixels);
         }
 
         @Override
@@ -29,8 +29,8 @@ enum TilePainting {
     /** So, and triangles and pixels four at a time by vector instructions: in the same order, with the same sums. */
     MANY_BY_VECTORS {
         @Override
-        TilePainter painter(float[] corners, PixelGrid grid, TilePixels pixels) {
-            return new VectorTilePainter(corners, grid, pixels, new VectorTileLines(pixels));
+        TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels) {
+            return new VectorTilePainter(triangles, grid, pixels, new VectorTileLines(pixels));
         }
 
         @Override
@@ -57,7 +57,7 @@ enum TilePainting {
     }
 
     /** What paints triangles. */
-    abstract TilePainter painter(float[] corners, PixelGrid grid, TilePixels pixels);
+    abstract TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels);
 
     /** Parts of a tree that have no more nodes than this, leaves included, are painted whole, if anything of them is seen. */
     abstract int nodesPaintedWhole();

@@ -31,8 +31,8 @@ public final class TileTraversal {
     /** A traversal that paints in a way that need not suit the tree: what the pixels see is the same. */
     TileTraversal(KDTree tree, TilePainting painting) {
         this.single = new StackTraversal(tree);
-        TilePainter painter = painting.painter(tree.corners(), grid, pixels);
-        LeafPainter leaves = new LeafPainter(tree.leafTriangles(), painter);
+        TilePainter painter = painting.painter(tree.triangles(), grid, pixels);
+        LeafPainter leaves = new LeafPainter(tree.leafPlaces(), painter);
         this.descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
     }
 

@@ -10,6 +10,7 @@ package org.dronewatch.kdtree;
  */
 final class TriangleIntersection {
     private final float[] corners;
+    private final int[] numbers;
 
     private int kx;
     private int ky;
@@ -27,9 +28,10 @@ final class TriangleIntersection {
     private double v;
     private boolean found;
 
-    /** A test of triangles given by nine coordinates each. */
-    TriangleIntersection(float[] corners) {
-        this.corners = corners;
+    /** A test of a tree's triangles. */
+    TriangleIntersection(PlacedTriangles triangles) {
+        this.corners = triangles.corners;
+        this.numbers = triangles.numbers;
     }
 
     /** Takes a new ray and forgets the old one's hit; a hit beyond the limit does not count. */
@@ -51,14 +53,14 @@ final class TriangleIntersection {
     }
 
     /**
-     * Tests one triangle and keeps the hit if it is the nearest so far.
+     * Tests one triangle and keeps the hit if it is the nearest so far; of several equally near that with the least number.
      *
-     * @param index number of the triangle
+     * @param place of the triangle
      * @param tMin the smallest ray parameter that counts
      */
-    void test(int index, double tMin) {
+    void test(int place, double tMin) {
         float[] c = corners;
-        int base = 9 * index;
+        int base = 9 * place;
 
         // Corners relative to the ray: along it (z), and sheared so that the ray becomes the z axis (x, y).
         double az = c[base + kz] - originZ;
@@ -85,9 +87,9 @@ final class TriangleIntersection {
 
         // The distance is the mean of the corners', weighted by the edge functions, so it lies between them.
         double t = (a * az + b * bz + g * cz) / determinant * shearZ;
-        if (t >= tMin && (t < distance || t == distance && (!found || index < triangle))) {
+        if (t >= tMin && (t < distance || t == distance && (!found || numbers[place] < triangle))) {
             distance = t;
-            triangle = index;
+            triangle = numbers[place];
             u = b / determinant;
             v = g / determinant;
             found = true;

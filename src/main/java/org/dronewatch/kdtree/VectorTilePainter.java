@@ -22,8 +22,8 @@ final class VectorTilePainter extends TilePainter {
     // moves
     // vectors through the heap and is slower than no vectors at all.
 
-    // Where the numbers of a triangle are. Corners: from the origin first, then in the tile's frame. Functions: three
-    // numbers each, as lines take them.
+    // Where the values of a triangle are. Corners: from the origin first, then in the tile's frame. Functions: three
+    // values each, as lines take them.
     private static final int CORNER_A = 0;
     private static final int CORNER_B = 3 * LANES;
     private static final int CORNER_C = 6 * LANES;
@@ -42,7 +42,7 @@ final class VectorTilePainter extends TilePainter {
     /** -1 where the edge functions have to be turned, or 1. */
     private static final int TURN = 27 * LANES;
 
-    private static final int NUMBERS = 28;
+    private static final int VALUES = 28;
 
     /** Adding and subtracting it rounds to the nearest whole number. */
     private static final double WHOLE = 0x1.8p52;
@@ -52,25 +52,25 @@ final class VectorTilePainter extends TilePainter {
     private final int[] collected = new int[MOST];
     private int count;
 
-    /** Four triangles side by side: their first numbers, their second numbers, and so on; then the next four. */
-    private final double[] numbers = new double[NUMBERS * MOST];
+    /** Four triangles side by side: their first values, their second values, and so on; then the next four. */
+    private final double[] values = new double[VALUES * MOST];
 
     /** Which of those collected may hold a pixel's centre. */
     private final int[] roomy = new int[MOST];
 
-    VectorTilePainter(float[] corners, PixelGrid grid, TilePixels pixels, VectorTileLines lines) {
-        super(corners, grid, pixels, lines);
+    VectorTilePainter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels, VectorTileLines lines) {
+        super(triangles, grid, pixels, lines);
     }
 
     @Override
-    void paint(int triangle) {
+    void paint(int place) {
         float[] c = corners;
-        double[] n = numbers;
+        double[] n = values;
         double x = grid.origin[0];
         double y = grid.origin[1];
         double z = grid.origin[2];
-        int base = 9 * triangle;
-        int at = place(count);
+        int base = 9 * place;
+        int at = valuesOf(count);
         n[at] = c[base] - x;
         n[at + LANES] = c[base + 1] - y;
         n[at + 2 * LANES] = c[base + 2] - z;
@@ -80,7 +80,7 @@ final class VectorTilePainter extends TilePainter {
         n[at + CORNER_C] = c[base + 6] - x;
         n[at + CORNER_C + LANES] = c[base + 7] - y;
         n[at + CORNER_C + 2 * LANES] = c[base + 8] - z;
-        collected[count++] = triangle;
+        collected[count++] = place;
         if (count == MOST) {
             finish();
         }
@@ -95,7 +95,7 @@ final class VectorTilePainter extends TilePainter {
         for (int i = 0; i < count; i++) {
             roomy[left] = i;
             // What is not a number is kept: a corner lies beside the origin.
-            left += numbers[place(i) + ROOM] < 0.0 ? 0 : 1;
+            left += values[valuesOf(i) + ROOM] < 0.0 ? 0 : 1;
         }
         count = 0;
         for (int i = 0; i < left; i++) {
@@ -104,8 +104,8 @@ final class VectorTilePainter extends TilePainter {
     }
 
     private void paintCollected(int i) {
-        double[] n = numbers;
-        int at = place(i);
+        double[] n = values;
+        int at = valuesOf(i);
         if (!(n[at + SOUND] > 0.0)) {
             super.paint(collected[i]);
             return;
@@ -126,89 +126,89 @@ final class VectorTilePainter extends TilePainter {
         lines.setSecondEdge(n[f], n[f + LANES], n[f + 2 * LANES]);
         f = at + THIRD_EDGE;
         lines.setThirdEdge(n[f], n[f + LANES], n[f + 2 * LANES]);
-        lines.paint(collected[i]);
+        lines.paint(numbers[collected[i]]);
     }
 
-    private static int place(int i) {
-        return i / LANES * (NUMBERS * LANES) + i % LANES;
+    private static int valuesOf(int i) {
+        return i / LANES * (VALUES * LANES) + i % LANES;
     }
 
     /** Takes a corner into the tile's frame. */
     private void moveToTile(int at, int corner) {
         double[] m = grid.toGrid;
-        DoubleVector x = DoubleVector.fromArray(DOUBLES, numbers, at + corner);
-        DoubleVector y = DoubleVector.fromArray(DOUBLES, numbers, at + corner + LANES);
-        DoubleVector z = DoubleVector.fromArray(DOUBLES, numbers, at + corner + 2 * LANES);
+        DoubleVector x = DoubleVector.fromArray(DOUBLES, values, at + corner);
+        DoubleVector y = DoubleVector.fromArray(DOUBLES, values, at + corner + LANES);
+        DoubleVector z = DoubleVector.fromArray(DOUBLES, values, at + corner + 2 * LANES);
         DoubleVector depth = x.mul(m[0]).add(y.mul(m[1])).add(z.mul(m[2]));
         DoubleVector across = x.mul(m[3]).add(y.mul(m[4])).add(z.mul(m[5]));
         DoubleVector downwards = x.mul(m[6]).add(y.mul(m[7])).add(z.mul(m[8]));
-        across.sub(depth.mul((double) pixels.left())).intoArray(numbers, at + corner);
-        downwards.sub(depth.mul((double) pixels.top())).intoArray(numbers, at + corner + LANES);
-        depth.intoArray(numbers, at + corner + 2 * LANES);
+        across.sub(depth.mul((double) pixels.left())).intoArray(values, at + corner);
+        downwards.sub(depth.mul((double) pixels.top())).intoArray(values, at + corner + LANES);
+        depth.intoArray(values, at + corner + 2 * LANES);
     }
 
     /** The corners in the tile's frame, and the rectangles about them. */
     private void project() {
         DoubleVector one = DoubleVector.broadcast(DOUBLES, 1.0);
-        for (int at = 0, i = 0; i < count; i += LANES, at += NUMBERS * LANES) {
+        for (int at = 0, i = 0; i < count; i += LANES, at += VALUES * LANES) {
             moveToTile(at, CORNER_A);
             moveToTile(at, CORNER_B);
             moveToTile(at, CORNER_C);
-            DoubleVector az = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + 2 * LANES);
-            DoubleVector bz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + 2 * LANES);
-            DoubleVector cz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + 2 * LANES);
+            DoubleVector az = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A + 2 * LANES);
+            DoubleVector bz = DoubleVector.fromArray(DOUBLES, values, at + CORNER_B + 2 * LANES);
+            DoubleVector cz = DoubleVector.fromArray(DOUBLES, values, at + CORNER_C + 2 * LANES);
             DoubleVector ofA = one.div(az);
             DoubleVector ofB = one.div(bz);
             DoubleVector ofC = one.div(cz);
             DoubleVector ofAx =
-                    DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A).mul(ofA);
+                    DoubleVector.fromArray(DOUBLES, values, at + CORNER_A).mul(ofA);
             DoubleVector ofBx =
-                    DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B).mul(ofB);
+                    DoubleVector.fromArray(DOUBLES, values, at + CORNER_B).mul(ofB);
             DoubleVector ofCx =
-                    DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C).mul(ofC);
-            DoubleVector ofAy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + LANES)
+                    DoubleVector.fromArray(DOUBLES, values, at + CORNER_C).mul(ofC);
+            DoubleVector ofAy = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A + LANES)
                     .mul(ofA);
-            DoubleVector ofBy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + LANES)
+            DoubleVector ofBy = DoubleVector.fromArray(DOUBLES, values, at + CORNER_B + LANES)
                     .mul(ofB);
-            DoubleVector ofCy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + LANES)
+            DoubleVector ofCy = DoubleVector.fromArray(DOUBLES, values, at + CORNER_C + LANES)
                     .mul(ofC);
             DoubleVector low = ofAx.min(ofBx.min(ofCx)).max(0.0);
             DoubleVector high = ofAx.max(ofBx.max(ofCx)).min(pixels.lastColumn());
             DoubleVector upper = ofAy.min(ofBy.min(ofCy)).max(0.0);
             DoubleVector lower = ofAy.max(ofBy.max(ofCy)).min(pixels.lastRow());
-            low.intoArray(numbers, at + LEFT);
-            high.intoArray(numbers, at + RIGHT);
-            upper.intoArray(numbers, at + UPPER);
-            lower.intoArray(numbers, at + LOWER);
+            low.intoArray(values, at + LEFT);
+            high.intoArray(values, at + RIGHT);
+            upper.intoArray(values, at + UPPER);
+            lower.intoArray(values, at + LOWER);
             DoubleVector columns =
                     high.add(GENEROUS).sub(low.add(0.5 - GENEROUS).add(WHOLE).sub(WHOLE));
             DoubleVector rows =
                     lower.add(GENEROUS).sub(upper.add(0.5 - GENEROUS).add(WHOLE).sub(WHOLE));
             // The rectangle says nothing when a corner does not lie before the origin: then there is room.
             DoubleVector before = az.min(bz.min(cz)).sub(Double.MIN_NORMAL);
-            columns.min(rows).max(before.neg()).intoArray(numbers, at + ROOM);
-            before.intoArray(numbers, at + SOUND);
+            columns.min(rows).max(before.neg()).intoArray(values, at + ROOM);
+            before.intoArray(values, at + SOUND);
         }
     }
 
     /** The triangles' planes, and the inverse ray parameter on them. */
     private void findPlanes() {
         DoubleVector one = DoubleVector.broadcast(DOUBLES, 1.0);
-        for (int at = 0, i = 0; i < count; i += LANES, at += NUMBERS * LANES) {
-            DoubleVector ax = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A);
-            DoubleVector ay = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + LANES);
-            DoubleVector az = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + 2 * LANES);
+        for (int at = 0, i = 0; i < count; i += LANES, at += VALUES * LANES) {
+            DoubleVector ax = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A);
+            DoubleVector ay = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A + LANES);
+            DoubleVector az = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A + 2 * LANES);
             DoubleVector toBx =
-                    DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B).sub(ax);
-            DoubleVector toBy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + LANES)
+                    DoubleVector.fromArray(DOUBLES, values, at + CORNER_B).sub(ax);
+            DoubleVector toBy = DoubleVector.fromArray(DOUBLES, values, at + CORNER_B + LANES)
                     .sub(ay);
-            DoubleVector toBz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + 2 * LANES)
+            DoubleVector toBz = DoubleVector.fromArray(DOUBLES, values, at + CORNER_B + 2 * LANES)
                     .sub(az);
             DoubleVector toCx =
-                    DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C).sub(ax);
-            DoubleVector toCy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + LANES)
+                    DoubleVector.fromArray(DOUBLES, values, at + CORNER_C).sub(ax);
+            DoubleVector toCy = DoubleVector.fromArray(DOUBLES, values, at + CORNER_C + LANES)
                     .sub(ay);
-            DoubleVector toCz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + 2 * LANES)
+            DoubleVector toCz = DoubleVector.fromArray(DOUBLES, values, at + CORNER_C + 2 * LANES)
                     .sub(az);
             DoubleVector nx = toBy.mul(toCz).sub(toBz.mul(toCy));
             DoubleVector ny = toBz.mul(toCx).sub(toBx.mul(toCz));
@@ -220,43 +220,43 @@ final class VectorTilePainter extends TilePainter {
             DoubleVector parts = partX.abs().add(partY.abs()).add(partZ.abs());
             volume.abs()
                     .sub(parts.mul(IN_PLANE))
-                    .min(DoubleVector.fromArray(DOUBLES, numbers, at + SOUND))
-                    .intoArray(numbers, at + SOUND);
+                    .min(DoubleVector.fromArray(DOUBLES, values, at + SOUND))
+                    .intoArray(values, at + SOUND);
             DoubleVector inverse = one.div(volume);
-            nz.mul(inverse).intoArray(numbers, at + INVERSE);
-            nx.mul(inverse).intoArray(numbers, at + INVERSE + LANES);
-            ny.mul(inverse).intoArray(numbers, at + INVERSE + 2 * LANES);
+            nz.mul(inverse).intoArray(values, at + INVERSE);
+            nx.mul(inverse).intoArray(values, at + INVERSE + LANES);
+            ny.mul(inverse).intoArray(values, at + INVERSE + 2 * LANES);
             // 1 with the volume's sign.
             volume.reinterpretAsLongs()
                     .and(Long.MIN_VALUE)
                     .or(one.reinterpretAsLongs())
                     .reinterpretAsDoubles()
-                    .intoArray(numbers, at + TURN);
+                    .intoArray(values, at + TURN);
         }
     }
 
     /** The edge functions, turned so that inside is above zero for what lies before the origin. */
     private void findEdges() {
-        for (int at = 0, i = 0; i < count; i += LANES, at += NUMBERS * LANES) {
-            DoubleVector ax = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A);
-            DoubleVector ay = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + LANES);
-            DoubleVector az = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_A + 2 * LANES);
-            DoubleVector bx = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B);
-            DoubleVector by = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + LANES);
-            DoubleVector bz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_B + 2 * LANES);
-            DoubleVector cx = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C);
-            DoubleVector cy = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + LANES);
-            DoubleVector cz = DoubleVector.fromArray(DOUBLES, numbers, at + CORNER_C + 2 * LANES);
-            DoubleVector turn = DoubleVector.fromArray(DOUBLES, numbers, at + TURN);
-            bx.mul(cy).sub(by.mul(cx)).mul(turn).intoArray(numbers, at + FIRST_EDGE);
-            by.mul(cz).sub(bz.mul(cy)).mul(turn).intoArray(numbers, at + FIRST_EDGE + LANES);
-            bz.mul(cx).sub(bx.mul(cz)).mul(turn).intoArray(numbers, at + FIRST_EDGE + 2 * LANES);
-            cx.mul(ay).sub(cy.mul(ax)).mul(turn).intoArray(numbers, at + SECOND_EDGE);
-            cy.mul(az).sub(cz.mul(ay)).mul(turn).intoArray(numbers, at + SECOND_EDGE + LANES);
-            cz.mul(ax).sub(cx.mul(az)).mul(turn).intoArray(numbers, at + SECOND_EDGE + 2 * LANES);
-            ax.mul(by).sub(ay.mul(bx)).mul(turn).intoArray(numbers, at + THIRD_EDGE);
-            ay.mul(bz).sub(az.mul(by)).mul(turn).intoArray(numbers, at + THIRD_EDGE + LANES);
-            az.mul(bx).sub(ax.mul(bz)).mul(turn).intoArray(numbers, at + THIRD_EDGE + 2 * LANES);
+        for (int at = 0, i = 0; i < count; i += LANES, at += VALUES * LANES) {
+            DoubleVector ax = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A);
+            DoubleVector ay = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A + LANES);
+            DoubleVector az = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A + 2 * LANES);
+            DoubleVector bx = DoubleVector.fromArray(DOUBLES, values, at + CORNER_B);
+            DoubleVector by = DoubleVector.fromArray(DOUBLES, values, at + CORNER_B + LANES);
+            DoubleVector bz = DoubleVector.fromArray(DOUBLES, values, at + CORNER_B + 2 * LANES);
+            DoubleVector cx = DoubleVector.fromArray(DOUBLES, values, at + CORNER_C);
+            DoubleVector cy = DoubleVector.fromArray(DOUBLES, values, at + CORNER_C + LANES);
+            DoubleVector cz = DoubleVector.fromArray(DOUBLES, values, at + CORNER_C + 2 * LANES);
+            DoubleVector turn = DoubleVector.fromArray(DOUBLES, values, at + TURN);
+            bx.mul(cy).sub(by.mul(cx)).mul(turn).intoArray(values, at + FIRST_EDGE);
+            by.mul(cz).sub(bz.mul(cy)).mul(turn).intoArray(values, at + FIRST_EDGE + LANES);
+            bz.mul(cx).sub(bx.mul(cz)).mul(turn).intoArray(values, at + FIRST_EDGE + 2 * LANES);
+            cx.mul(ay).sub(cy.mul(ax)).mul(turn).intoArray(values, at + SECOND_EDGE);
+            cy.mul(az).sub(cz.mul(ay)).mul(turn).intoArray(values, at + SECOND_EDGE + LANES);
+            cz.mul(ax).sub(cx.mul(az)).mul(turn).intoArray(values, at + SECOND_EDGE + 2 * LANES);
+            ax.mul(by).sub(ay.mul(bx)).mul(turn).intoArray(values, at + THIRD_EDGE);
+            ay.mul(bz).sub(az.mul(by)).mul(turn).intoArray(values, at + THIRD_EDGE + LANES);
+            az.mul(bx).sub(ax.mul(bz)).mul(turn).intoArray(values, at + THIRD_EDGE + 2 * LANES);
         }
     }
 }

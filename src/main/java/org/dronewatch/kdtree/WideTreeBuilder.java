@@ -26,6 +26,7 @@ final class WideTreeBuilder {
     /** WideParts of fewer triangles are not worth another thread. */
     private static final int WORTH_A_THREAD = 4096;
 
+    private final PlacedTriangles triangles;
     private final float[] corners;
     private final int count;
     private final float[] boxes;
@@ -34,11 +35,12 @@ final class WideTreeBuilder {
     /**
      * For triangles.
      *
-     * @param corners nine coordinates a triangle
+     * @param triangles of a kd-tree: neighbours lie together
      */
-    WideTreeBuilder(float[] corners) {
-        this.corners = corners;
-        this.count = corners.length / 9;
+    WideTreeBuilder(PlacedTriangles triangles) {
+        this.triangles = triangles;
+        this.corners = triangles.corners;
+        this.count = triangles.count();
         this.boxes = new float[BOX * count];
         this.order = new int[count];
     }
@@ -54,7 +56,7 @@ final class WideTreeBuilder {
         }
         WidePart root = part(0, count);
         split(root, 0);
-        return new WideTreeWriter(corners, order).write(root, reach);
+        return new WideTreeWriter(triangles, order).write(root, reach);
     }
 
     private void writeBox(int triangle) {

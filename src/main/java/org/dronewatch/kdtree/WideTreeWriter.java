@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /** Writes a tree of parts as a {@link WideTree}: nodes of eight children, by opening the largest again and again. */
 final class WideTreeWriter {
-    private final float[] corners;
+    private final PlacedTriangles triangles;
     private final int[] order;
     private int[] pool;
     private int used = WideNode.ROOT;
@@ -13,11 +13,11 @@ final class WideTreeWriter {
     /**
      * For triangles.
      *
-     * @param corners nine coordinates a triangle
-     * @param order the triangles' numbers as the parts name them
+     * @param triangles at their places
+     * @param order the places as the parts name them
      */
-    WideTreeWriter(float[] corners, int[] order) {
-        this.corners = corners;
+    WideTreeWriter(PlacedTriangles triangles, int[] order) {
+        this.triangles = triangles;
         this.order = order;
         this.pool = new int[WideNode.ROOT + WideNode.NODE + order.length * WideNode.BLOCK / 2];
     }
@@ -95,11 +95,11 @@ final class WideTreeWriter {
         for (int i = 0; i < size; i++) {
             int block = first + i / WideNode.TRIANGLES * WideNode.BLOCK;
             int lane = i % WideNode.TRIANGLES;
-            int triangle = order[leaf.from + i];
+            int place = order[leaf.from + i];
             for (int k = 0; k < 9; k++) {
-                pool[block + k * WideNode.TRIANGLES + lane] = Float.floatToRawIntBits(corners[9 * triangle + k]);
+                pool[block + k * WideNode.TRIANGLES + lane] = Float.floatToRawIntBits(triangles.corners[9 * place + k]);
             }
-            pool[block + WideNode.NUMBERS + lane] = triangle;
+            pool[block + WideNode.NUMBERS + lane] = triangles.numbers[place];
         }
         return WideNode.leaf(first, blocks);
     }

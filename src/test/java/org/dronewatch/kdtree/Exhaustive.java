@@ -7,7 +7,7 @@ final class Exhaustive {
 
     Exhaustive(KDTree tree) {
         this.triangles = tree.mesh().triangleCount();
-        this.intersection = new TriangleIntersection(tree.corners());
+        this.intersection = new TriangleIntersection(tree.triangles());
     }
 
     /** Distance of the nearest hit between two ray parameters; infinity for none. */

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.Test;
 
@@ -260,9 +261,10 @@ class SahTest {
         int axis = KDNode.kind(node);
         if (axis == KDNode.LEAF) {
             int first = KDNode.first(node);
-            assertThat(Arrays.copyOfRange(tree.leafTriangles(), first, first + KDNode.count(node)))
+            assertThat(IntStream.range(first, first + KDNode.count(node))
+                            .map(i -> tree.triangles().numbers[tree.leafPlaces()[i]]))
                     .as("%s: leaf at node %d", what, index)
-                    .containsExactly(triangles.stream().mapToInt(i -> i).toArray());
+                    .containsExactly(triangles.toArray(Integer[]::new));
             if (level < KDTreeBuilder.depthLimit(tree.mesh().triangleCount())) {
                 assertThat(least).as("%s: best split of leaf %d", what, index).isGreaterThan(1.5 * triangles.size());
             }

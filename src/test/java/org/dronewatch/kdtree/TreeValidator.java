@@ -132,15 +132,16 @@ final class TreeValidator {
         emptyLeaves += count == 0 ? 1 : 0;
         maxLeafSize = Math.max(maxLeafSize, count);
         volume += (box[3] - box[0]) * (box[4] - box[1]) * (box[5] - box[2]);
-        assertThat(first + count).as("%s: end of a leaf's entries", name).isBetween(0, tree.leafTriangles().length);
+        assertThat(first + count).as("%s: end of a leaf's entries", name).isBetween(0, tree.leafPlaces().length);
 
         BitSet listed = new BitSet();
         for (int entry = first; entry < first + count; entry++) {
-            int triangle = tree.leafTriangles()[entry];
+            int place = tree.leafPlaces()[entry];
+            assertThat(place).as("%s: entry %d", name, entry).isBetween(0, mesh.triangleCount() - 1);
+            int triangle = tree.triangles().numbers[place];
             assertThat(seenEntries.get(entry))
                     .as("%s: entry %d is shared", name, entry)
                     .isFalse();
-            assertThat(triangle).as("%s: entry %d", name, entry).isBetween(0, mesh.triangleCount() - 1);
             assertThat(listed.get(triangle))
                     .as("%s: triangle %d twice in a leaf", name, triangle)
                     .isFalse();
@@ -174,7 +175,7 @@ final class TreeValidator {
 
     private void checkTotals() {
         assertThat(seenNodes.cardinality()).as("%s: nodes reached", name).isEqualTo(tree.nodes().length);
-        assertThat(seenEntries.cardinality()).as("%s: leaf entries", name).isEqualTo(tree.leafTriangles().length);
+        assertThat(seenEntries.cardinality()).as("%s: leaf entries", name).isEqualTo(tree.leafPlaces().length);
         double[] box = rootBox();
         double whole = (box[3] - box[0]) * (box[4] - box[1]) * (box[5] - box[2]);
         assertThat(volume).as("%s: volume of all leaves", name).isCloseTo(whole, withinPercentage(1e-6));
@@ -187,9 +188,28 @@ final class TreeValidator {
         }
     }
 
+    /** Every triangle has one place, in the order in which leaves come to it, and takes its corners along. */
+    private void checkPlaces() {
+        int[] numbers = tree.triangles().numbers;
+        assertThat(IntStream.of(numbers).sorted())
+                .as("%s: numbers", name)
+                .containsExactly(
+                        IntStream.range(0, mesh.triangleCount()).boxed().toArray(Integer[]::new));
+        int seen = 0;
+        for (int place : tree.leafPlaces()) {
+            assertThat(place).as("%s: places", name).isLessThanOrEqualTo(seen);
+            seen = Math.max(seen, place + 1);
+        }
+        for (int i = 0; i < 9 * numbers.length; i++) {
+            assertThat(tree.triangles().corners[i])
+                    .as("%s: corners of triangle %d", name, numbers[i / 9])
+                    .isEqualTo(mesh.coordinate(numbers[i / 9], i / 3 % 3, i % 3));
+        }
+    }
+
     private void checkStatistics() {
         KDTreeStats stats = tree.stats();
-        int entries = tree.leafTriangles().length;
+        int entries = tree.leafPlaces().length;
         int filled = leaves - emptyLeaves;
         assertThat(stats)
                 .as("%s: statistics", name)
@@ -200,7 +220,7 @@ final class TreeValidator {
                 .returns(filled == 0 ? 0.0 : (double) entries / filled, KDTreeStats::meanLeafSize)
                 .returns(maxLeafSize, KDTreeStats::maxLeafSize)
                 .returns(depth, KDTreeStats::depth)
-                .returns(8L * tree.nodes().length + 4L * entries + 36L * mesh.triangleCount(), KDTreeStats::bytes);
+                .returns(8L * tree.nodes().length + 4L * entries + 40L * mesh.triangleCount(), KDTreeStats::bytes);
         assertThat(stats.sahCost()).as("%s: cost", name).isCloseTo(cost, withinPercentage(1e-7));
         assertThat(leaves).as("%s: leaves of a binary tree", name).isEqualTo(tree.nodes().length / 2 + 1);
         double limit = 8.0 + 1.3 * Math.log(Math.max(1, mesh.triangleCount())) / Math.log(2.0);

@@ -69,12 +69,12 @@ class WideTraversalTest {
 
     @Test
     void theTreeIsTheSameForAnyNumberOfThreads() {
-        float[] corners = KDTree.of(Meshes.model("cathedral.obj")).corners();
+        PlacedTriangles triangles = KDTree.of(Meshes.model("cathedral.obj")).triangles();
         int[][] pools = new int[3][];
         for (int threads = 1; threads <= 3; threads++) {
             try (Workers workers = new Workers(threads)) {
-                pools[threads - 1] =
-                        workers.call(() -> new WideTreeBuilder(corners).build().pool());
+                pools[threads - 1] = workers.call(
+                        () -> new WideTreeBuilder(triangles).build().pool());
             }
         }
         assertThat(pools[1]).isEqualTo(pools[0]);
@@ -85,7 +85,7 @@ class WideTraversalTest {
     void everyTriangleIsInOneLeafAndInsideAllBoxesAboveIt() {
         TriangleMesh mesh = Meshes.model("house.obj");
         KDTree tree = KDTree.of(mesh);
-        WideTree wide = new WideTreeBuilder(tree.corners()).build();
+        WideTree wide = new WideTreeBuilder(tree.triangles()).build();
         int[] seen = new int[mesh.triangleCount()];
         float[] all = {
             Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY,

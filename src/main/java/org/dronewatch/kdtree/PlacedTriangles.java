@@ -1,0 +1,55 @@
+package org.dronewatch.kdtree;
+
+import java.util.Arrays;
+
+/**
+ * The triangles of a tree, each at its place in the order in which the tree's leaves come to it first. What lies together in
+ * space then lies together in memory, however a model's file orders its faces. Immutable, shared by all threads.
+ */
+final class PlacedTriangles {
+    /** Nine coordinates a triangle. */
+    final float[] corners;
+    /** The triangles' numbers in the mesh. */
+    final int[] numbers;
+
+    private PlacedTriangles(float[] corners, int[] numbers) {
+        this.corners = corners;
+        this.numbers = numbers;
+    }
+
+    /**
+     * Gives triangles their places. Those in no leaf, which no ray can hit, come last.
+     *
+     * @param leafTriangles the triangles' numbers, leaf by leaf; their places afterwards
+     * @param corners nine coordinates a triangle, by number
+     */
+    static PlacedTriangles place(int[] leafTriangles, float[] corners) {
+        int[] places = new int[corners.length / 9];
+        int[] numbers = new int[places.length];
+        Arrays.fill(places, -1);
+        int placed = 0;
+        for (int i = 0; i < leafTriangles.length; i++) {
+            int number = leafTriangles[i];
+            if (places[number] < 0) {
+                places[number] = placed;
+                numbers[placed++] = number;
+            }
+            leafTriangles[i] = places[number];
+        }
+        for (int number = 0; placed < numbers.length; number++) {
+            if (places[number] < 0) {
+                numbers[placed++] = number;
+            }
+        }
+        float[] moved = new float[corners.length];
+        for (int place = 0; place < numbers.length; place++) {
+            System.arraycopy(corners, 9 * numbers[place], moved, 9 * place, 9);
+        }
+        return new PlacedTriangles(moved, numbers);
+    }
+
+    /** How many there are. */
+    int count() {
+        return numbers.length;
+    }
+}
