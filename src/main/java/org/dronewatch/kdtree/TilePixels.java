@@ -5,7 +5,9 @@ import java.util.Arrays;
 /** The pixels of a tile: what each of them sees, and how near that is. One per thread. */
 final class TilePixels {
     /** Columns and rows of a block, a power of two. */
-    static final int BLOCK = 4;
+    private static final int BLOCK = 4;
+    /** How many numbers beyond its last one a vector may read, and write as they were. */
+    static final int BEYOND = 3;
 
     private final PixelGrid grid;
 
@@ -15,8 +17,7 @@ final class TilePixels {
     private int height;
 
     /**
-     * Inverse ray parameter of the nearest surface of each pixel, 0 for none; infinite for what rows are longer than the
-     * tile is wide, so that nothing is ever painted there.
+     * Inverse ray parameter of the nearest surface of each pixel, 0 for none, row by row.
      */
     final double[] nearest;
 
@@ -25,9 +26,6 @@ final class TilePixels {
      * make {@link WideTraversal} a third slower in the same virtual machine, whose compiler then inlines less of either.
      */
     final double[] triangles;
-
-    /** From a pixel to that below it: the tile's width or a little more, as many whole blocks. */
-    private int rowLength;
 
     /**
      * An inverse ray parameter for each block of pixels that none of it is below: that of its farthest pixel when somebody
@@ -56,10 +54,10 @@ final class TilePixels {
      */
     TilePixels(PixelGrid grid, int mostColumns, int mostRows) {
         this.grid = grid;
-        this.nearest = new double[BLOCK * blocks(mostColumns) * mostRows];
+        this.nearest = new double[mostColumns * mostRows + BEYOND];
         this.triangles = new double[nearest.length];
         this.leastOfBlock = new double[blocks(mostColumns) * blocks(mostRows)];
-        this.columnNumbers = new double[BLOCK * blocks(mostColumns)];
+        this.columnNumbers = new double[mostColumns + BEYOND];
         Arrays.setAll(columnNumbers, i -> i);
         this.rowOfDistances = new double[mostColumns];
     }
@@ -75,11 +73,7 @@ final class TilePixels {
         width = columns;
         height = rows;
         blocksAcross = blocks(width);
-        rowLength = BLOCK * blocksAcross;
-        Arrays.fill(nearest, 0, rowLength * height, 0.0);
-        for (int end = rowLength; rowLength > width && end <= rowLength * height; end += rowLength) {
-            Arrays.fill(nearest, end - rowLength + width, end, Double.POSITIVE_INFINITY);
-        }
+        Arrays.fill(nearest, 0, width * height, 0.0);
         Arrays.fill(leastOfBlock, 0, blocksAcross * blocks(height), 0.0);
         farthestPixel = 0;
         leastInverse = 0.0;
@@ -95,8 +89,9 @@ final class TilePixels {
         return top;
     }
 
-    int rowLength() {
-        return rowLength;
+    /** Columns of the tile: from a pixel to that below it. */
+    int width() {
+        return width;
     }
 
     int lastColumn() {
@@ -116,7 +111,7 @@ final class TilePixels {
     }
 
     private void findFarthest() {
-        int all = rowLength * height;
+        int all = width * height;
         if (leastInverse == 0.0) {
             // Those before it see something, and will for ever.
             while (farthestPixel < all && nearest[farthestPixel] > 0.0) {
@@ -152,7 +147,7 @@ final class TilePixels {
         int lastColumn = Math.min(toColumn, blockLeft + BLOCK - 1);
         int lastRow = Math.min(toRow, blockTop + BLOCK - 1);
         for (int row = Math.max(fromRow, blockTop); row <= lastRow; row++) {
-            for (int pixel = row * rowLength + firstColumn; pixel <= row * rowLength + lastColumn; pixel++) {
+            for (int pixel = row * width + firstColumn; pixel <= row * width + lastColumn; pixel++) {
                 if (nearest[pixel] < inverse) {
                     return true;
                 }
@@ -166,7 +161,7 @@ final class TilePixels {
         double least = Double.POSITIVE_INFINITY;
         int endColumn = Math.min(width, blockLeft + BLOCK);
         for (int row = blockTop; row < Math.min(height, blockTop + BLOCK); row++) {
-            for (int pixel = row * rowLength + blockLeft; pixel < row * rowLength + endColumn; pixel++) {
+            for (int pixel = row * width + blockLeft; pixel < row * width + endColumn; pixel++) {
                 least = nearest[pixel] < least ? nearest[pixel] : least;
             }
         }
@@ -187,7 +182,7 @@ final class TilePixels {
         // What the loop changes is kept in locals: fields would be written back for each pixel.
         double[] nearestNow = nearest;
         double[] seen = triangles;
-        int start = row * rowLength;
+        int start = row * width;
         for (int column = first; column <= last; column++) {
             double here = inverse + column * step;
             if (here > nearestNow[start + column]) {
@@ -207,36 +202,36 @@ final class TilePixels {
     void paintColumn(int column, int first, int last, double inverse, double step, int triangle) {
         double[] nearestNow = nearest;
         double[] seen = triangles;
-        int pixel = first * rowLength + column;
+        int pixel = first * width + column;
         for (int row = first; row <= last; row++) {
             double here = inverse + row * step;
             if (here > nearestNow[pixel]) {
                 nearestNow[pixel] = here;
                 seen[pixel] = triangle;
             }
-            pixel += rowLength;
+            pixel += width;
         }
     }
 
     /** Sets what a pixel sees that has seen nothing yet. */
     void set(int column, int row, double parameter, int triangle) {
-        nearest[row * rowLength + column] = 1.0 / parameter;
-        triangles[row * rowLength + column] = triangle;
+        nearest[row * width + column] = 1.0 / parameter;
+        triangles[row * width + column] = triangle;
     }
 
     /** Whether a pixel sees a triangle. */
     boolean hits(int column, int row) {
-        return nearest[row * rowLength + column] > 0.0;
+        return nearest[row * width + column] > 0.0;
     }
 
     /** Ray parameter of what a pixel sees; infinity for nothing. */
     double parameter(int column, int row) {
-        return 1.0 / nearest[row * rowLength + column];
+        return 1.0 / nearest[row * width + column];
     }
 
     /** What a pixel sees, if it sees anything. */
     int triangle(int column, int row) {
-        return (int) triangles[row * rowLength + column];
+        return (int) triangles[row * width + column];
     }
 
     /** Writes ray parameters times the lengths of the directions; infinity for nothing. */
@@ -250,7 +245,7 @@ final class TilePixels {
             double x = grid.direction(left, top + row, 0);
             double y = grid.direction(left, top + row, 1);
             double z = grid.direction(left, top + row, 2);
-            int pixels = row * rowLength;
+            int pixels = row * width;
             // The compiler makes vectors of a loop over doubles that all begin at 0, but not of what turns doubles into
             // floats. What sees nothing is at 1 / 0, or at 0 / 0 where the direction has no length.
             System.arraycopy(nearest, pixels, distances, 0, width);

@@ -14,8 +14,8 @@ import jdk.incubator.vector.VectorSpecies;
  */
 final class VectorTileLines extends TileLines {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
-    /** Pixels of a vector: four, as of a block, of which rows have whole ones. */
-    private static final int LANES = TilePixels.BLOCK;
+    /** Pixels of a vector. */
+    private static final int LANES = TilePixels.BEYOND + 1;
     /** Triangles that may have more columns are painted by lines. */
     private static final int MOST_COLUMNS = 24;
 
@@ -31,7 +31,7 @@ final class VectorTileLines extends TileLines {
         }
         double[] nearest = pixels.nearest;
         double[] seen = pixels.triangles;
-        int rowLength = pixels.rowLength();
+        int width = pixels.width();
         // Each sum in the order of lines: first the value at the corner and the line's share, then the pixel's. What is
         // added to the other part makes +0 of a -0: so no sum is -0, and its sign tells inside from outside.
         boolean upright = isUpright();
@@ -44,10 +44,11 @@ final class VectorTileLines extends TileLines {
         double fToColumns = upright ? f : 0.0;
         double gToColumns = upright ? g : 0.0;
         DoubleVector number = DoubleVector.broadcast(DOUBLES, triangle);
-        for (int left = fromColumn & -LANES; left <= toColumn; left += LANES) {
+        for (int left = fromColumn; left <= toColumn; left += LANES) {
             DoubleVector columns = DoubleVector.fromArray(DOUBLES, pixels.columnNumbers, left);
-            // Blocks reach beyond the rectangle, where the functions of a triangle seen edge-on may be noise above
-            // zero.
+            // Vectors reach beyond the rectangle and even the row, where the functions of a triangle seen edge-on may
+            // be
+            // noise above zero.
             LongVector beside = columns.sub(fromColumn)
                     .reinterpretAsLongs()
                     .or(columns.neg().add(toColumn).reinterpretAsLongs());
@@ -56,7 +57,7 @@ final class VectorTileLines extends TileLines {
             DoubleVector fOfColumns = columns.mul(fOfColumn).add(fToColumns);
             DoubleVector gOfColumns = columns.mul(gOfColumn).add(gToColumns);
             for (int row = fromRow; row <= toRow; row++) {
-                int at = row * rowLength + left;
+                int at = row * width + left;
                 LongVector outside = eOfColumns
                         .add(eToRows + row * eOfRow)
                         .reinterpretAsLongs()
