@@ -1,6 +1,8 @@
 package org.dronewatch.jmh;
 
 import java.nio.file.Path;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.dronewatch.bench.RayGenerator;
 import org.dronewatch.bench.RaySet;
 import org.dronewatch.geometry.Position;
@@ -31,6 +33,23 @@ final class Bench {
         return new ObjLoader(MODELS)
                 .load(ModelSettings.of(model + ".obj").withPosition(at))
                 .mesh();
+    }
+
+    /** The same triangles in an order that has nothing to do with their places, as some scanners and converters write them. */
+    static TriangleMesh shuffled(TriangleMesh mesh) {
+        int[] order = IntStream.range(0, mesh.triangleCount()).toArray();
+        SplittableRandom random = new SplittableRandom(SEED);
+        for (int i = order.length - 1; i > 0; i--) {
+            int other = random.nextInt(i + 1);
+            int swap = order[i];
+            order[i] = order[other];
+            order[other] = swap;
+        }
+        float[] coordinates = new float[9 * order.length];
+        for (int i = 0; i < coordinates.length; i++) {
+            coordinates[i] = mesh.coordinate(order[i / 9], i / 3 % 3, i % 3);
+        }
+        return TriangleMesh.of(coordinates, IntStream.range(0, 3 * order.length).toArray());
     }
 
     /** The rays of a picture ("camera"), or those that bounce about what it shows ("diffuse"). */

@@ -4,6 +4,7 @@ import java.util.concurrent.TimeUnit;
 import org.dronewatch.bench.RollingTerrain;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.TileTraversal;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.camera.CameraSettings;
@@ -37,7 +38,7 @@ public class PictureTracing {
     private static final int GROUND = 2_000_000;
 
     /** The model to look at. */
-    @Param({"hill", "cathedral", "house", "ground"})
+    @Param({"hill", "cathedral", "house", "ground", "shuffled ground"})
     public String model;
 
     private TileTraversal tiles;
@@ -45,7 +46,7 @@ public class PictureTracing {
     /** Puts a camera into the model. */
     @Setup
     public void load() {
-        World world = World.of(model.equals("ground") ? RollingTerrain.of(GROUND) : Bench.worldMesh(model));
+        World world = World.of(mesh());
         AABB box = world.bounds();
         Point3d middle = box.center();
         // A church is looked at from within, the others from outside.
@@ -62,6 +63,14 @@ public class PictureTracing {
         double[] right = difference(direction(camera, 1, 0), corner);
         double[] down = difference(direction(camera, 0, 1), corner);
         tiles.setPicture(new double[] {eye.x(), eye.y(), eye.z()}, corner, right, down);
+    }
+
+    private TriangleMesh mesh() {
+        return switch (model) {
+            case "ground" -> RollingTerrain.of(GROUND);
+            case "shuffled ground" -> Bench.shuffled(RollingTerrain.of(GROUND));
+            default -> Bench.worldMesh(model);
+        };
     }
 
     /** A pixel's direction with a step of one unit along the camera's axis. */

@@ -34,7 +34,7 @@ final class TracingStudy {
     /** Builds all grounds, then traces in them kind by kind. */
     List<CostCurves> run() {
         CostCurves.Points build = new CostCurves.Points("tree build, " + Workers.available() + " threads");
-        CostCurves.Points memory = new CostCurves.Points("tree and corners");
+        CostCurves.Points memory = new CostCurves.Points("tree and triangles");
         for (int size : sizes(largest)) {
             TriangleMesh mesh = RollingTerrain.of(size);
             int triangles = mesh.triangleCount();

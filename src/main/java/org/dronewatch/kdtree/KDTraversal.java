@@ -44,7 +44,8 @@ public abstract class KDTraversal {
     }
 
     /**
-     * Looks for the nearest triangle along a ray.
+     * Looks for the nearest triangle along a ray. Of several with the same corners it names that with the least number. Where
+     * a ray hits an edge or a corner of several, which of them is named may depend on the traversal.
      *
      * @param tMin the smallest ray parameter that counts, 0 or more
      * @param tMax the largest that counts

@@ -47,9 +47,9 @@ final class KDTreeBuilder {
             }
         }
         Subtree tree = new Grower().grow(all, voxel, 0);
-        int[] leafPlaces = tree.leafTriangles();
-        PlacedTriangles triangles = PlacedTriangles.place(leafPlaces, corners);
-        return new KDTree(mesh, tree.nodes(), leafPlaces, triangles, rootBox, tree.depth());
+        int[] leaves = tree.leafTriangles();
+        PlacedTriangles triangles = PlacedTriangles.place(leaves, corners);
+        return new KDTree(mesh, tree.nodes(), leaves, triangles, rootBox, tree.depth());
     }
 
     private static float[] flatten(TriangleMesh mesh) {

@@ -20,21 +20,21 @@ final class PlacedTriangles {
     /**
      * Gives triangles their places. Those in no leaf, which no ray can hit, come last.
      *
-     * @param leafTriangles the triangles' numbers, leaf by leaf; their places afterwards
+     * @param leaves the triangles' numbers, leaf by leaf; is rewritten to their places
      * @param corners nine coordinates a triangle, by number
      */
-    static PlacedTriangles place(int[] leafTriangles, float[] corners) {
+    static PlacedTriangles place(int[] leaves, float[] corners) {
         int[] places = new int[corners.length / 9];
         int[] numbers = new int[places.length];
         Arrays.fill(places, -1);
         int placed = 0;
-        for (int i = 0; i < leafTriangles.length; i++) {
-            int number = leafTriangles[i];
+        for (int i = 0; i < leaves.length; i++) {
+            int number = leaves[i];
             if (places[number] < 0) {
                 places[number] = placed;
                 numbers[placed++] = number;
             }
-            leafTriangles[i] = places[number];
+            leaves[i] = places[number];
         }
         for (int number = 0; placed < numbers.length; number++) {
             if (places[number] < 0) {

@@ -87,8 +87,8 @@ final class TileDescent {
     }
 
     /**
-     * Paints what the tile that the pixels have begun can see, nearer cells first. The interval of a cell holds every ray parameter at which any ray of the
-     * tile is inside.
+     * Paints what the tile that the pixels have begun can see, nearer cells first. The interval of a cell holds every ray
+     * parameter at which any ray of the tile is inside.
      *
      * @param limit how many triangles are worth painting
      * @return false when there are more, or one that cannot be painted
@@ -187,7 +187,7 @@ final class TileDescent {
         }
     }
 
-    /** Whether the tile may see something in a cell on the stack. What is painted whole is looked at when its turn has come. */
+    /** Whether the tile may see something in a cell on the stack; what is painted whole is asked when its turn has come. */
     private boolean isWorthWhile(int stacked) {
         if (stackEntry[stacked] > farthest) {
             return false;
@@ -195,7 +195,7 @@ final class TileDescent {
         return stackEnd[stacked] - stackNode[stacked] <= nodesPaintedWhole || sight.reaches(stackCells, BOX * stacked);
     }
 
-    /** Paints a part of the tree, if the tile may see something in it. Its leaves lie one behind the other, as its nodes do. */
+    /** Paints a part of the tree, if the tile may see something in it. Its leaves lie in a row, as its nodes do. */
     private void paintPart(int index, int end) {
         long[] nodes = tree.nodes();
         int firstLeaf = index;

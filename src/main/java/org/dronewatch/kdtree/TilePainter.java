@@ -94,12 +94,6 @@ class TilePainter {
             if (fromColumn > toColumn || fromRow > toRow) {
                 return;
             }
-            if (fromRow == toRow && toColumn - fromColumn <= 1) {
-                double nearestCorner = Math.max(ofA, Math.max(ofB, ofC)) * (1.0 + IN_PLANE);
-                if (!pixels.anyBeyond(nearestCorner, fromColumn, toColumn, fromRow, toRow)) {
-                    return;
-                }
-            }
         } else if (ax < 0.0 && bx < 0.0 && cx < 0.0
                 || ay < 0.0 && by < 0.0 && cy < 0.0
                 || ax > lastColumn * az && bx > lastColumn * bz && cx > lastColumn * cz

@@ -1,6 +1,10 @@
 package org.dronewatch.kdtree;
 
-/** How tiles are painted, by the number of a model's triangles. What the pixels see is the same. */
+/**
+ * How tiles are painted, by the number of a model's triangles. With and without vectors all is the same, bit for bit. Few and
+ * many, too, but where a tile is given up and traced by single rays, which round differently in the last bits (many meet more
+ * triangles), and where triangles are seen edge-on, whose distances are roundings.
+ */
 enum TilePainting {
     /** Leaf by leaf, triangle by triangle. */
     FEW {
@@ -39,21 +43,21 @@ enum TilePainting {
         }
     };
 
-    /**
-     * How many triangles are many. Vectors pay once the compiler has worked for a quarter of a second, and such a tree takes
-     * longer than that to build.
-     */
+    /** How many triangles are many. */
     static final int MANY_TRIANGLES = 500_000;
+
+    /**
+     * After how many pixels vectors are worth it: the compiler needs some 0.3 s before they pay, and lines paint so many
+     * meanwhile. A camera that stands still looks at the world but once, and is spared it.
+     */
+    static final long WORTH_VECTORS = 8_000_000;
 
     /** Ten leaves, some twenty triangles. */
     private static final int NODES_OF_MANY = 19;
 
-    /** The way that suits a model. */
+    /** The way that suits a model, to begin with. */
     static TilePainting of(int triangles) {
-        if (triangles < MANY_TRIANGLES) {
-            return FEW;
-        }
-        return Vectors.areAvailable() ? MANY_BY_VECTORS : MANY;
+        return triangles < MANY_TRIANGLES ? FEW : MANY;
     }
 
     /** What paints triangles. */

@@ -6,8 +6,8 @@ import java.util.Arrays;
 final class TilePixels {
     /** Columns and rows of a block, a power of two. */
     private static final int BLOCK = 4;
-    /** How many numbers beyond its last one a vector may read, and write as they were. */
-    static final int BEYOND = 3;
+    /** Pixels of a vector. One may begin at the last pixel: what lies beyond is read, and written as it was. */
+    static final int LANES = 4;
 
     private final PixelGrid grid;
 
@@ -16,9 +16,7 @@ final class TilePixels {
     private int width;
     private int height;
 
-    /**
-     * Inverse ray parameter of the nearest surface of each pixel, 0 for none, row by row.
-     */
+    /** Inverse ray parameter of the nearest surface of each pixel, 0 for none, row by row. */
     final double[] nearest;
 
     /**
@@ -54,10 +52,10 @@ final class TilePixels {
      */
     TilePixels(PixelGrid grid, int mostColumns, int mostRows) {
         this.grid = grid;
-        this.nearest = new double[mostColumns * mostRows + BEYOND];
+        this.nearest = new double[mostColumns * mostRows + LANES - 1];
         this.triangles = new double[nearest.length];
         this.leastOfBlock = new double[blocks(mostColumns) * blocks(mostRows)];
-        this.columnNumbers = new double[mostColumns + BEYOND];
+        this.columnNumbers = new double[mostColumns + LANES - 1];
         Arrays.setAll(columnNumbers, i -> i);
         this.rowOfDistances = new double[mostColumns];
     }

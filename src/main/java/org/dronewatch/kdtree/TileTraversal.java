@@ -18,22 +18,35 @@ public final class TileTraversal {
     /** How many triangles a tile may meet for each of its pixels before single rays are cheaper. */
     static final double TRIANGLES_PER_PIXEL = 8.0;
 
+    private final KDTree tree;
     private final KDTraversal single;
     private final PixelGrid grid = new PixelGrid();
     private final TilePixels pixels = new TilePixels(grid, WIDTH, HEIGHT);
-    private final TileDescent descent;
+    private TilePainting painting;
+    private TileDescent descent;
+    private long pixelsPainted;
 
     /** A traversal of a tree for the use of one thread. */
     public TileTraversal(KDTree tree) {
         this(tree, TilePainting.of(tree.mesh().triangleCount()));
     }
 
-    /** A traversal that paints in a way that need not suit the tree: what the pixels see is the same. */
+    /** A traversal that paints in a way that need not suit the tree. */
     TileTraversal(KDTree tree, TilePainting painting) {
+        this.tree = tree;
         this.single = new StackTraversal(tree);
-        TilePainter painter = painting.painter(tree.triangles(), grid, pixels);
-        LeafPainter leaves = new LeafPainter(tree.leafPlaces(), painter);
-        this.descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
+        use(painting);
+    }
+
+    /** How it paints now. */
+    TilePainting painting() {
+        return painting;
+    }
+
+    private void use(TilePainting chosen) {
+        painting = chosen;
+        LeafPainter leaves = new LeafPainter(tree.leafPlaces(), painting.painter(tree.triangles(), grid, pixels));
+        descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
     }
 
     /**
@@ -60,6 +73,10 @@ public final class TileTraversal {
      */
     public void trace(int firstColumn, int firstRow, int columns, int rows) {
         pixels.begin(firstColumn, firstRow, columns, rows);
+        pixelsPainted += columns * (long) rows;
+        if (painting == TilePainting.MANY && pixelsPainted > TilePainting.WORTH_VECTORS && Vectors.areAvailable()) {
+            use(TilePainting.MANY_BY_VECTORS);
+        }
         int limit = (int) (TRIANGLES_PER_PIXEL * columns * rows) + 1;
         if (!descent.paint(limit)) {
             traceSingly(firstColumn, firstRow, columns, rows);

@@ -4,12 +4,10 @@ import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * Paints triangles as {@link TilePainter} does, but collects them first and works out four at a time, by vector instructions,
- * where they lie in the tile and what their functions are. Those without a pixel's centre in the rectangle about them, a
- * third where triangles are small, are left out without a branch.
- *
- * <p>What it buys: pictures of models of many triangles are 1.2 times as fast, once the just-in-time compiler is done with
- * it. Each sum is made in the order in which {@link TilePainter} makes it, so that the pixels are the same, bit for bit.
+ * Paints triangles as {@link TilePainter} does, but collects them first and works out four at a time, by vector
+ * instructions, where they lie in the tile and what their functions are. Those without a pixel's centre in the rectangle
+ * about them, a third where triangles are small, are left out without a branch. Each sum is made in the order in which
+ * {@link TilePainter} makes it, so that the pixels are the same, bit for bit. What it buys: see {@link VectorTileLines}.
  */
 final class VectorTilePainter extends TilePainter {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
@@ -18,9 +16,9 @@ final class VectorTilePainter extends TilePainter {
     /** Triangles collected before they are painted. */
     private static final int MOST = 64;
 
-    // Methods are short, and loads and stores written out, since the compiler inlines only so much: what it does not,
-    // moves
-    // vectors through the heap and is slower than no vectors at all.
+    // Methods are short, and loads and stores written out: the compiler inlines only so much, and what it does not
+    // inline
+    // moves vectors through the heap, slower than no vectors at all.
 
     // Where the values of a triangle are. Corners: from the origin first, then in the tile's frame. Functions: three
     // values each, as lines take them.
@@ -37,7 +35,7 @@ final class VectorTilePainter extends TilePainter {
     private static final int LOWER = 24 * LANES;
     /** Below zero when no pixel's centre lies in the rectangle. */
     private static final int ROOM = 25 * LANES;
-    /** Above zero when the functions say what the pixels see: the corners lie before the origin, which is not in the plane. */
+    /** Above zero when the functions can be trusted: the corners lie before the origin, which is not in their plane. */
     private static final int SOUND = 26 * LANES;
     /** -1 where the edge functions have to be turned, or 1. */
     private static final int TURN = 27 * LANES;

@@ -30,6 +30,7 @@ final class WideTreeBuilder {
     private final float[] corners;
     private final int count;
     private final float[] boxes;
+    /** Places of triangles, part by part. */
     private final int[] order;
 
     /**
@@ -59,13 +60,13 @@ final class WideTreeBuilder {
         return new WideTreeWriter(triangles, order).write(root, reach);
     }
 
-    private void writeBox(int triangle) {
+    private void writeBox(int place) {
         for (int axis = 0; axis < 3; axis++) {
-            float a = corners[9 * triangle + axis];
-            float b = corners[9 * triangle + 3 + axis];
-            float c = corners[9 * triangle + 6 + axis];
-            boxes[BOX * triangle + axis] = Math.min(a, Math.min(b, c));
-            boxes[BOX * triangle + axis + 3] = Math.max(a, Math.max(b, c));
+            float a = corners[9 * place + axis];
+            float b = corners[9 * place + 3 + axis];
+            float c = corners[9 * place + 6 + axis];
+            boxes[BOX * place + axis] = Math.min(a, Math.min(b, c));
+            boxes[BOX * place + axis + 3] = Math.max(a, Math.max(b, c));
         }
     }
 
@@ -158,8 +159,8 @@ final class WideTreeBuilder {
         }
 
         /** Twice the middle of a triangle's box. */
-        private float middle(int triangle, int axis) {
-            return boxes[BOX * triangle + axis] + boxes[BOX * triangle + axis + 3];
+        private float middle(int place, int axis) {
+            return boxes[BOX * place + axis] + boxes[BOX * place + axis + 3];
         }
 
         private void setScale() {
@@ -177,8 +178,8 @@ final class WideTreeBuilder {
             }
         }
 
-        private int bin(int triangle, int axis) {
-            return (int) ((middle(triangle, axis) - low[axis]) * scale[axis]);
+        private int bin(int place, int axis) {
+            return (int) ((middle(place, axis) - low[axis]) * scale[axis]);
         }
 
         private void fill() {

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.dronewatch.geometry.Hit;
 import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Ray;
@@ -196,6 +197,42 @@ class TraversalTest {
             assertThat(hit.get().distance()).as(what).isCloseTo(reference.get().distance(), withinPercentage(1e-8));
             assertThat(hit.get().u()).as(what).isCloseTo(reference.get().u(), within(1e-9));
             assertThat(hit.get().v()).as(what).isCloseTo(reference.get().v(), within(1e-9));
+        }
+        assertThat(hits).isGreaterThan(1000);
+    }
+
+    /** Copies of each triangle are scattered over the mesh's numbers, and over leaves, which come to them in their own order. */
+    @ParameterizedTest
+    @EnumSource
+    void ofTrianglesWithTheSameCornersTheLeastNumberIsNamed(Way way) {
+        TriangleMesh single = Meshes.soup(300, 0.3, 71);
+        int copies = 4;
+        int[] order = new int[copies * single.triangleCount()];
+        SplittableRandom random = new SplittableRandom(72);
+        for (int i = 0; i < order.length; i++) {
+            int other = random.nextInt(i + 1);
+            order[i] = order[other];
+            order[other] = i % single.triangleCount();
+        }
+        float[] corners = new float[9 * order.length];
+        int[] least = new int[single.triangleCount()];
+        for (int i = order.length - 1; i >= 0; i--) {
+            least[order[i]] = i;
+            for (int k = 0; k < 9; k++) {
+                corners[9 * i + k] = single.coordinate(order[i], k / 3, k % 3);
+            }
+        }
+        TriangleMesh mesh =
+                TriangleMesh.of(corners, IntStream.range(0, 3 * order.length).toArray());
+        KDTraversal traversal = way.on(KDTree.of(mesh));
+        int hits = 0;
+        for (double[] ray : new Rays(mesh, 73).any(5000)) {
+            if (Rays.closestHit(traversal, ray)) {
+                assertThat(traversal.triangle())
+                        .as("%s of seed 73", Arrays.toString(ray))
+                        .isEqualTo(least[order[traversal.triangle()]]);
+                hits++;
+            }
         }
         assertThat(hits).isGreaterThan(1000);
     }

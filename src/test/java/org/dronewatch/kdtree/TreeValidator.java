@@ -50,6 +50,7 @@ final class TreeValidator {
         validator.checkRoot();
         int[] all = IntStream.range(0, tree.mesh().triangleCount()).toArray();
         validator.visit(0, validator.rootBox(), 0, all);
+        validator.checkPlaces();
         validator.checkTotals();
         validator.checkStatistics();
     }
