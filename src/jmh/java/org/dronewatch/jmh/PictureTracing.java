@@ -38,7 +38,7 @@ public class PictureTracing {
     private static final int GROUND = 2_000_000;
 
     /** The model to look at. */
-    @Param({"hill", "cathedral", "house", "ground", "shuffled ground"})
+    @Param({"hill", "cathedral", "house", "ground", "shuffled"})
     public String model;
 
     private TileTraversal tiles;
@@ -68,7 +68,7 @@ public class PictureTracing {
     private TriangleMesh mesh() {
         return switch (model) {
             case "ground" -> RollingTerrain.of(GROUND);
-            case "shuffled ground" -> Bench.shuffled(RollingTerrain.of(GROUND));
+            case "shuffled" -> Bench.shuffled(RollingTerrain.of(GROUND));
             default -> Bench.worldMesh(model);
         };
     }
