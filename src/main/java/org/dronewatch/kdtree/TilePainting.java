@@ -7,39 +7,14 @@ package org.dronewatch.kdtree;
  */
 enum TilePainting {
     /** Leaf by leaf, triangle by triangle. */
-    FEW {
-        @Override
-        TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels) {
-            return new TilePainter(triangles, grid, pixels, new TileLines(pixels));
-        }
-
-        @Override
-        int nodesPaintedWhole() {
-            return 1;
-        }
-    },
-    /** Several leaves at a time: cells so small are not worth to be asked whether they are seen. */
-    MANY {
-        @Override
-        TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels) {
-            return FEW.painter(triangles, grid, pixels);
-        }
-
-        @Override
-        int nodesPaintedWhole() {
-            return NODES_OF_MANY;
-        }
-    },
+    FEW(1),
+    /** Ten leaves, some twenty triangles at a time: cells so small are not worth to be asked whether they are seen. */
+    MANY(19),
     /** So, and triangles and pixels four at a time by vector instructions: in the same order, with the same sums. */
-    MANY_BY_VECTORS {
+    MANY_BY_VECTORS(19) {
         @Override
         TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels) {
             return new VectorTilePainter(triangles, grid, pixels, new VectorTileLines(pixels));
-        }
-
-        @Override
-        int nodesPaintedWhole() {
-            return NODES_OF_MANY;
         }
     };
 
@@ -52,8 +27,11 @@ enum TilePainting {
      */
     static final long WORTH_VECTORS = 8_000_000;
 
-    /** Ten leaves, some twenty triangles. */
-    private static final int NODES_OF_MANY = 19;
+    private final int nodesPaintedWhole;
+
+    TilePainting(int nodesPaintedWhole) {
+        this.nodesPaintedWhole = nodesPaintedWhole;
+    }
 
     /** The way that suits a model, to begin with. */
     static TilePainting of(int triangles) {
@@ -61,8 +39,12 @@ enum TilePainting {
     }
 
     /** What paints triangles. */
-    abstract TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels);
+    TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels) {
+        return new TilePainter(triangles, grid, pixels, new TileLines(pixels));
+    }
 
     /** Parts of a tree that have no more nodes than this, leaves included, are painted whole, if anything of them is seen. */
-    abstract int nodesPaintedWhole();
+    int nodesPaintedWhole() {
+        return nodesPaintedWhole;
+    }
 }
