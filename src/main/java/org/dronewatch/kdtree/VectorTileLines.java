@@ -9,8 +9,9 @@ import jdk.incubator.vector.VectorSpecies;
  * Paints triangles of few columns four pixels at a time, by vector instructions; others as {@link TileLines} does. All
  * pixels of its rectangle are looked at, without a branch for any: where triangles are small most of them are inside.
  *
- * <p>What it buys: with {@link VectorTilePainter}, pictures of two million triangles are 1.6 times as fast ({@code
- * PictureTracing}), once the just-in-time compiler is done with it. Each sum is made in the order in which lines make it, so that the pixels are the same, bit for bit.
+ * <p>What it buys: with {@link VectorTilePainter}, pictures of two million triangles are 1.6 times as fast, once the
+ * just-in-time compiler is done with it ({@code PictureTracing}). Each sum is made in the order in which lines make it, so
+ * that the pixels are the same, bit for bit.
  */
 final class VectorTileLines extends TileLines {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
@@ -45,9 +46,8 @@ final class VectorTileLines extends TileLines {
         DoubleVector number = DoubleVector.broadcast(DOUBLES, triangle);
         for (int left = fromColumn; left <= toColumn; left += LANES) {
             DoubleVector columns = DoubleVector.fromArray(DOUBLES, pixels.columnNumbers, left);
-            // Vectors reach beyond the rectangle and even the row: the functions of a triangle seen edge-on may be
-            // noise
-            // above zero there.
+            // Vectors reach beyond the rectangle, even beyond the row. The functions of a triangle that is seen
+            // edge-on may be noise above zero there.
             LongVector beside = columns.neg().add(toColumn).reinterpretAsLongs();
             DoubleVector rOfColumns = columns.mul(rOfColumn).add(rToColumns);
             DoubleVector eOfColumns = columns.mul(eOfColumn).add(eToColumns);

@@ -16,9 +16,8 @@ final class VectorTilePainter extends TilePainter {
     /** Triangles collected before they are painted. */
     private static final int MOST = 64;
 
-    // Methods are short, and loads and stores written out: the compiler inlines only so much, and what it does not
-    // inline
-    // moves vectors through the heap, slower than no vectors at all.
+    // Methods are short, and loads and stores written out: the compiler inlines only so much, and what it does
+    // not inline moves vectors through the heap, slower than no vectors at all.
 
     // Where the values of a triangle are. Corners: from the origin first, then in the tile's frame. Functions: three
     // values each, as lines take them.

@@ -3,10 +3,10 @@ package org.dronewatch.kdtree;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -54,20 +54,7 @@ class TilePaintingTest {
     /** Edges through the centres of pixels, exactly: there sums are zero, some of them with a minus. */
     @Test
     void edgesThroughCentres() {
-        float[] corners = new float[9 * 2 * 64];
-        int at = 0;
-        for (int cell = 0; cell < 64; cell++) {
-            float x = cell % 8;
-            float y = cell / 8;
-            for (float[] corner : new float[][] {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
-                corners[at++] = x + corner[0] - 4;
-                corners[at++] = y + corner[1] - 4;
-                corners[at++] = 8;
-            }
-        }
-        int[] numbers = new int[corners.length / 3];
-        Arrays.setAll(numbers, i -> i);
-        KDTree tree = KDTree.of(TriangleMesh.of(corners, numbers));
+        KDTree tree = squares(8, 1f, -4f, 8f);
         double[] eye = new double[3];
         int hits = 0;
         for (int i = 0; i < 200; i++) {
@@ -90,19 +77,7 @@ class TilePaintingTest {
      */
     @Test
     void trianglesInThePlaneOfTheEye() {
-        int cells = 60;
-        float[] corners = new float[18 * cells * cells];
-        int at = 0;
-        for (int cell = 0; cell < cells * cells; cell++) {
-            for (int[] corner : new int[][] {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
-                corners[at++] = 0.7f * (cell % cells + corner[0]);
-                corners[at++] = 0.7f * (cell / cells + corner[1]);
-                corners[at++] = 3.3f;
-            }
-        }
-        int[] numbers = new int[corners.length / 3];
-        Arrays.setAll(numbers, i -> i);
-        KDTree tree = KDTree.of(TriangleMesh.of(corners, numbers));
+        KDTree tree = squares(60, 0.7f, 0f, 3.3f);
         int hits = 0;
         for (int i = 0; i < 200; i++) {
             double azimuth = 2.0 * Math.PI * random.nextDouble();
@@ -180,6 +155,21 @@ class TilePaintingTest {
             int row = pixel / TileTraversal.WIDTH;
             assertThat(tiles.parameter(column, row)).isEqualTo(lines.parameter(column, row));
         }
+    }
+
+    /** A level plane of squares, two triangles each, from a corner on. */
+    private static KDTree squares(int along, float size, float from, float height) {
+        float[] corners = new float[18 * along * along];
+        int at = 0;
+        for (int square = 0; square < along * along; square++) {
+            for (int[] corner : new int[][] {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
+                corners[at++] = from + size * (square % along + corner[0]);
+                corners[at++] = from + size * (square / along + corner[1]);
+                corners[at++] = height;
+            }
+        }
+        return KDTree.of(
+                TriangleMesh.of(corners, IntStream.range(0, corners.length / 3).toArray()));
     }
 
     private int compare(String name, TriangleMesh mesh) {
