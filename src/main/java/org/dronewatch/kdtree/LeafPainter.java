@@ -16,6 +16,9 @@ final class LeafPainter {
      */
     private final int[] painted = new int[REMEMBERED];
 
+    /** Places of those that come next. */
+    private final int[] unpainted = new int[TilePainter.MOST];
+
     private int met;
 
     /**
@@ -53,15 +56,22 @@ final class LeafPainter {
      * @param to the entry after their last
      */
     void paint(int from, int to) {
+        for (int begin = from; begin < to; begin += TilePainter.MOST) {
+            paintUnpainted(begin, Math.min(to, begin + TilePainter.MOST));
+        }
+    }
+
+    private void paintUnpainted(int from, int to) {
+        int count = 0;
         for (int i = from; i < to; i++) {
             int place = leafPlaces[i];
             int slot = place & (REMEMBERED - 1);
-            if (painted[slot] != place) {
-                painted[slot] = place;
-                met++;
-                painter.paint(place);
-            }
+            unpainted[count] = place;
+            // Not a branch: what the processor guesses wrong costs more than the few lines above.
+            count += painted[slot] == place ? 0 : 1;
+            painted[slot] = place;
         }
-        painter.finish();
+        met += count;
+        painter.paint(unpainted, count);
     }
 }

@@ -13,6 +13,8 @@ package org.dronewatch.kdtree;
 class TilePainter {
     /** Relative size of the roundings of the volume between the origin and a triangle. */
     static final double IN_PLANE = 1e-12;
+    /** The most triangles at a time. */
+    static final int MOST = 128;
 
     final float[] corners;
     final int[] numbers;
@@ -47,8 +49,20 @@ class TilePainter {
         return lost;
     }
 
-    /** Paints the triangle at a place into the tile, now or when it is told to finish. */
-    void paint(int place) {
+    /**
+     * Paints triangles into the tile.
+     *
+     * @param places where they are
+     * @param count how many, up to {@link #MOST}
+     */
+    void paint(int[] places, int count) {
+        for (int i = 0; i < count; i++) {
+            paint(places[i]);
+        }
+    }
+
+    /** Paints the triangle at a place into the tile. */
+    final void paint(int place) {
         // The corners in grid coordinates, from the tile's own corner.
         float[] c = corners;
         double[] m = grid.toGrid;
@@ -123,9 +137,6 @@ class TilePainter {
         lines.setThirdEdge(turn * (ax * by - ay * bx), turn * (ay * bz - az * by), turn * (az * bx - ax * bz));
         lines.paint(numbers[place]);
     }
-
-    /** Paints what it has not painted yet. */
-    void finish() {}
 
     private boolean mayHoldOrigin(int place) {
         boolean inside = true;

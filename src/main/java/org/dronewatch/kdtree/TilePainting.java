@@ -8,10 +8,13 @@ package org.dronewatch.kdtree;
 enum TilePainting {
     /** Leaf by leaf, triangle by triangle. */
     FEW(1),
-    /** Ten leaves, some twenty triangles at a time: cells so small are not worth to be asked whether they are seen. */
-    MANY(19),
-    /** So, and triangles and pixels four at a time by vector instructions: in the same order, with the same sums. */
-    MANY_BY_VECTORS(19) {
+    /** Forty leaves, some eighty triangles at a time: cells so small are not worth to be asked whether they are seen. */
+    MANY(79),
+    /**
+     * So, and triangles and pixels four at a time by vector instructions. The leaves have to be the same as without, since
+     * threads change over at different times: who paints more leaves comes upon other roundings of triangles seen edge-on.
+     */
+    MANY_BY_VECTORS(MANY.nodesPaintedWhole) {
         @Override
         TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels) {
             return new VectorTilePainter(triangles, grid, pixels, new VectorTileLines(pixels));

@@ -4,8 +4,8 @@ import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * Paints triangles as {@link TilePainter} does, but collects them first and works out four at a time, by vector
- * instructions, where they lie in the tile and what their functions are. Those without a pixel's centre in the rectangle
+ * Paints triangles as {@link TilePainter} does, but works out for four at a time, by vector instructions, where they lie in
+ * the tile and what their functions are. Those without a pixel's centre in the rectangle
  * about them, a third where triangles are small, are left out without a branch. Each sum is made in the order in which
  * {@link TilePainter} makes it, so that the pixels are the same, bit for bit. What it buys: see {@link VectorTileLines}.
  */
@@ -13,13 +13,11 @@ final class VectorTilePainter extends TilePainter {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
     /** Triangles worked out at once. */
     private static final int LANES = 4;
-    /** Triangles collected before they are painted. */
-    private static final int MOST = 64;
 
     // Methods are short, and loads and stores written out: the compiler inlines only so much, and what it does
     // not inline moves vectors through the heap, slower than no vectors at all.
 
-    // Where the values of a triangle are. Corners: from the origin first, then in the tile's frame. Functions: three
+    // Where the values of a triangle are. Corners: in the world first, then in the tile's frame. Functions: three
     // values each, as lines take them.
     private static final int CORNER_A = 0;
     private static final int CORNER_B = 3 * LANES;
@@ -46,65 +44,97 @@ final class VectorTilePainter extends TilePainter {
     /** How generously rectangles are asked for pixels: more than lines look beside an edge. */
     private static final double GENEROUS = 3e-6;
 
-    private final int[] collected = new int[MOST];
-    private int count;
-
     /** Four triangles side by side: their first values, their second values, and so on; then the next four. */
     private final double[] values = new double[VALUES * MOST];
 
-    /** Which of those collected may hold a pixel's centre. */
+    /** Which of the triangles may hold a pixel's centre. */
     private final int[] roomy = new int[MOST];
+
+    // The origin, and the way from the world to the grid. Not in arrays, which the compiler would read anew after each
+    // store into the values.
+    private double originX;
+    private double originY;
+    private double originZ;
+    private double depthOfX;
+    private double depthOfY;
+    private double depthOfZ;
+    private double acrossOfX;
+    private double acrossOfY;
+    private double acrossOfZ;
+    private double downwardsOfX;
+    private double downwardsOfY;
+    private double downwardsOfZ;
 
     VectorTilePainter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels, VectorTileLines lines) {
         super(triangles, grid, pixels, lines);
     }
 
     @Override
-    void paint(int place) {
-        float[] c = corners;
-        double[] n = values;
-        double x = grid.origin[0];
-        double y = grid.origin[1];
-        double z = grid.origin[2];
-        int base = 9 * place;
-        int at = valuesOf(count);
-        n[at] = c[base] - x;
-        n[at + LANES] = c[base + 1] - y;
-        n[at + 2 * LANES] = c[base + 2] - z;
-        n[at + CORNER_B] = c[base + 3] - x;
-        n[at + CORNER_B + LANES] = c[base + 4] - y;
-        n[at + CORNER_B + 2 * LANES] = c[base + 5] - z;
-        n[at + CORNER_C] = c[base + 6] - x;
-        n[at + CORNER_C + LANES] = c[base + 7] - y;
-        n[at + CORNER_C + 2 * LANES] = c[base + 8] - z;
-        collected[count++] = place;
-        if (count == MOST) {
-            finish();
-        }
+    void begin() {
+        super.begin();
+        originX = grid.origin[0];
+        originY = grid.origin[1];
+        originZ = grid.origin[2];
+        double[] m = grid.toGrid;
+        depthOfX = m[0];
+        depthOfY = m[1];
+        depthOfZ = m[2];
+        acrossOfX = m[3];
+        acrossOfY = m[4];
+        acrossOfZ = m[5];
+        downwardsOfX = m[6];
+        downwardsOfY = m[7];
+        downwardsOfZ = m[8];
     }
 
     @Override
-    void finish() {
-        project();
-        findPlanes();
-        findEdges();
+    void paint(int[] places, int count) {
+        gather(places, count);
+        project(count);
+        findPlanes(count);
+        findEdges(count);
         int left = 0;
         for (int i = 0; i < count; i++) {
             roomy[left] = i;
             // What is not a number is kept: a corner lies beside the origin.
             left += values[valuesOf(i) + ROOM] < 0.0 ? 0 : 1;
         }
-        count = 0;
         for (int i = 0; i < left; i++) {
-            paintCollected(roomy[i]);
+            paintGathered(roomy[i], places[roomy[i]]);
         }
     }
 
-    private void paintCollected(int i) {
+    /** Takes the corners of four triangles at a time; the last one again where there are less. */
+    private void gather(int[] places, int count) {
+        int last = count - 1;
+        for (int at = 0, i = 0; i < count; i += LANES, at += VALUES * LANES) {
+            gather(places[i], at);
+            gather(places[Math.min(i + 1, last)], at + 1);
+            gather(places[Math.min(i + 2, last)], at + 2);
+            gather(places[Math.min(i + 3, last)], at + 3);
+        }
+    }
+
+    private void gather(int place, int at) {
+        float[] c = corners;
+        double[] n = values;
+        int base = 9 * place;
+        n[at] = c[base];
+        n[at + LANES] = c[base + 1];
+        n[at + 2 * LANES] = c[base + 2];
+        n[at + CORNER_B] = c[base + 3];
+        n[at + CORNER_B + LANES] = c[base + 4];
+        n[at + CORNER_B + 2 * LANES] = c[base + 5];
+        n[at + CORNER_C] = c[base + 6];
+        n[at + CORNER_C + LANES] = c[base + 7];
+        n[at + CORNER_C + 2 * LANES] = c[base + 8];
+    }
+
+    private void paintGathered(int i, int place) {
         double[] n = values;
         int at = valuesOf(i);
         if (!(n[at + SOUND] > 0.0)) {
-            super.paint(collected[i]);
+            super.paint(place);
             return;
         }
         int fromColumn = TileLines.atOrAfter(n[at + LEFT]);
@@ -123,7 +153,7 @@ final class VectorTilePainter extends TilePainter {
         lines.setSecondEdge(n[f], n[f + LANES], n[f + 2 * LANES]);
         f = at + THIRD_EDGE;
         lines.setThirdEdge(n[f], n[f + LANES], n[f + 2 * LANES]);
-        lines.paint(numbers[collected[i]]);
+        lines.paint(numbers[place]);
     }
 
     private static int valuesOf(int i) {
@@ -132,20 +162,21 @@ final class VectorTilePainter extends TilePainter {
 
     /** Takes a corner into the tile's frame. */
     private void moveToTile(int at, int corner) {
-        double[] m = grid.toGrid;
-        DoubleVector x = DoubleVector.fromArray(DOUBLES, values, at + corner);
-        DoubleVector y = DoubleVector.fromArray(DOUBLES, values, at + corner + LANES);
-        DoubleVector z = DoubleVector.fromArray(DOUBLES, values, at + corner + 2 * LANES);
-        DoubleVector depth = x.mul(m[0]).add(y.mul(m[1])).add(z.mul(m[2]));
-        DoubleVector across = x.mul(m[3]).add(y.mul(m[4])).add(z.mul(m[5]));
-        DoubleVector downwards = x.mul(m[6]).add(y.mul(m[7])).add(z.mul(m[8]));
+        DoubleVector x = DoubleVector.fromArray(DOUBLES, values, at + corner).sub(originX);
+        DoubleVector y =
+                DoubleVector.fromArray(DOUBLES, values, at + corner + LANES).sub(originY);
+        DoubleVector z =
+                DoubleVector.fromArray(DOUBLES, values, at + corner + 2 * LANES).sub(originZ);
+        DoubleVector depth = x.mul(depthOfX).add(y.mul(depthOfY)).add(z.mul(depthOfZ));
+        DoubleVector across = x.mul(acrossOfX).add(y.mul(acrossOfY)).add(z.mul(acrossOfZ));
+        DoubleVector downwards = x.mul(downwardsOfX).add(y.mul(downwardsOfY)).add(z.mul(downwardsOfZ));
         across.sub(depth.mul((double) pixels.left())).intoArray(values, at + corner);
         downwards.sub(depth.mul((double) pixels.top())).intoArray(values, at + corner + LANES);
         depth.intoArray(values, at + corner + 2 * LANES);
     }
 
     /** The corners in the tile's frame, and the rectangles about them. */
-    private void project() {
+    private void project(int count) {
         DoubleVector one = DoubleVector.broadcast(DOUBLES, 1.0);
         for (int at = 0, i = 0; i < count; i += LANES, at += VALUES * LANES) {
             moveToTile(at, CORNER_A);
@@ -189,7 +220,7 @@ final class VectorTilePainter extends TilePainter {
     }
 
     /** The triangles' planes, and the inverse ray parameter on them. */
-    private void findPlanes() {
+    private void findPlanes(int count) {
         DoubleVector one = DoubleVector.broadcast(DOUBLES, 1.0);
         for (int at = 0, i = 0; i < count; i += LANES, at += VALUES * LANES) {
             DoubleVector ax = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A);
@@ -233,7 +264,7 @@ final class VectorTilePainter extends TilePainter {
     }
 
     /** The edge functions, turned so that inside is above zero for what lies before the origin. */
-    private void findEdges() {
+    private void findEdges(int count) {
         for (int at = 0, i = 0; i < count; i += LANES, at += VALUES * LANES) {
             DoubleVector ax = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A);
             DoubleVector ay = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A + LANES);
