@@ -9,7 +9,7 @@ import jdk.incubator.vector.VectorSpecies;
  * Paints triangles of few columns four pixels at a time, by vector instructions; others as {@link TileLines} does. All
  * pixels of its rectangle are looked at, without a branch for any: where triangles are small most of them are inside.
  *
- * <p>What it buys: with {@link VectorTilePainter}, pictures of two million triangles are 1.6 times as fast, once the
+ * <p>What it buys: with {@link VectorTilePainter}, pictures of two million triangles are 1.5 to 2 times as fast, once the
  * just-in-time compiler is done with it ({@code PictureTracing}). Each sum is made in the order in which lines make it, so
  * that the pixels are the same, bit for bit.
  */

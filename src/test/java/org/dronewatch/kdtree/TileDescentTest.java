@@ -1,0 +1,69 @@
+package org.dronewatch.kdtree;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.SplittableRandom;
+import org.dronewatch.geometry.TriangleMesh;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** What a descent meets, and when it gives a tile up. What it shows is compared in {@link TilePaintingTest}. */
+class TileDescentTest {
+    private static final long SEED = 271;
+
+    private final PixelGrid grid = new PixelGrid();
+    private final TilePixels pixels = new TilePixels(grid, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+
+    /** Each of these triangles lies in many leaves. */
+    @ParameterizedTest
+    @EnumSource(TilePainting.class)
+    void meetsATriangleOnce(TilePainting painting) {
+        TriangleMesh mesh = Meshes.soup(600, 0.5, 262);
+        KDTree tree = KDTree.of(mesh);
+        assertThat(tree.leafPlaces().length).as("entries of leaves").isGreaterThan(10 * mesh.triangleCount());
+        LeafPainter leaves = leaves(tree);
+        TileDescent descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
+        SplittableRandom random = new SplittableRandom(SEED);
+        for (int i = 0; i < 20; i++) {
+            begin(PinholeView.random(mesh, random, i, TileTraversal.WIDTH));
+            assertThat(descent.paint(Integer.MAX_VALUE)).isTrue();
+            assertThat(leaves.met()).as("view %d, seed %d", i, SEED).isLessThanOrEqualTo(mesh.triangleCount());
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(TilePainting.class)
+    void givesUpWhereMoreTrianglesThanTheLimitAreMet(TilePainting painting) {
+        TriangleMesh mesh = Meshes.icosphere(4);
+        KDTree tree = KDTree.of(mesh);
+        LeafPainter leaves = leaves(tree);
+        TileDescent descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
+        SplittableRandom random = new SplittableRandom(SEED);
+        int views = 0;
+        for (int i = 0; i < 20; i++) {
+            PinholeView view = PinholeView.random(mesh, random, i, TileTraversal.WIDTH);
+            begin(view);
+            assertThat(descent.paint(Integer.MAX_VALUE)).isTrue();
+            int met = leaves.met();
+            if (met > 0) {
+                begin(view);
+                assertThat(descent.paint(met)).as("view %d, seed %d", i, SEED).isTrue();
+                begin(view);
+                assertThat(descent.paint(met - 1))
+                        .as("view %d, seed %d", i, SEED)
+                        .isFalse();
+                views++;
+            }
+        }
+        assertThat(views).as("views that meet triangles").isGreaterThan(10);
+    }
+
+    private LeafPainter leaves(KDTree tree) {
+        return new LeafPainter(tree.leafPlaces(), TilePainting.FEW.painter(tree.triangles(), grid, pixels));
+    }
+
+    private void begin(PinholeView view) {
+        grid.set(view.from, view.corner, view.right, view.down);
+        pixels.begin(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+    }
+}
