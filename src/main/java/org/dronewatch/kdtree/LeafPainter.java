@@ -67,7 +67,7 @@ final class LeafPainter {
             int place = leafPlaces[i];
             int slot = place & (REMEMBERED - 1);
             unpainted[count] = place;
-            // Not a branch: what the processor guesses wrong costs more than the few lines above.
+            // No branch: writing what is not needed costs less than guessing wrong.
             count += painted[slot] == place ? 0 : 1;
             painted[slot] = place;
         }

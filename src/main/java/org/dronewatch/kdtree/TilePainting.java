@@ -25,8 +25,8 @@ enum TilePainting {
     static final int MANY_TRIANGLES = 500_000;
 
     /**
-     * After how many pixels vectors are worth it: the compiler needs some 0.3 s before they pay, and lines paint so many
-     * meanwhile. A camera that stands still looks at the world but once, and is spared it.
+     * After how many pixels, of all cameras of a virtual machine, vectors are worth it: the compiler needs some 0.3 s before
+     * they pay, and lines paint so many meanwhile. One picture, or a few, are spared it.
      */
     static final long WORTH_VECTORS = 8_000_000;
 

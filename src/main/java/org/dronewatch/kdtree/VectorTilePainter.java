@@ -5,9 +5,9 @@ import jdk.incubator.vector.VectorSpecies;
 
 /**
  * Paints triangles as {@link TilePainter} does, but works out for four at a time, by vector instructions, where they lie in
- * the tile and what their functions are. Those without a pixel's centre in the rectangle
- * about them, a third where triangles are small, are left out without a branch. Each sum is made in the order in which
- * {@link TilePainter} makes it, so that the pixels are the same, bit for bit. What it buys: see {@link VectorTileLines}.
+ * the tile and what their functions are. Those without a pixel's centre in the rectangle about them, up to a half where
+ * triangles are small, are left out without a branch. Each sum is made in the order in which {@link TilePainter} makes it, so
+ * that the pixels are the same, bit for bit. What it buys: see {@link VectorTileLines}.
  */
 final class VectorTilePainter extends TilePainter {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;

@@ -1,6 +1,7 @@
 package org.dronewatch.kdtree;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.TriangleMesh;
@@ -21,7 +22,7 @@ class TileDescentTest {
         TriangleMesh mesh = Meshes.soup(600, 0.5, 262);
         KDTree tree = KDTree.of(mesh);
         assertThat(tree.leafPlaces().length).as("entries of leaves").isGreaterThan(10 * mesh.triangleCount());
-        LeafPainter leaves = leaves(tree);
+        LeafPainter leaves = leaves(tree, painting);
         TileDescent descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
         SplittableRandom random = new SplittableRandom(SEED);
         for (int i = 0; i < 20; i++) {
@@ -36,7 +37,7 @@ class TileDescentTest {
     void givesUpWhereMoreTrianglesThanTheLimitAreMet(TilePainting painting) {
         TriangleMesh mesh = Meshes.icosphere(4);
         KDTree tree = KDTree.of(mesh);
-        LeafPainter leaves = leaves(tree);
+        LeafPainter leaves = leaves(tree, painting);
         TileDescent descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
         SplittableRandom random = new SplittableRandom(SEED);
         int views = 0;
@@ -58,8 +59,23 @@ class TileDescentTest {
         assertThat(views).as("views that meet triangles").isGreaterThan(10);
     }
 
-    private LeafPainter leaves(KDTree tree) {
-        return new LeafPainter(tree.leafPlaces(), TilePainting.FEW.painter(tree.triangles(), grid, pixels));
+    /** A triangle in whose plane and box the origin lies, and then, elsewhere, the next tile. */
+    @ParameterizedTest
+    @EnumSource(TilePainting.class)
+    void givesUpWhereTheOriginLiesInATriangle(TilePainting painting) {
+        KDTree tree = KDTree.of(TriangleMesh.of(new float[] {0, 0, 1, 4, 0, 1, 0, 4, 1}, new int[] {0, 1, 2}));
+        TileDescent descent = new TileDescent(tree, grid, pixels, leaves(tree, painting), painting.nodesPaintedWhole());
+        double[] right = {0.01, 0, 0};
+        double[] down = {0, 0, -0.01};
+        begin(new PinholeView(new double[] {1, 1, 1}, new double[] {-0.64, 1, 0.32}, right, down));
+        assertThat(descent.paint(1)).as("from within the triangle").isFalse();
+        begin(new PinholeView(new double[] {1, 1, 1.1}, new double[] {-0.64, 1, 0.32}, right, down));
+        assertThat(descent.paint(1)).as("from above it").isTrue();
+    }
+
+    private LeafPainter leaves(KDTree tree, TilePainting painting) {
+        assumeTrue(painting != TilePainting.MANY_BY_VECTORS || Vectors.areAvailable(), "no vectors");
+        return new LeafPainter(tree.leafPlaces(), painting.painter(tree.triangles(), grid, pixels));
     }
 
     private void begin(PinholeView view) {

@@ -3,9 +3,12 @@ package org.dronewatch.kdtree;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.BeforeEach;
@@ -133,14 +136,41 @@ class TilePaintingTest {
         assertThat(hits).isGreaterThan(50_000);
     }
 
-    /** After so many pixels vectors take over, and nothing changes. */
+    /** As many triangles at a time as can be, all of them seen. */
+    @Test
+    void asManyAsCanBe() {
+        KDTree tree = squares(8, 1f, -4f, 8f);
+        assertThat(tree.triangles().count()).isEqualTo(TilePainter.MOST);
+        for (TilePainting painting : TilePainting.values()) {
+            PixelGrid grid = new PixelGrid();
+            grid.set(new double[3], new double[] {-0.64, -0.64, 1}, new double[] {0.01, 0, 0}, new double[] {0, 0.02, 0
+            });
+            TilePixels pixels = new TilePixels(grid, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+            pixels.begin(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+            TilePainter painter = painting.painter(tree.triangles(), grid, pixels);
+            painter.begin();
+            painter.paint(IntStream.range(0, TilePainter.MOST).toArray(), TilePainter.MOST);
+            Set<Integer> seen = new HashSet<>();
+            for (int pixel = 0; pixel < TileTraversal.WIDTH * TileTraversal.HEIGHT; pixel++) {
+                int column = pixel % TileTraversal.WIDTH;
+                int row = pixel / TileTraversal.WIDTH;
+                if (pixels.hits(column, row)) {
+                    seen.add(pixels.triangle(column, row));
+                }
+            }
+            assertThat(seen).as("%s", painting).hasSize(TilePainter.MOST);
+        }
+    }
+
+    /** After so many pixels of all traversals vectors take over, and nothing changes. */
     @Test
     void vectorsTakeOver() {
         KDTree tree = KDTree.of(Meshes.model("hill.obj"));
         PinholeView view = PinholeView.random(Meshes.model("hill.obj"), random, 1, WIDTH);
         TileTraversal lines = painting(tree, view, TilePainting.MANY);
         lines.trace(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
-        TileTraversal tiles = painting(tree, view, TilePainting.MANY);
+        AtomicLong counted = new AtomicLong();
+        TileTraversal tiles = painting(tree, view, TilePainting.MANY, counted);
         long pixels = 0;
         int size = TileTraversal.WIDTH * TileTraversal.HEIGHT;
         while (pixels <= TilePainting.WORTH_VECTORS + size) {
@@ -150,11 +180,39 @@ class TilePaintingTest {
             tiles.trace(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
             pixels += size;
         }
-        for (int pixel = 0; pixel < size; pixel++) {
-            int column = pixel % TileTraversal.WIDTH;
-            int row = pixel / TileTraversal.WIDTH;
-            assertThat(tiles.parameter(column, row)).isEqualTo(lines.parameter(column, row));
+        assertSame(lines, tiles, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+        TileTraversal another = painting(tree, view, TilePainting.MANY, counted);
+        another.trace(0, 0, 1, 1);
+        assertThat(another.painting()).isEqualTo(TilePainting.MANY_BY_VECTORS);
+    }
+
+    /** A painter has nothing left of the picture before, nor of a triangle that it could not paint. */
+    @Test
+    void onePictureAfterAnother() {
+        TriangleMesh mesh = Meshes.model("hill.obj");
+        KDTree tree = KDTree.of(mesh);
+        TileTraversal tiles = painting(tree, PinholeView.random(mesh, random, 1, WIDTH), TilePainting.MANY_BY_VECTORS);
+        int hits = 0;
+        for (int i = 0; i < 20; i++) {
+            PinholeView view = PinholeView.random(mesh, random, i, WIDTH);
+            TileTraversal fresh = painting(tree, view, TilePainting.MANY_BY_VECTORS);
+            tiles.setPicture(view.from, view.corner, view.right, view.down);
+            tiles.trace(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+            fresh.trace(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+            hits += assertSame(fresh, tiles, TileTraversal.WIDTH, TileTraversal.HEIGHT);
         }
+        assertThat(hits).isGreaterThan(20_000);
+    }
+
+    private static int assertSame(TileTraversal expected, TileTraversal tiles, int columns, int rows) {
+        int hits = 0;
+        for (int pixel = 0; pixel < columns * rows; pixel++) {
+            int column = pixel % columns;
+            int row = pixel / columns;
+            assertThat(tiles.parameter(column, row)).isEqualTo(expected.parameter(column, row));
+            hits += tiles.hits(column, row) ? 1 : 0;
+        }
+        return hits;
     }
 
     /** A level plane of squares, two triangles each, from a corner on. */
@@ -228,7 +286,11 @@ class TilePaintingTest {
     }
 
     private static TileTraversal painting(KDTree tree, PinholeView view, TilePainting painting) {
-        TileTraversal tiles = new TileTraversal(tree, painting);
+        return painting(tree, view, painting, new AtomicLong());
+    }
+
+    private static TileTraversal painting(KDTree tree, PinholeView view, TilePainting painting, AtomicLong counted) {
+        TileTraversal tiles = new TileTraversal(tree, painting, counted);
         tiles.setPicture(view.from, view.corner, view.right, view.down);
         return tiles;
     }
