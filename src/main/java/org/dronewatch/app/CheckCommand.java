@@ -31,7 +31,7 @@ final class CheckCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         runner.notes(err::println);
         List<SceneSettings> runs = runner.settingsOfRuns();
-        runner.stage(runs.get(0));
+        runs.forEach(runner::stage);
         spec.commandLine()
                 .getOut()
                 .printf(
@@ -39,7 +39,7 @@ final class CheckCommand implements Callable<Integer> {
                         scene.name(),
                         runs.get(0).world().models().size(),
                         runs.get(0).fliers().size(),
-                        runs.get(0).sensors().size(),
+                        runs.get(0).enabledSensors().size(),
                         runs.size(),
                         runs.get(0).run().duration());
         return 0;

@@ -41,9 +41,9 @@ final class CostsCommand implements Callable<Integer> {
 
     @Option(
             names = "--drone",
-            defaultValue = "models/quadrotor.obj",
+            defaultValue = "packaged:quadrotor.obj",
             paramLabel = "FILE.obj",
-            description = "The drone's model; models/quadrotor.obj unless given.")
+            description = "The drone's model; the packaged quadrotor unless given.")
     private String drone;
 
     @Mixin

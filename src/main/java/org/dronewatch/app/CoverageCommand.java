@@ -15,6 +15,7 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -64,7 +65,7 @@ final class CoverageCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         if (!out.toLowerCase(Locale.ROOT).endsWith(".png")) {
-            throw new InputException("--out " + out + ": must end in .png");
+            throw new InputException("--out " + PlainText.value(out) + ": must end in .png");
         }
         threads.number();
         WholeFile target = new WholeFile("--out", out);
@@ -86,7 +87,8 @@ final class CoverageCommand implements Callable<Integer> {
     }
 
     private Coverage withProgress(SceneSettings settings, Stage stage, String id, CoverageGrid grid) {
-        long all = (long) grid.cells() * grid.cells() * settings.sensors().size();
+        long all =
+                (long) grid.cells() * grid.cells() * settings.enabledSensors().size();
         ProgressBar bar = Progress.barOf("coverage", all);
         AtomicLong done = new AtomicLong();
         try {
@@ -109,7 +111,7 @@ final class CoverageCommand implements Callable<Integer> {
         }
         String id = drone == null ? settings.fliers().keySet().iterator().next() : drone;
         if (!settings.fliers().containsKey(id)) {
-            throw new InputException("--drone " + id + ": no such drone; the scene has "
+            throw new InputException("--drone " + PlainText.value(id) + ": no such drone; the scene has "
                     + String.join(", ", settings.fliers().keySet()));
         }
         return id;
@@ -117,20 +119,22 @@ final class CoverageCommand implements Callable<Integer> {
 
     /** About the middle of the sensors. */
     private CoverageGrid grid(SceneSettings settings) {
-        if (settings.sensors().isEmpty()) {
+        if (settings.enabledSensors().isEmpty()) {
             throw new InputException("the scene has no sensors");
         }
         Position sum = new Position(0, 0, 0);
-        for (var sensor : settings.sensors().values()) {
+        for (var sensor : settings.enabledSensors().values()) {
             sum = sum.plus(sensor.position());
         }
-        Position middle = sum.times(1.0 / settings.sensors().size());
+        Position middle = sum.times(1.0 / settings.enabledSensors().size());
         try {
             return new CoverageGrid(
                     middle.x(), middle.y(), Quantity.LENGTH.parse(side), cells, Quantity.LENGTH.parse(height));
         } catch (IllegalArgumentException e) {
             throw new InputException(
-                    "--side " + side + " --cells " + cells + " --height " + height + ": " + e.getMessage(), e);
+                    "--side " + PlainText.value(side) + " --cells " + cells + " --height " + PlainText.value(height)
+                            + ": " + e.getMessage(),
+                    e);
         }
     }
 

@@ -3,16 +3,27 @@ package org.dronewatch.app;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
-/** Turns Ctrl-C into an orderly end: the run stops, what it has is written, and only then the process goes. */
+/**
+ * Turns Ctrl-C and a request to terminate into an orderly end. The thread of the command is interrupted, so that it ends
+ * whatever it is doing, cleans up or writes what it has, and only then the process goes: with the exit code of the signal.
+ */
 final class Interruption implements AutoCloseable {
-    private static final long PATIENCE_SECONDS = 10;
+    private static final long PATIENCE_SECONDS = 60;
 
-    private final CountDownLatch written = new CountDownLatch(1);
+    private final Thread command = Thread.currentThread();
+    private final CountDownLatch ended = new CountDownLatch(1);
     private final Thread hook = new Thread(this::stop, "interruption");
+    private boolean finishing;
     private volatile boolean happened;
 
+    /** Watches over what the calling thread does from now on, until it is closed. */
     Interruption() {
-        Runtime.getRuntime().addShutdownHook(hook);
+        try {
+            Runtime.getRuntime().addShutdownHook(hook);
+        } catch (IllegalStateException e) {
+            // The process is already shutting down, and waits for nobody.
+            happened = true;
+        }
     }
 
     /** Whether the user has asked to stop. */
@@ -20,11 +31,27 @@ final class Interruption implements AutoCloseable {
         return happened;
     }
 
-    private void stop() {
+    /** From now on the command only writes what it has and may finish: its thread is not interrupted again. */
+    synchronized void letFinish() {
+        finishing = true;
+        if (happened) {
+            // The interrupt has done its work, and must not stop the writing.
+            Thread.interrupted();
+        }
+    }
+
+    private synchronized void interruptCommand() {
         happened = true;
+        if (!finishing) {
+            command.interrupt();
+        }
+    }
+
+    private void stop() {
+        interruptCommand();
         try {
-            if (!written.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-                System.err.println("stopped before the results were written");
+            if (!ended.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+                System.err.println("stopped after waiting " + PATIENCE_SECONDS + " s for an orderly end");
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -33,11 +60,12 @@ final class Interruption implements AutoCloseable {
 
     @Override
     public void close() {
-        written.countDown();
+        letFinish();
+        ended.countDown();
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException e) {
-            // The process is going down already: the hook is what waits for us.
+            // The process is already shutting down: the hook is what waits for us.
             happened = true;
         }
     }

@@ -4,17 +4,24 @@ import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.util.Arrays;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
+import javax.imageio.ImageIO;
+import org.dronewatch.report.provenance.ProgramVersion;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 
 /** The entry point of the command line. */
 @Command(
         name = "dronewatch",
-        version = "dronewatch 0.1.0",
+        versionProvider = Main.Version.class,
         mixinStandardHelpOptions = true,
         description = "Simulates how a set of sensors sees and hears drones in a site's own 3D model.",
         subcommands = {
@@ -42,8 +49,24 @@ public final class Main implements Runnable {
     /** The words with which a window is asked for. */
     private static final Set<String> WINDOWED = Set.of("view", "--view");
 
+    /** What {@code --version} prints. */
+    static final class Version implements IVersionProvider {
+        @Override
+        public String[] getVersion() {
+            return new String[] {ProgramVersion.PROGRAM + " " + ProgramVersion.text()};
+        }
+    }
+
+    @Option(
+            names = "--verbose",
+            scope = ScopeType.INHERIT,
+            description = "Adds the stack trace to the line that says what went wrong.")
+    private boolean verbose;
+
     @Spec
     private CommandSpec spec;
+
+    private Interruption interruption;
 
     /** Runs a command and ends the process with its exit code unless that is 0. */
     public static void main(String[] arguments) {
@@ -55,13 +78,17 @@ public final class Main implements Runnable {
         PrintWriter out = new PrintWriter(System.out, true, Charset.defaultCharset());
         PrintWriter err = new PrintWriter(System.err, true, Charset.defaultCharset());
         int code = execute(out, err, arguments);
+        if (out.checkError()) {
+            err.println("standard output cannot be written to its end");
+            code = code == 0 ? BAD_INPUT : code;
+        }
         if (code != 0) {
             System.exit(code);
         }
     }
 
     /**
-     * Runs a command.
+     * Runs a command. Errors of Java such as lack of memory, too, become a line and an exit code.
      *
      * @param out where results go
      * @param err where messages go
@@ -69,33 +96,57 @@ public final class Main implements Runnable {
      */
     public static int execute(PrintWriter out, PrintWriter err, String... arguments) {
         Logging.silence();
-        CommandLine commands = new CommandLine(new Main());
+        // The library's files for pictures in the making would need room in the temporary directory, and a hook at
+        // shutdown.
+        ImageIO.setUseCache(false);
+        Main main = new Main();
+        PrintWriter plainErr = new PlainPrinter(err);
+        CommandLine commands = new CommandLine(main);
         commands.setOut(out);
-        commands.setErr(err);
+        commands.setErr(plainErr);
         commands.setCaseInsensitiveEnumValuesAllowed(true);
         commands.setParameterExceptionHandler((problem, given) -> {
-            err.println(told(problem) + " (see '"
-                    + problem.getCommandLine().getCommandSpec().qualifiedName() + " --help')");
+            plainErr.println(WrongUsage.message(problem));
             return BAD_INPUT;
         });
-        commands.setExecutionExceptionHandler((problem, command, given) -> {
-            err.println(told(problem));
-            return problem instanceof InputException ? BAD_INPUT : FAILED;
-        });
-        return commands.execute(arguments);
+        commands.setExecutionExceptionHandler((problem, command, given) -> main.failed(problem, plainErr));
+        commands.setExecutionStrategy(parsed -> main.executeParsed(commands, parsed));
+        try {
+            return commands.execute(arguments);
+        } catch (Error e) {
+            return main.failed(e, plainErr);
+        }
     }
 
-    /** One line, but for input with several mistakes: a line for each. */
-    private static String told(Exception problem) {
-        if (problem instanceof InputException) {
-            return problem.getMessage();
+    /** Help may be in colour; all else is plain. */
+    private int executeParsed(CommandLine commands, ParseResult parsed) {
+        Integer help = CommandLine.executeHelpRequest(parsed);
+        if (help != null) {
+            return help;
         }
-        if (problem instanceof ParameterException) {
-            return problem.getMessage().replaceAll("\\p{Cntrl}+", " ");
+        commands.setOut(new PlainPrinter(commands.getOut()));
+        try (Interruption watch = new Interruption()) {
+            interruption = watch;
+            return new CommandLine.RunLast().execute(parsed);
         }
-        StackTraceElement[] trace = problem.getStackTrace();
-        String place = trace.length == 0 ? "" : " at " + trace[0];
-        return "internal error: " + problem.toString().replaceAll("\\p{Cntrl}+", " ") + place;
+    }
+
+    /** What the command that runs asks whether the user wants it to stop. */
+    Interruption interruption() {
+        return interruption;
+    }
+
+    private int failed(Throwable problem, PrintWriter err) {
+        boolean stopped = problem instanceof CancellationException || interruption != null && interruption.happened();
+        if (stopped && !(problem instanceof InputException)) {
+            err.println("interrupted: nothing was written");
+        } else {
+            err.println(Failure.message(problem));
+        }
+        if (verbose) {
+            Failure.printTrace(problem, err);
+        }
+        return problem instanceof InputException ? BAD_INPUT : FAILED;
     }
 
     /** Without a subcommand: says what there is. */

@@ -7,6 +7,7 @@ import org.dronewatch.models.Mesh;
 import org.dronewatch.models.ModelCatalogue;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -32,7 +33,7 @@ final class ModelsCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         if (!Files.isDirectory(out)) {
-            throw new InputException("--out " + out + ": there is no such directory");
+            throw new InputException("--out " + PlainText.value(out) + ": there is no such directory");
         }
         for (ModelCatalogue model : ModelCatalogue.all()) {
             write(model.mesh());

@@ -6,17 +6,33 @@ import me.tongfei.progressbar.ProgressBarStyle;
 import org.dronewatch.scene.Frame;
 import org.dronewatch.scene.RunInfo;
 import org.dronewatch.scene.SceneListener;
+import org.dronewatch.setting.PlainText;
 
 /** A progress bar on standard error, when that is a terminal. */
 final class Progress implements SceneListener, AutoCloseable {
     private static final int STEPS = 1000;
 
     private final String task;
+    private final int only;
+    private final double until;
     private ProgressBar bar;
     private RunInfo run;
 
+    /** For all runs of a scene. */
     Progress(String task) {
+        this(task, -1, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * For one run alone, up to a time.
+     *
+     * @param only index of the run; negative for all runs
+     * @param until simulated time at which it ends, s
+     */
+    Progress(String task, int only, double until) {
         this.task = task;
+        this.only = only;
+        this.until = until;
     }
 
     /** A bar for so many steps; none without a terminal. */
@@ -24,7 +40,7 @@ final class Progress implements SceneListener, AutoCloseable {
         return System.console() == null
                 ? null
                 : new ProgressBarBuilder()
-                        .setTaskName(task)
+                        .setTaskName(PlainText.value(task))
                         .setInitialMax(steps)
                         .setStyle(ProgressBarStyle.ASCII)
                         .setUpdateIntervalMillis(200)
@@ -35,15 +51,16 @@ final class Progress implements SceneListener, AutoCloseable {
     public void runStarted(RunInfo info) {
         run = info;
         if (bar == null) {
-            bar = barOf(task, (long) info.runs() * STEPS);
+            bar = barOf(task, (only < 0 ? info.runs() : 1L) * STEPS);
         }
     }
 
     @Override
     public void observed(Frame frame) {
         if (bar != null) {
-            double done = frame.time() / run.settings().run().duration();
-            bar.stepTo((long) ((frame.run() + done) * STEPS));
+            double end = Math.min(until, run.settings().run().duration());
+            double done = end > 0.0 ? frame.time() / end : 1.0;
+            bar.stepTo((long) (((only < 0 ? frame.run() : 0) + done) * STEPS));
         }
     }
 

@@ -1,43 +1,40 @@
 package org.dronewatch.app;
 
-import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import javax.imageio.ImageIO;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
-import org.dronewatch.scene.Stage;
-import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.sensor.optics.CameraObject;
-import org.dronewatch.sensor.optics.DepthImage;
-import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.PictureSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 
-/** Draws what one camera sees at one time, or the site with all that is in it. */
+/** Draws what one camera sees, or the site with all that is in it: at one time, or as a film. */
 @Command(
         name = "render",
         mixinStandardHelpOptions = true,
         description = {
             "Draws a picture of a scene at one time, without a window: what one camera sees (.png in blues, or .pfm with"
                     + " distances in metres), or the whole site in 3D with its sensors, drones and rays of sound (.png)."
+                    + " Either over the whole run is a film (.mp4).",
+            "A camera on a positioner, and a film, show what happens in the run: it is simulated for them."
         },
         footer = {
             "",
             "Examples:",
             "  dronewatch render camera-range --camera camera --time 25 --out view.png",
             "  dronewatch render multi-sensor --view orbit --time 12 --out site.png",
-            "  dronewatch render closed-space --view top --rays --size 2560x1440 --scale 2 --out rays.png"
+            "  dronewatch render closed-space --view top --rays --size 2560x1440 --scale 2 --out rays.png",
+            "  dronewatch render multi-sensor --view orbit --speed 4 --out site.mp4"
         })
 final class RenderCommand implements Callable<Integer> {
     @Mixin
@@ -64,12 +61,20 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(
             names = "--time",
-            defaultValue = "0",
             paramLabel = "T",
-            description = "Time since the start of the run, s; 0 unless given.")
+            description = "Time of a picture since the start of the run, s; 0 unless given.")
     private String time;
 
-    @Option(names = "--out", required = true, paramLabel = "FILE", description = "File to write: .png or .pfm.")
+    @Mixin
+    private FilmOptions films = new FilmOptions();
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            description = "Seed of all random numbers: where a positioner points may depend on it.")
+    private Long seed;
+
+    @Option(names = "--out", required = true, paramLabel = "FILE", description = "File to write: .png, .pfm or .mp4.")
     private String out;
 
     @Option(
@@ -82,6 +87,9 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
 
+    @ParentCommand
+    private Main main;
+
     @Spec
     private CommandSpec spec;
 
@@ -89,41 +97,22 @@ final class RenderCommand implements Callable<Integer> {
     public Integer call() {
         WholeFile target = target();
         Scene scene = choice.create();
-        SceneRunner runner = choice.runner(scene);
+        SceneRunner runner = choice.runner(scene).threads(threads.number());
+        if (seed != null) {
+            runner.seed(seed);
+        }
         runner.notes(spec.commandLine().getErr()::println);
         SceneSettings settings = settingsOfRun(runner);
-        double seconds = seconds(settings);
-        if (subject.view != null) {
-            drawSite(scene.name(), runner, settings, seconds, target);
-        } else {
-            drawCamera(runner, settings, seconds, target);
-        }
+        Simulation simulation = new Simulation(scene, runner, run, threads.number());
+        Rendering rendering = subject.view != null
+                ? new SiteRendering(scene.name(), runner, settings, simulation, site, subject.view)
+                : new CameraRendering(runner, settings, simulation, camera(settings));
+        rendering.check(ending());
+        String said = ending().equals("mp4")
+                ? rendering.film(films.film(settings.run().duration()), target, threads, main.interruption()::happened)
+                : rendering.picture(seconds(settings), ending(), target, threads, spec);
+        spec.commandLine().getOut().println(out + ": " + said);
         return 0;
-    }
-
-    private void drawCamera(SceneRunner runner, SceneSettings settings, double seconds, WholeFile target) {
-        PictureSettings camera = camera(settings);
-        DepthImage image = threads.call(() -> {
-            Stage stage = runner.stage(settings);
-            return new DronePicture(new CameraObject(camera)).depthImage(stage.world(), stage.dronesAt(seconds));
-        });
-        target.write(isPng() ? image::writePng : image::writePfm);
-        spec.commandLine()
-                .getOut()
-                .printf(
-                        "%s: %d x %d pixels, %d of them show drones%n",
-                        out, image.width(), image.height(), image.hitCount());
-    }
-
-    private void drawSite(String title, SceneRunner runner, SceneSettings settings, double seconds, WholeFile target) {
-        if (!isPng()) {
-            throw new InputException("--out " + out + ": a picture of the site must end in .png");
-        }
-        site.check(settings);
-        BufferedImage image =
-                threads.call(() -> site.draw(title, settings, runner.stage(settings), subject.view, seconds));
-        target.write(stream -> ImageIO.write(image, "png", stream));
-        spec.commandLine().getOut().printf("%s: %d x %d pixels%n", out, image.getWidth(), image.getHeight());
     }
 
     private SceneSettings settingsOfRun(SceneRunner runner) {
@@ -134,37 +123,35 @@ final class RenderCommand implements Callable<Integer> {
         return runs.get(run);
     }
 
-    private PictureSettings camera(SceneSettings settings) {
-        SensorSettings<?> sensor = settings.sensors().get(subject.camera);
-        if (sensor instanceof PictureSettings camera) {
-            return camera;
+    private String camera(SceneSettings settings) {
+        if (settings.sensors().get(subject.camera) instanceof PictureSettings) {
+            return subject.camera;
         }
-        throw new InputException("--camera " + subject.camera + ": no such camera; the scene's sensors are "
-                + String.join(", ", settings.sensors().keySet()));
+        List<String> cameras = settings.sensors().keySet().stream()
+                .filter(id -> settings.sensors().get(id) instanceof PictureSettings)
+                .toList();
+        throw new InputException("--camera " + PlainText.value(subject.camera) + ": no such camera; the scene "
+                + (cameras.isEmpty() ? "has none" : "has " + String.join(", ", cameras)));
     }
 
     private double seconds(SceneSettings settings) {
-        double duration = settings.run().duration();
-        double seconds;
-        try {
-            seconds = Quantity.DURATION.parse(time);
-        } catch (IllegalArgumentException e) {
-            throw new InputException("--time " + time + ": " + e.getMessage(), e);
-        }
-        if (!(seconds >= 0.0 && seconds <= duration)) {
-            throw new InputException("--time " + time + ": must be 0 to " + duration + " s, the scene's duration");
-        }
-        return seconds;
+        return time == null ? 0.0 : RunTime.parse("--time", time, settings.run().duration());
     }
 
     private WholeFile target() {
-        if (!isPng() && !out.toLowerCase(Locale.ROOT).endsWith(".pfm")) {
-            throw new InputException("--out " + out + ": must end in .png or .pfm");
+        if (!List.of("png", "pfm", "mp4").contains(ending())) {
+            throw new InputException("--out " + PlainText.value(out) + ": must end in .png, .pfm or .mp4");
+        }
+        if (!ending().equals("mp4")) {
+            films.checkUnused();
+        } else if (time != null) {
+            throw new InputException("--time " + PlainText.value(time) + ": a film has --from and --to");
         }
         return new WholeFile("--out", out);
     }
 
-    private boolean isPng() {
-        return out.toLowerCase(Locale.ROOT).endsWith(".png");
+    private String ending() {
+        int dot = out.lastIndexOf('.');
+        return dot < 0 ? "" : out.substring(dot + 1).toLowerCase(Locale.ROOT);
     }
 }

@@ -1,6 +1,5 @@
 package org.dronewatch.app;
 
-import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -11,7 +10,6 @@ import java.util.concurrent.Callable;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.report.RayPaths;
 import org.dronewatch.report.RunReport;
-import org.dronewatch.report.SweptValue;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scene.AlertResult;
 import org.dronewatch.scene.Pace;
@@ -21,12 +19,15 @@ import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
+import org.dronewatch.scene.SweptValue;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.viewer.Viewer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 
 /** Runs a scene and writes its results. */
@@ -72,11 +73,14 @@ final class RunCommand implements Callable<Integer> {
             description = "Opens a window in which the run can be looked at; results are written as ever.")
     private boolean view;
 
+    @ParentCommand
+    private Main main;
+
     @Spec
     private CommandSpec spec;
 
     @Override
-    public Integer call() throws IOException {
+    public Integer call() {
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
         PrintWriter err = spec.commandLine().getErr();
@@ -117,21 +121,22 @@ final class RunCommand implements Callable<Integer> {
         return 0;
     }
 
-    private void run(Scene scene, SceneRunner runner, SceneSettings first, Path directory) throws IOException {
+    private void run(Scene scene, SceneRunner runner, SceneSettings first, Path directory) {
         PrintWriter err = spec.commandLine().getErr();
-        // The interruption comes first, so that it ends last: the process waits for it.
-        try (Interruption interruption = new Interruption();
-                RunReport report = new RunReport(scene, directory, observations);
+        Interruption interruption = main.interruption();
+        try (RunReport report = new RunReport(scene, directory, observations);
                 Progress progress = new Progress(scene.name())) {
             SceneResult result = runner.listener(report)
                     .listener(progress)
                     .cancelWhen(interruption::happened)
                     .run();
+            interruption.letFinish();
             if (result.complete()) {
-                Stage stage = runner.stage(first);
-                stage.draw(0.0, report::draw);
-                report.site(stage);
+                runner.stage(first).draw(0.0, report::draw);
+                report.site(runner::stage);
             }
+            report.command(spec.root().commandLine().getParseResult().originalArgs());
+            report.inputs(runner.inputs());
             report.finish(result);
             progress.finish();
             print(result, spec.commandLine().getOut());
@@ -153,11 +158,15 @@ final class RunCommand implements Callable<Integer> {
                 runner.seed(seed);
             }
             runner.threads(threads.number());
+        } catch (IllegalArgumentException e) {
+            throw new InputException(e.getMessage(), e);
+        }
+        try {
             if (realTime != null) {
                 runner.pace(Pace.realTime(realTime));
             }
         } catch (IllegalArgumentException e) {
-            throw new InputException(e.getMessage(), e);
+            throw new InputException("--real-time: " + e.getMessage(), e);
         }
     }
 
@@ -165,22 +174,34 @@ final class RunCommand implements Callable<Integer> {
         try {
             return out == null ? Path.of("target", "runs", scene.name()) : Path.of(out);
         } catch (InvalidPathException e) {
-            throw new InputException("--out " + out + ": not a path: " + e.getReason(), e);
+            throw new InputException("--out " + PlainText.value(out) + ": not a path: " + e.getReason(), e);
         }
     }
 
     private static void print(SceneResult result, PrintWriter target) {
-        target.printf(
-                "%-4s %-34s %-16s %-16s %14s %10s%n", "run", "with", "sensor", "drone", "first seen [s]", "range [m]");
+        int width = result.pairs().stream()
+                .mapToInt(pair -> with(result, pair).length())
+                .reduce("with".length(), Math::max);
+        String row = "%-4s %-" + width + "s %-16s %-16s %14s %10s%n";
+        target.printf(row, "run", "with", "sensor", "drone", "first seen [s]", "range [m]");
         for (PairResult pair : result.pairs()) {
-            SceneSettings settings = result.runs().get(pair.run()).settings();
-            String with = settings.sweep()
-                    .map(sweep -> new SweptValue(settings, sweep).text())
-                    .orElse("");
             target.printf(
-                    "%-4d %-34s %-16s %-16s %14s %10s%n",
-                    pair.run(), with, pair.sensor(), pair.drone(), text(pair.firstDetected()), text(pair.range()));
+                    row,
+                    pair.run(),
+                    with(result, pair),
+                    pair.sensor(),
+                    pair.drone(),
+                    text(pair.firstDetected()),
+                    text(pair.range()));
         }
+    }
+
+    /** The swept setting with its value in the pair's run; empty where nothing is swept. */
+    private static String with(SceneResult result, PairResult pair) {
+        SceneSettings settings = result.runs().get(pair.run()).settings();
+        return settings.sweep()
+                .map(sweep -> new SweptValue(settings, sweep).text())
+                .orElse("");
     }
 
     /** How early the alerts are, where the scene asks for more than the first detection. */

@@ -6,12 +6,14 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
+import java.util.Optional;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Spelling;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -37,6 +39,11 @@ final class SceneChoice {
         return PackagedScene.find(name).map(scene -> scene.factory().get()).orElseGet(this::fromClass);
     }
 
+    /** The file that describes the scene; empty when it is packaged or a class. */
+    Optional<Path> sceneFile() {
+        return SceneFile.isFileName(name) ? Optional.of(file()) : Optional.empty();
+    }
+
     private Path file() {
         try {
             return Path.of(name);
@@ -51,7 +58,7 @@ final class SceneChoice {
         for (String override : overrides) {
             int equals = override.indexOf('=');
             if (equals < 1) {
-                throw new InputException("--set " + override + ": must be PATH=VALUE");
+                throw new InputException("--set " + PlainText.value(override) + ": must be PATH=VALUE");
             }
             runner.set(
                     override.substring(0, equals).strip(),
@@ -65,15 +72,24 @@ final class SceneChoice {
         try {
             ClassLoader loader = Thread.currentThread().getContextClassLoader();
             type = Class.forName(name, false, loader);
-        } catch (ClassNotFoundException | LinkageError e) {
+        } catch (ClassNotFoundException e) {
             throw unknown(e);
+        } catch (NoClassDefFoundError e) {
+            // On a file system that ignores capitals a class is found by a name that is not quite its own.
+            if (String.valueOf(e.getMessage()).contains("wrong name")) {
+                throw unknown(e);
+            }
+            throw e;
         }
         if (!Scene.class.isAssignableFrom(type) || Modifier.isAbstract(type.getModifiers())) {
-            throw new InputException("class " + name + " is no scene: it must extend " + Scene.class.getName());
+            throw new InputException("class " + name + " is not a scene: it must extend " + Scene.class.getName());
         }
         try {
             return (Scene) type.getConstructor().newInstance();
         } catch (InvocationTargetException e) {
+            if (e.getCause() instanceof Error error) {
+                throw error;
+            }
             throw new InputException("scene " + name + " failed in its constructor: " + e.getCause(), e);
         } catch (ReflectiveOperationException e) {
             throw new InputException(
@@ -82,10 +98,14 @@ final class SceneChoice {
     }
 
     private InputException unknown(Throwable cause) {
-        String known = PackagedScene.all().stream().map(PackagedScene::name).collect(Collectors.joining(", "));
+        List<String> known =
+                PackagedScene.all().stream().map(PackagedScene::name).toList();
+        String meant = Spelling.meant(name, known)
+                .map(near -> "; did you mean '" + near + "'?")
+                .orElse("");
         return new InputException(
-                "unknown scene '" + name + "': neither packaged (" + known
-                        + "), nor a .yaml file, nor a class on the class path",
+                "unknown scene '" + PlainText.value(name) + "': neither packaged (" + String.join(", ", known)
+                        + "), nor a .yaml file, nor a class on the class path" + meant,
                 cause);
     }
 }

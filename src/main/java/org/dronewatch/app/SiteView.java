@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.picture.Backdrop;
@@ -14,12 +15,13 @@ import org.dronewatch.picture.Orbit;
 import org.dronewatch.picture.RayCollector;
 import org.dronewatch.picture.RayFilter;
 import org.dronewatch.picture.RaySet;
+import org.dronewatch.picture.RunHistory;
 import org.dronewatch.picture.SitePicture;
-import org.dronewatch.picture.SiteState;
 import org.dronewatch.picture.SiteStyle;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Drone;
 import picocli.CommandLine.Option;
@@ -61,8 +63,8 @@ final class SiteView {
             defaultValue = AUTO,
             paramLabel = "HEIGHT",
             description =
-                    "Takes away all above this height; 'none' for nothing. Unless given, a roof over most sensors and"
-                            + " drones is taken away.")
+                    "Hides everything above this height; 'none' hides nothing. Unless given, a roof over most sensors and"
+                            + " drones is hidden.")
     private String cut;
 
     @Option(
@@ -95,9 +97,19 @@ final class SiteView {
                 return new int[] {width, height};
             }
         } catch (NumberFormatException e) {
-            throw new InputException("--size " + size + ": must be like 1280x800", e);
+            throw new InputException("--size " + PlainText.value(size) + ": must be like 1280x800", e);
         }
-        throw new InputException("--size " + size + ": must be like 1280x800, each from 64 to " + LARGEST);
+        throw new InputException(
+                "--size " + PlainText.value(size) + ": must be like 1280x800, each from 64 to " + LARGEST);
+    }
+
+    /** Checks what a film does not show. */
+    void checkFilm() {
+        if (rays) {
+            throw new InputException("--rays: rays are those of one time; a film does not show them");
+        }
+        int[] pixels = pixels();
+        Rendering.checkFilm("--size " + size, pixels[0], pixels[1]);
     }
 
     /** Checks what can be checked before anything is loaded. */
@@ -114,8 +126,8 @@ final class SiteView {
                 && !settings.fliers().containsKey(focus)) {
             List<String> known = new ArrayList<>(settings.sensors().keySet());
             known.addAll(settings.fliers().keySet());
-            throw new InputException(
-                    "--focus " + focus + ": no such sensor or drone; the scene has " + String.join(", ", known));
+            throw new InputException("--focus " + PlainText.value(focus) + ": no such sensor or drone; the scene has "
+                    + String.join(", ", known));
         }
         if (rays && settings.fliers().isEmpty()) {
             throw new InputException("--rays: the scene has no drone");
@@ -134,7 +146,7 @@ final class SiteView {
         try {
             return bearing == null ? otherwise : Quantity.ANGLE.parse(bearing);
         } catch (IllegalArgumentException e) {
-            throw new InputException("--bearing " + bearing + ": " + e.getMessage(), e);
+            throw new InputException("--bearing " + PlainText.value(bearing) + ": " + e.getMessage(), e);
         }
     }
 
@@ -144,7 +156,7 @@ final class SiteView {
                     ? Optional.empty()
                     : Optional.of(Cut.above(Quantity.LENGTH.parse(cut)));
         } catch (IllegalArgumentException e) {
-            throw new InputException("--cut " + cut + ": " + e.getMessage(), e);
+            throw new InputException("--cut " + PlainText.value(cut) + ": " + e.getMessage(), e);
         }
     }
 
@@ -157,30 +169,40 @@ final class SiteView {
         });
     }
 
-    /** Draws the picture. */
-    BufferedImage draw(String title, SceneSettings settings, Stage stage, From from, double time) {
+    /**
+     * Gives pictures of the site at any time, all seen from where the first is seen.
+     *
+     * @param first time of the first picture, s
+     * @param detections whether who detects whom is drawn: the history of a whole run knows it
+     */
+    DoubleFunction<BufferedImage> pictures(
+            String title,
+            SceneSettings settings,
+            Stage stage,
+            RunHistory history,
+            From from,
+            double first,
+            boolean detections) {
         int[] pixels = pixels();
         SitePicture picture = new SitePicture(settings, stage);
-        List<Drone> drones = stage.dronesAt(time);
         checkCut(stage);
-        Optional<Cut> taken = cut.equals(AUTO) ? picture.openRoof(time) : givenCut();
-        Backdrop backdrop = picture.backdrop(
-                orbit(picture.frame(), settings, drones, from, pixels[0] / (double) pixels[1]),
-                pixels[0],
-                pixels[1],
-                taken,
-                Fineness.FINE,
-                () -> false);
+        Optional<Cut> taken = cut.equals(AUTO) ? picture.openRoof(first) : givenCut();
+        double aspect = pixels[0] / (double) pixels[1];
+        Orbit orbit = orbit(picture.frame(), settings, stage.dronesAt(first), from, aspect);
+        Backdrop backdrop = picture.backdrop(orbit, pixels[0], pixels[1], taken, Fineness.FINE, () -> false);
         RayFilter filter = new RayFilter(0, maxOrder == null ? Integer.MAX_VALUE : maxOrder, heardOnly);
-        // No run, no detections.
-        SiteState state = picture.state(
-                title,
-                time,
-                (sensor, drone) -> false,
-                sensor -> Optional.empty(),
-                Optional.ofNullable(focus),
-                traced(settings, stage, time));
-        return picture.draw(backdrop, state, SiteStyle.DEFAULT.withScale(scale).withFilter(filter));
+        Optional<RaySet> traced = traced(settings, stage, first);
+        SiteStyle style = SiteStyle.DEFAULT.withScale(scale).withFilter(filter);
+        return time -> picture.draw(
+                backdrop,
+                picture.state(
+                        title,
+                        time,
+                        (sensor, drone) -> detections && history.isDetected(sensor, drone, time),
+                        sensor -> history.pointing(sensor, time),
+                        Optional.ofNullable(focus),
+                        traced),
+                style);
     }
 
     private Orbit orbit(AABB box, SceneSettings settings, List<Drone> drones, From from, double aspect) {
@@ -219,7 +241,7 @@ final class SiteView {
         String drone = settings.fliers().containsKey(focus)
                 ? focus
                 : settings.fliers().keySet().iterator().next();
-        RayCollector collector = new RayCollector(sensor, drone);
+        RayCollector collector = new RayCollector(sensor, drone, time);
         stage.traceRays(time, sensor, drone, collector);
         return Optional.of(collector.toRays());
     }

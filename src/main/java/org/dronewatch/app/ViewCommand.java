@@ -1,8 +1,10 @@
 package org.dronewatch.app;
 
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.viewer.Viewer;
 import picocli.CommandLine.Command;
@@ -46,10 +48,25 @@ final class ViewCommand implements Callable<Integer> {
             spec.commandLine().getErr().println(noWindow(obstacle.get()));
             return Main.NO_DISPLAY;
         }
-        try (Viewer viewer = Viewer.open(scene, runner, threads.number())) {
-            show(viewer, runner, spec);
+        Viewer.Subject first = new Viewer.Subject(scene, runner, choice.sceneFile());
+        Optional<RuntimeException> failure = Optional.empty();
+        try (Viewer viewer = Viewer.open(first, threads.number(), this::read)) {
+            for (Optional<Viewer.Subject> shown = Optional.of(first); shown.isPresent(); shown = viewer.awaitNext()) {
+                failure = show(viewer, shown.get().runner());
+            }
+        }
+        if (failure.isPresent()) {
+            throw failure.get();
         }
         return 0;
+    }
+
+    /** Another scene that the user opens in the window: as it is described, without the overrides of the first. */
+    private Viewer.Subject read(Path file) {
+        Scene scene = new SceneFile(file);
+        SceneRunner runner = new SceneRunner(scene).threads(threads.number());
+        runner.settings();
+        return new Viewer.Subject(scene, runner, Optional.of(file));
     }
 
     /** One line for a person. */
@@ -57,23 +74,23 @@ final class ViewCommand implements Callable<Integer> {
         return "cannot open a window: " + obstacle + "; 'render' draws pictures without one";
     }
 
-    private static void show(Viewer viewer, SceneRunner runner, CommandSpec spec) {
+    /** Runs a scene for a window; gives what went wrong, unless nobody looks any more. */
+    private Optional<RuntimeException> show(Viewer viewer, SceneRunner runner) {
         runner.notes(line -> {
                     spec.commandLine().getErr().println(line);
                     viewer.note(line);
                 })
                 .listener(viewer.listener())
-                .cancelWhen(viewer::isClosed);
+                .cancelWhen(viewer::isLeft);
         try {
             viewer.finished(runner.run().complete());
+            return Optional.empty();
         } catch (RuntimeException e) {
-            if (viewer.isClosed()) {
-                return;
+            if (viewer.isLeft()) {
+                return Optional.empty();
             }
             viewer.failed(e);
-            viewer.awaitClosed();
-            throw e;
+            return Optional.of(e);
         }
-        viewer.awaitClosed();
     }
 }

@@ -2,6 +2,7 @@ package org.dronewatch.bench;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
@@ -74,7 +75,7 @@ public final class CostStudy {
         Position place = above(site, 0, 0, 2.0);
         for (int rays = 250; rays <= 64_000; rays *= 4) {
             int count = rays;
-            progress.accept(String.format("%,d sound rays", rays));
+            progress.accept(String.format(Locale.ROOT, "%,d sound rays", rays));
             AcousticSensor byLevel = AcousticSettings.at(place)
                     .withPropagation(LevelModel.DEFAULT
                             .withAttenuation(0.0)

@@ -2,6 +2,7 @@ package org.dronewatch.bench;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.dronewatch.geometry.TriangleMesh;
@@ -38,7 +39,7 @@ final class TracingStudy {
         for (int size : sizes(largest)) {
             TriangleMesh mesh = RollingTerrain.of(size);
             int triangles = mesh.triangleCount();
-            progress.accept(String.format("the tree of %,d triangles", triangles));
+            progress.accept(String.format(Locale.ROOT, "the tree of %,d triangles", triangles));
             build.add(triangles, watch.seconds(() -> KDTree.of(mesh)));
             KDTree tree = KDTree.of(mesh);
             memory.add(triangles, tree.stats().bytes() / (double) triangles);

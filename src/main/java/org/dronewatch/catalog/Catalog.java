@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.lang.reflect.RecordComponent;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -16,19 +18,22 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Spelling;
+import org.dronewatch.setting.file.BoundedFile;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Node;
 import org.dronewatch.setting.file.SettingsFile;
 
 /**
  * Real sensors by name: those that come with the library, and those of a user, each a file {@code NAME.yaml} beside the
- * scene file. A user's own goes before one of the library with the same name.
+ * scene file. A custom entry takes precedence over a packaged one with the same name.
  */
 public final class Catalog implements Kinds.NamedSettings {
     private static final String ENDING = ".yaml";
     private static final String NAME = "[A-Za-z0-9_-]{1,64}";
     private static final int MOST_FILES = 1000;
-    private static final int MOST_LINES = 1000;
+    /** The largest file whose name is suggested; the packaged entries have about 3000 bytes. */
+    private static final int MOST_BYTES = 1 << 16;
+
     private static final List<String> PACKAGED = List.of(
             "blighter-a400",
             "blighter-a400-m10s",
@@ -45,6 +50,7 @@ public final class Catalog implements Kinds.NamedSettings {
             "piranha-46-hr-tele");
 
     private final Optional<Path> directory;
+    private final Set<Path> read = Collections.synchronizedSet(new LinkedHashSet<>());
 
     private Catalog(Optional<Path> directory) {
         this.directory = directory;
@@ -65,6 +71,13 @@ public final class Catalog implements Kinds.NamedSettings {
         return PACKAGED;
     }
 
+    /** The user's files that were read so far, in the order in which they were read. */
+    public List<Path> filesRead() {
+        synchronized (read) {
+            return List.copyOf(read);
+        }
+    }
+
     @Override
     public Set<String> names() {
         Set<String> names = new LinkedHashSet<>(PACKAGED);
@@ -76,7 +89,7 @@ public final class Catalog implements Kinds.NamedSettings {
                         .map(file -> String.valueOf(file.getFileName()))
                         .sorted()
                         .forEach(name -> names.add(name.substring(0, name.length() - ENDING.length())));
-            } catch (IOException e) {
+            } catch (IOException | UncheckedIOException e) {
                 // Only what could be suggested is lost.
                 return names;
             }
@@ -86,9 +99,10 @@ public final class Catalog implements Kinds.NamedSettings {
 
     /** Scene files lie in the same directory; only what might be an entry is worth suggesting. */
     private static boolean looksLikeAnEntry(Path file) {
-        try (Stream<String> lines = Files.lines(file)) {
-            return lines.limit(MOST_LINES).anyMatch(line -> line.startsWith("sensor:"));
-        } catch (IOException | UncheckedIOException e) {
+        try {
+            String text = new String(BoundedFile.read(file, MOST_BYTES), StandardCharsets.UTF_8);
+            return text.lines().anyMatch(line -> line.startsWith("sensor:"));
+        } catch (InputException e) {
             return false;
         }
     }
@@ -162,9 +176,11 @@ public final class Catalog implements Kinds.NamedSettings {
         if (!name.matches(NAME)) {
             return Optional.empty();
         }
+        // Whatever has the name is meant, also what cannot be read as a file: then the message says so.
         Optional<Path> own =
-                directory.map(folder -> folder.resolve(name + ENDING)).filter(Files::isRegularFile);
+                directory.map(folder -> folder.resolve(name + ENDING)).filter(Files::exists);
         if (own.isPresent()) {
+            read.add(own.get());
             return own.map(SettingsFile::document);
         }
         return PACKAGED.contains(name) ? Optional.of(resource(name + ENDING)) : Optional.empty();

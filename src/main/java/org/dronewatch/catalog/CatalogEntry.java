@@ -58,7 +58,7 @@ public record CatalogEntry(
      * @param world settings of the world in which it holds, over those of a quiet one
      */
     public record PublishedRange(
-            @In(value = Quantity.LENGTH, above = 0) double distance,
+            @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double distance,
             String target,
             Optional<Node.Mapping> drone,
             Optional<Node.Mapping> world) {

@@ -11,9 +11,9 @@ import org.dronewatch.setting.Quantity;
  * What must not be reached: a ball.
  *
  * @param centre its middle, m
- * @param radius above 0, m
+ * @param radius above 0 and at most 100 km, m
  */
-public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above = 0) double radius) {
+public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double radius) {
     /** Checks the limits. */
     public ProtectedZone {
         Limits.check(ProtectedZone.class, centre, radius);

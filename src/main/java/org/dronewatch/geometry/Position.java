@@ -8,13 +8,17 @@ import org.jogamp.vecmath.Vector3d;
 
 /**
  * An immutable point or displacement in metres; in the world frame x is east, y is north and z is up. Settings hold
- * these, because vecmath's tuples can be changed behind the back of whoever keeps them.
+ * these, because vecmath's tuples can be changed behind the back of whoever keeps them. In a scene's settings each
+ * coordinate lies within 100 km of the origin; a displacement that is computed need only be finite.
  *
- * @param x east, m
- * @param y north, m
- * @param z up, m
+ * @param x east, -100 to 100 km in settings, m
+ * @param y north, -100 to 100 km in settings, m
+ * @param z up, -100 to 100 km in settings, m
  */
-public record Position(@In(Quantity.LENGTH) double x, @In(Quantity.LENGTH) double y, @In(Quantity.LENGTH) double z) {
+public record Position(
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double x,
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double y,
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double z) {
 
     /**
      * Checks that the position is a place.

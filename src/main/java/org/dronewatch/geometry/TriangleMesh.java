@@ -152,7 +152,7 @@ public final class TriangleMesh {
         return materialNames;
     }
 
-    /** The triangle's number in the file it came from, in fan order, where triangles that were dropped count too. */
+    /** The triangle's number in the file it came from, where triangles that were dropped count too. */
     public int sourceNumber(int triangle) {
         return sourceNumbers[triangle];
     }

@@ -7,12 +7,13 @@ final class CheapestSplit {
     private int[] voxel = new int[SahSplitFinder.BOX];
     private double area;
 
-    // The axis of the planes that come next: the voxel's ends on it, and its section and half of its girth across it.
+    // The axis of the planes that come next: the voxel's ends on it, and its section and half of its perimeter across
+    // it.
     private int axis;
     private double lowest;
     private double highest;
     private double section;
-    private double girth;
+    private double halfPerimeter;
 
     private double bestCost;
     private int bestAxis;
@@ -29,7 +30,7 @@ final class CheapestSplit {
         this.voxel = voxel;
         bestCost = Double.POSITIVE_INFINITY;
         setAxis(0);
-        area = section + (highest - lowest) * girth;
+        area = section + (highest - lowest) * halfPerimeter;
         return area > 0.0;
     }
 
@@ -42,7 +43,7 @@ final class CheapestSplit {
         highest = KDNode.value(voxel[axis + 3]);
         double depth = (double) KDNode.value(voxel[second + 3]) - KDNode.value(voxel[second]);
         double height = (double) KDNode.value(voxel[third + 3]) - KDNode.value(voxel[third]);
-        girth = depth + height;
+        halfPerimeter = depth + height;
         section = depth * height;
     }
 
@@ -58,12 +59,12 @@ final class CheapestSplit {
 
     /** Surface of what lies below a plane over that of the voxel. */
     double leftShare(double plane) {
-        return (section + (plane - lowest) * girth) / area;
+        return (section + (plane - lowest) * halfPerimeter) / area;
     }
 
     /** Surface of what lies above a plane over that of the voxel. */
     double rightShare(double plane) {
-        return (section + (highest - plane) * girth) / area;
+        return (section + (highest - plane) * halfPerimeter) / area;
     }
 
     /**

@@ -1,28 +1,44 @@
 package org.dronewatch.kdtree;
 
-import java.util.Optional;
-import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.parallel.Workers;
 
 /**
  * Builds a tree top down: split where {@link SahSplitFinder} says, stop when no split is cheaper than a leaf. Follows
- * Wald and Havran (2006). Large parts grow side by side on the {@link Workers} that call; the tree is the same for any
- * number of them.
+ * Wald and Havran (2006). Large parts grow side by side on the {@link org.dronewatch.parallel.Workers} that call; the tree
+ * is the same for any number of them.
+ *
+ * <p>Two limits bound what degenerate input can do: on the depth ({@link #depthLimit}), and on the references to triangles
+ * in the leaves ({@link #MAX_REFERENCES}), which {@link TreeGrower} divides among the parts of the tree. Memory is thereby
+ * in proportion to the number of triangles, while the tree grows and when it is complete. Within the limits they change
+ * nothing.
  */
 final class KDTreeBuilder {
     private static final int BOX = SahSplitFinder.BOX;
-    /** Parts of fewer triangles are not worth another thread. */
-    private static final int WORTH_A_THREAD = 2048;
+    /**
+     * The most references to triangles that the leaves of a tree hold for each triangle of the mesh, on average. The
+     * packaged models have 2 to 7, closed surfaces 2 to 4, ground 1 to 2; bundles of slivers would have as many as
+     * triangles.
+     */
+    static final int MAX_REFERENCES = 16;
 
     private final TriangleMesh mesh;
     private final float[] corners;
-    private final int depthLimit;
+    private final long duplicates;
 
+    /** A builder of a tree of at most {@link #MAX_REFERENCES} references a triangle. */
     KDTreeBuilder(TriangleMesh mesh) {
+        this(mesh, MAX_REFERENCES);
+    }
+
+    /**
+     * A builder.
+     *
+     * @param maxReferences the most references a triangle on average, at least 1
+     */
+    KDTreeBuilder(TriangleMesh mesh, int maxReferences) {
         this.mesh = mesh;
         this.corners = flatten(mesh);
-        this.depthLimit = depthLimit(mesh.triangleCount());
+        this.duplicates = (maxReferences - 1L) * mesh.triangleCount();
     }
 
     /** The depth at which splitting ends whatever it costs: bounds what degenerate input can do. */
@@ -46,7 +62,8 @@ final class KDTreeBuilder {
                 rootBox[k] = KDNode.value(voxel[k]);
             }
         }
-        Subtree tree = new Grower().grow(all, voxel, 0);
+        Cell root = new Cell(all, voxel, 0);
+        Subtree tree = new TreeGrower(corners, depthLimit(count)).grow(root, duplicates);
         int[] leaves = tree.leafTriangles();
         PlacedTriangles triangles = PlacedTriangles.place(leaves, corners);
         return new KDTree(mesh, tree.nodes(), leaves, triangles, rootBox, tree.depth());
@@ -67,53 +84,6 @@ final class KDTreeBuilder {
             float c = corners[9 * triangle + 6 + axis];
             boxes[BOX * triangle + axis] = KDNode.floorKey(Math.min(a, Math.min(b, c)));
             boxes[BOX * triangle + axis + 3] = KDNode.ceilKey(Math.max(a, Math.max(b, c)));
-        }
-    }
-
-    /** What one thread needs to let parts of the tree grow. */
-    private final class Grower {
-        private final SahSplitFinder splitFinder = new SahSplitFinder();
-        private final TriangleClipper clipper = new TriangleClipper(corners);
-
-        Subtree grow(NodeTriangles content, int[] voxel, int level) {
-            Subtree tree = new Subtree();
-            append(tree, content, voxel, level);
-            return tree;
-        }
-
-        /** Appends the part of a voxel: its root, all that is left of the split, all that is right of it. */
-        private void append(Subtree tree, NodeTriangles content, int[] voxel, int level) {
-            if (content.count > WORTH_A_THREAD && Thread.currentThread().isInterrupted()) {
-                throw new CancellationException("interrupted while a tree was built");
-            }
-            Optional<Split> found =
-                    level < depthLimit ? splitFinder.find(content.boxes, content.count, voxel) : Optional.empty();
-            if (found.isEmpty() || found.get().cost() > SahCost.leaf(content.count)) {
-                tree.appendLeaf(content, level);
-                return;
-            }
-            Split split = found.get();
-            int[] leftVoxel = voxel.clone();
-            leftVoxel[split.axis() + 3] = split.key();
-            int[] rightVoxel = voxel.clone();
-            rightVoxel[split.axis()] = split.key();
-            NodeTriangles left = content.part(split, true, leftVoxel, clipper);
-            NodeTriangles right = content.part(split, false, rightVoxel, clipper);
-
-            int parent = tree.reserveNode();
-            if (Math.min(left.count, right.count) < WORTH_A_THREAD || Workers.available() == 1) {
-                append(tree, left, leftVoxel, level + 1);
-                tree.closeInterior(parent, split);
-                append(tree, right, rightVoxel, level + 1);
-            } else {
-                Subtree[] parts = new Subtree[2];
-                Workers.both(
-                        () -> parts[0] = new Grower().grow(left, leftVoxel, level + 1),
-                        () -> parts[1] = new Grower().grow(right, rightVoxel, level + 1));
-                tree.append(parts[0]);
-                tree.closeInterior(parent, split);
-                tree.append(parts[1]);
-            }
         }
     }
 }

@@ -1,22 +1,33 @@
 package org.dronewatch.kdtree;
 
 /**
- * The sequential traversal of Hapala and Havran, "Review: kd-tree traversal algorithms for ray tracing" (2011): find the
- * leaf of a point by descending from the root, test it, step to a point just behind the leaf's exit face, repeat. Needs
- * no stack; it is slower than {@link StackTraversal} and kept as an independent second opinion.
+ * After the sequential traversal of Hapala and Havran, "Review: kd-tree traversal algorithms for ray tracing" (2011): find a
+ * leaf by descending from the root, test it, go on to the next leaf along the ray, repeat. Needs no stack; it is slower
+ * than {@link StackTraversal} and kept as an independent second opinion.
  *
- * <p>Where the original steps by a fixed distance, which skips thin cells and stalls at large coordinates, this one
- * puts the point on the exit axis to the next number behind the face and holds it inside the leaf's bounds on the other
- * axes. Each step so moves on along the ray's sense on one axis and back on none: it ends. A ray that lies in planes of the
- * tree walks along each of their sides: the leaves there end at different places.
+ * <p>The original names the next leaf by a point: a fixed distance behind the face through which the ray leaves. That skips
+ * thin cells and stalls at large coordinates. A point just behind the face does neither, but where the ray leaves through
+ * an edge or a corner, or runs inside a plane, rounding alone decides in which of the cells about it that point lies, and
+ * the others are lost. Here the next leaf is named by the last one: it is the first leaf along the ray that comes after it.
+ *
+ * <p>Which leaves lie along a ray, and in which order, is a matter of the tree and the ray alone. A child lies along the ray
+ * if the ray's range inside it, widened by more than the roundings of its ends, is not empty; of two children the one on
+ * the ray's side of the plane comes first, or the left one if the ray runs inside the plane. So cells that the ray merely
+ * touches count, and each descent leads to a leaf that is later in one fixed order: no leaf comes twice, and the walk ends.
+ *
+ * <p>A hit ends the ray at its distance. All leaves up to there are tested, so the hit is the nearest of all to the last
+ * bit, and of equally near ones that with the least number.
  */
 public final class SequentialTraversal extends KDTraversal {
-    private final double[] point = new double[3];
-    private final double[] low = new double[3];
-    private final double[] high = new double[3];
-    private final double[] leafPoint = new double[3];
-    private final double[] leafLow = new double[3];
-    private final double[] leafHigh = new double[3];
+    /** The index of no node. */
+    private static final int NONE = -1;
+
+    private double rayEntry;
+    private double rayExit;
+
+    // The range of the ray inside the child that has been entered last.
+    private double entry;
+    private double exit;
 
     /** A traversal of a tree for the use of one thread. */
     public SequentialTraversal(KDTree tree) {
@@ -25,178 +36,103 @@ public final class SequentialTraversal extends KDTraversal {
 
     @Override
     void trace(double tMin, double tMax, boolean anyHit) {
-        double entry = rootEntry(tMin);
-        double exit = rootExit(tMax);
-        if (!(entry <= exit)) {
-            return;
-        }
-        int still = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            still |= direction[axis] == 0.0 ? 1 << axis : 0;
-        }
-        // A ray that runs inside planes of the tree goes along each of their sides in turn.
-        int above = still;
-        while (true) {
-            walk(entry, exit, tMin, anyHit, above);
-            if (above == 0 || anyHit && intersection.found()) {
-                return;
-            }
-            above = above - 1 & still;
-        }
-    }
-
-    /**
-     * Walks from leaf to leaf.
-     *
-     * @param above bits of the axes on which a point in a plane counts to what is above it
-     */
-    private void walk(double entry, double exit, double tMin, boolean anyHit, int above) {
-        float[] root = tree.rootBox();
-        for (int axis = 0; axis < 3; axis++) {
-            double place = clamp(origin[axis] + entry * direction[axis], root[axis], root[axis + 3]);
-            point[axis] = (above & 1 << axis) == 0 ? place : Math.nextUp(place);
-        }
-        double leafEntry = entry;
-        while (true) {
-            long leaf = locateLeaf();
-            int exitAxis = exitAxis();
-            double leafExit = exitAxis < 0 ? Double.POSITIVE_INFINITY : exitParameter(exitAxis);
-            testLeaf(leaf, tMin);
-            testAround(leafEntry, -1, tMin);
-            testAround(leafExit, exitAxis, tMin);
-            boolean hitHere = intersection.found() && (anyHit || intersection.distance() <= leafExit * (1.0 + OVERLAP));
-            if (hitHere || exitAxis < 0 || leafExit * (1.0 - OVERLAP) > exit || !step(exitAxis, leafExit)) {
-                return;
-            }
-            leafEntry = leafExit;
-        }
-    }
-
-    /** The leaf that holds the point; its box is left in low and high. A point on a plane counts to the nearer side. */
-    private long locateLeaf() {
+        rayEntry = rootEntry(tMin);
+        rayExit = rootExit(tMax);
         long[] nodes = tree.nodes();
-        float[] root = tree.rootBox();
-        for (int axis = 0; axis < 3; axis++) {
-            low[axis] = root[axis];
-            high[axis] = root[axis + 3];
-        }
-        int index = 0;
-        long node = nodes[0];
-        int axis = KDNode.kind(node);
-        while (axis != KDNode.LEAF) {
-            double split = KDNode.split(node);
-            if (point[axis] < split || point[axis] == split && inverse[axis] >= 0.0) {
-                index++;
-                high[axis] = split;
-            } else {
-                index = KDNode.rightChild(node);
-                low[axis] = split;
+        int leaf = rayEntry <= rayExit ? firstLeaf(0, rayEntry, rayExit) : NONE;
+        while (leaf != NONE) {
+            testLeaf(nodes[leaf], tMin);
+            if (anyHit && intersection.found()) {
+                return;
             }
-            node = nodes[index];
-            axis = KDNode.kind(node);
+            leaf = leafAfter(leaf);
         }
-        return node;
     }
 
-    /** The axis of the leaf's face through which the ray leaves, or -1 when the direction is all zero. */
-    private int exitAxis() {
-        int nearest = -1;
-        double t = Double.POSITIVE_INFINITY;
-        for (int axis = 0; axis < 3; axis++) {
-            if (direction[axis] != 0.0 && (nearest < 0 || exitParameter(axis) < t)) {
-                nearest = axis;
-                t = exitParameter(axis);
+    /** The first leaf along the ray in a part of the tree whose box the ray meets in a range that is not empty. */
+    private int firstLeaf(int root, double partEntry, double partExit) {
+        long[] nodes = tree.nodes();
+        entry = partEntry;
+        exit = partExit;
+        int index = root;
+        for (long node = nodes[index]; KDNode.kind(node) != KDNode.LEAF; node = nodes[index]) {
+            double t = parameter(node);
+            // The far child is entered where the ray has passed the plane before it enters the part.
+            if (latest(t) < entry) {
+                index = farChild(index, node);
+            } else {
+                index = nearChild(index, node);
+                leaveAt(t);
             }
         }
-        return nearest;
+        return index;
     }
 
     /**
-     * Tests the other leaves about the edge or corner of the leaf that the ray passes at a parameter: rounding alone says
-     * which of them it enters, and a step leads to one of them only.
-     *
-     * @param known the axis on which the ray is known to be at the leaf's face, and alone to be so as a rule, or -1
+     * The first leaf along the ray that comes after another: in the far child of the deepest node that has the other leaf
+     * in its near child and whose far child lies along the ray.
      */
-    private void testAround(double t, int known, double tMin) {
-        int ahead = 0;
-        int behind = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            if (direction[axis] == 0.0) {
-                continue;
-            }
-            if (exitParameter(axis) * (1.0 - OVERLAP) <= t * (1.0 + OVERLAP)) {
-                ahead |= 1 << axis;
-            } else if (entryParameter(axis) * (1.0 + OVERLAP) >= t * (1.0 - OVERLAP)) {
-                behind |= 1 << axis;
-            }
-        }
-        int touched = ahead | behind;
-        if (Integer.bitCount(touched) < 2 && (known >= 0 || ahead == 0)) {
-            return;
-        }
-        copy(point, leafPoint);
-        copy(low, leafLow);
-        copy(high, leafHigh);
-        for (int crossed = touched; crossed > 0; crossed = crossed - 1 & touched) {
-            for (int axis = 0; axis < 3; axis++) {
-                int bit = crossed & 1 << axis;
-                point[axis] = bit == 0 ? onRay(axis, t) : across(axis, (bit & ahead) != 0);
-            }
-            testLeaf(locateLeaf(), tMin);
-        }
-        copy(leafPoint, point);
-        copy(leafLow, low);
-        copy(leafHigh, high);
-    }
-
-    /** A place just behind the leaf's face ahead, or before the one behind. */
-    private double across(int axis, boolean ahead) {
-        return inverse[axis] >= 0.0 == ahead ? Math.nextUp(leafHigh[axis]) : Math.nextDown(leafLow[axis]);
-    }
-
-    /** Where the ray is on an axis, held inside the leaf; the face behind it does not belong to the leaf. */
-    private double onRay(int axis, double t) {
-        if (direction[axis] == 0.0) {
-            return leafPoint[axis];
-        }
-        double place = origin[axis] + t * direction[axis];
-        return inverse[axis] >= 0.0
-                ? clamp(place, Math.nextUp(leafLow[axis]), leafHigh[axis])
-                : clamp(place, leafLow[axis], Math.nextDown(leafHigh[axis]));
-    }
-
-    private static void copy(double[] from, double[] to) {
-        System.arraycopy(from, 0, to, 0, 3);
-    }
-
-    private double entryParameter(int axis) {
-        double face = inverse[axis] >= 0.0 ? low[axis] : high[axis];
-        return (face - origin[axis]) * inverse[axis];
-    }
-
-    private double exitParameter(int axis) {
-        double face = inverse[axis] >= 0.0 ? high[axis] : low[axis];
-        return (face - origin[axis]) * inverse[axis];
-    }
-
-    /** Moves the point just behind the leaf's exit face; false when that is outside the root's box. */
-    private boolean step(int exitAxis, double t) {
-        float[] root = tree.rootBox();
-        for (int axis = 0; axis < 3; axis++) {
-            if (axis != exitAxis && direction[axis] != 0.0) {
-                double ahead = origin[axis] + t * direction[axis];
-                point[axis] = inverse[axis] >= 0.0
-                        ? clamp(ahead, point[axis], high[axis])
-                        : clamp(ahead, low[axis], point[axis]);
+    private int leafAfter(int leaf) {
+        long[] nodes = tree.nodes();
+        entry = rayEntry;
+        exit = Math.min(rayExit, intersection.distance());
+        int turn = NONE;
+        double turnEntry = 0.0;
+        double turnExit = 0.0;
+        int index = 0;
+        while (index != leaf) {
+            long node = nodes[index];
+            double t = parameter(node);
+            int far = farChild(index, node);
+            // Nodes lie in the order of their descent: all that is left of a plane before all that is right of it.
+            boolean inRight = leaf >= KDNode.rightChild(node);
+            if (inRight == (far == KDNode.rightChild(node))) {
+                enterAt(t);
+                index = far;
+            } else {
+                double nearEntry = entry;
+                enterAt(t);
+                if (entry <= exit) {
+                    turn = far;
+                    turnEntry = entry;
+                    turnExit = exit;
+                }
+                entry = nearEntry;
+                leaveAt(t);
+                index = nearChild(index, node);
             }
         }
-        boolean forward = inverse[exitAxis] >= 0.0;
-        double face = forward ? high[exitAxis] : low[exitAxis];
-        point[exitAxis] = forward ? Math.nextUp(face) : Math.nextDown(face);
-        return forward ? face < root[exitAxis + 3] : face > root[exitAxis];
+        return turn == NONE ? NONE : firstLeaf(turn, turnEntry, turnExit);
     }
 
-    private static double clamp(double value, double least, double most) {
-        return Math.min(Math.max(value, least), most);
+    /** Where the ray meets a node's plane; not a number if it runs inside: then it is in both children all the time. */
+    private double parameter(long node) {
+        int axis = KDNode.kind(node);
+        return (KDNode.split(node) - origin[axis]) * inverse[axis];
+    }
+
+    private int nearChild(int index, long node) {
+        return inverse[KDNode.kind(node)] < 0.0 ? KDNode.rightChild(node) : index + 1;
+    }
+
+    private int farChild(int index, long node) {
+        return inverse[KDNode.kind(node)] < 0.0 ? index + 1 : KDNode.rightChild(node);
+    }
+
+    private void enterAt(double t) {
+        double earliest = t - Math.abs(t) * OVERLAP;
+        if (earliest > entry) {
+            entry = earliest;
+        }
+    }
+
+    private void leaveAt(double t) {
+        if (latest(t) < exit) {
+            exit = latest(t);
+        }
+    }
+
+    private static double latest(double t) {
+        return t + Math.abs(t) * OVERLAP;
     }
 }

@@ -34,13 +34,14 @@ final class Subtree {
     }
 
     /** Appends a leaf. */
-    void appendLeaf(NodeTriangles content, int level) {
+    void appendLeaf(Cell cell) {
+        NodeTriangles content = cell.content();
         ensureNodes(1);
         ensureTriangles(content.count);
         System.arraycopy(content.triangles, 0, leafTriangles, leafTriangleCount, content.count);
         nodes[nodeCount++] = KDNode.leaf(leafTriangleCount, content.count);
         leafTriangleCount += content.count;
-        depth = Math.max(depth, level);
+        depth = Math.max(depth, cell.level());
     }
 
     /** Appends another part. */

@@ -1,6 +1,9 @@
 package org.dronewatch.parallel;
 
+import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -15,6 +18,9 @@ import java.util.function.Supplier;
  *
  * <p>The thread that starts a loop works on it itself and waits only for pieces that others are working on: a loop within
  * a loop cannot stop for want of threads.
+ *
+ * <p>An interrupt of the caller's thread ends its loops, at any depth and on all threads, as a
+ * {@link CancellationException}. The caller's thread stays interrupted.
  */
 public final class Workers implements AutoCloseable {
     /** The most threads that can be asked for. */
@@ -25,6 +31,11 @@ public final class Workers implements AutoCloseable {
 
     private final int threads;
     private final ExecutorService helpers;
+    private final Set<Thread> helping = ConcurrentHashMap.newKeySet();
+    private volatile Thread caller;
+
+    /** While the caller waits, its own interrupt is cleared: this stands for it. */
+    private volatile boolean callerInterrupted;
 
     /**
      * So many threads, the caller's among them.
@@ -43,17 +54,29 @@ public final class Workers implements AutoCloseable {
         Thread thread = new Thread(
                 () -> {
                     HERE.set(this);
-                    task.run();
+                    helping.add(Thread.currentThread());
+                    try {
+                        task.run();
+                    } finally {
+                        helping.remove(Thread.currentThread());
+                    }
                 },
                 "dronewatch-worker-" + NAMES.incrementAndGet());
         thread.setDaemon(true);
         return thread;
     }
 
-    /** Does a piece of work on the caller's thread, with these threads to help; gives what it gives. */
+    /**
+     * Does a piece of work on the caller's thread, with these threads to help; gives what it gives.
+     *
+     * @throws RuntimeException what the work throws, unchanged, as errors are; a checked exception becomes the cause of an
+     *     {@link IllegalStateException}
+     */
     public <T> T call(Callable<T> work) {
         Workers outer = HERE.get();
+        Thread before = caller;
         HERE.set(this);
+        caller = Thread.currentThread();
         try {
             return work.call();
         } catch (RuntimeException e) {
@@ -61,6 +84,7 @@ public final class Workers implements AutoCloseable {
         } catch (Exception e) {
             throw new IllegalStateException(e);
         } finally {
+            caller = before;
             restore(outer);
         }
     }
@@ -80,11 +104,42 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
+     * Ends work that nobody waits for any more.
+     *
+     * @throws CancellationException when the thread for which this one works, or this one, is interrupted; it stays so
+     */
+    public static void checkInterrupted() {
+        Workers here = HERE.get();
+        if (Thread.currentThread().isInterrupted() || here != null && here.isCallerInterrupted()) {
+            throw new CancellationException("interrupted");
+        }
+    }
+
+    private boolean isCallerInterrupted() {
+        Thread waiting = caller;
+        return callerInterrupted || waiting != null && waiting.isInterrupted();
+    }
+
+    /** Wakes helpers that sleep or wait, and ends their loops. */
+    private void passInterruptOn() {
+        callerInterrupted |= Thread.currentThread() == caller;
+        helping.forEach(Thread::interrupt);
+    }
+
+    private void restoreInterrupt() {
+        Thread.currentThread().interrupt();
+        if (Thread.currentThread() == caller) {
+            callerInterrupted = false;
+        }
+    }
+
+    /**
      * Does something for each number from 0 on, in any order, on the threads at hand; returns when all is done.
      *
      * @param count how many numbers
      * @param action must not depend on the others
-     * @throws RuntimeException the first failure; numbers that have not been begun are left out then
+     * @throws CancellationException when the caller's thread is interrupted
+     * @throws RuntimeException the first failure, unchanged, as errors are; numbers that have not been begun are left out then
      */
     public static void forEach(int count, IntConsumer action) {
         forEach(count, () -> action, IntConsumer::accept);
@@ -96,15 +151,14 @@ public final class Workers implements AutoCloseable {
      * @param count how many numbers
      * @param scratch makes the memory, for each thread that takes part
      * @param action must not depend on the others
-     * @throws RuntimeException the first failure; numbers that have not been begun are left out then
+     * @throws CancellationException when the caller's thread is interrupted
+     * @throws RuntimeException the first failure, unchanged, as errors are; numbers that have not been begun are left out then
      */
     public static <S> void forEach(int count, Supplier<S> scratch, ObjIntConsumer<S> action) {
         Workers here = HERE.get();
         int others = here == null ? 0 : Math.min(here.threads, count) - 1;
-        Loop<S> loop = new Loop<>(count, scratch, action);
-        for (int i = 0; i < others; i++) {
-            here.helpers.execute(loop::work);
-        }
+        Loop<S> loop = new Loop<>(here, count, scratch, action);
+        loop.callHelpers(others);
         loop.work();
         loop.await();
     }
@@ -129,6 +183,7 @@ public final class Workers implements AutoCloseable {
 
     /** One loop: its numbers are given out one by one to whoever comes. */
     private static final class Loop<S> {
+        private final Workers workers;
         private final int count;
         private final Supplier<S> scratch;
         private final ObjIntConsumer<S> action;
@@ -136,10 +191,22 @@ public final class Workers implements AutoCloseable {
         private int finished;
         private Throwable failure;
 
-        Loop(int count, Supplier<S> scratch, ObjIntConsumer<S> action) {
+        Loop(Workers workers, int count, Supplier<S> scratch, ObjIntConsumer<S> action) {
+            this.workers = workers;
             this.count = count;
             this.scratch = scratch;
             this.action = action;
+        }
+
+        /** A thread that cannot be started fails the loop, but must not leave behind those that work on it already. */
+        void callHelpers(int number) {
+            try {
+                for (int i = 0; i < number; i++) {
+                    workers.helpers.execute(this::work);
+                }
+            } catch (RuntimeException | Error e) {
+                abandon(e);
+            }
         }
 
         void work() {
@@ -148,20 +215,31 @@ public final class Workers implements AutoCloseable {
                 int number = next.getAndIncrement();
                 if (number < count) {
                     done++;
+                    checkInterrupted();
                     S own = scratch.get();
                     action.accept(own, number);
                     for (number = next.getAndIncrement(); number < count; number = next.getAndIncrement()) {
                         done++;
+                        checkInterrupted();
                         action.accept(own, number);
                     }
                 }
-            } catch (RuntimeException | Error e) {
-                // What has not been given out is nobody's any more.
-                int given = next.getAndSet(count);
-                finish(Math.max(0, count - given), e);
+            } catch (Throwable e) {
+                // Also what the compiler does not expect here: whoever waits must not wait forever.
+                abandon(e);
+                if (Interrupts.isIn(e)) {
+                    // The others are to be woken, too.
+                    Thread.currentThread().interrupt();
+                }
             } finally {
                 finish(done, null);
             }
+        }
+
+        /** What has not been given out is nobody's any more. */
+        private void abandon(Throwable problem) {
+            int given = next.getAndSet(count);
+            finish(Math.max(0, count - given), problem);
         }
 
         private synchronized void finish(int numbers, Throwable problem) {
@@ -177,16 +255,20 @@ public final class Workers implements AutoCloseable {
                     wait();
                 } catch (InterruptedException e) {
                     interrupted = true;
+                    workers.passInterruptOn();
                 }
             }
             if (interrupted) {
-                Thread.currentThread().interrupt();
+                workers.restoreInterrupt();
             }
             if (failure instanceof Error error) {
                 throw error;
             }
+            if (failure instanceof RuntimeException known) {
+                throw known;
+            }
             if (failure != null) {
-                throw (RuntimeException) failure;
+                throw new IllegalStateException(failure);
             }
         }
     }

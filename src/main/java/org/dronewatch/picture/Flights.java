@@ -47,7 +47,7 @@ public final class Flights {
     public AABB interest(SceneSettings settings) {
         List<Position> all = new ArrayList<>();
         places.values().forEach(all::addAll);
-        settings.sensors().values().forEach(sensor -> all.add(sensor.position()));
+        settings.enabledSensors().values().forEach(sensor -> all.add(sensor.position()));
         double lowX = all.stream().mapToDouble(Position::x).min().orElse(0.0);
         double lowY = all.stream().mapToDouble(Position::y).min().orElse(0.0);
         double lowZ = all.stream().mapToDouble(Position::z).min().orElse(0.0);

@@ -21,6 +21,10 @@ final class Furniture {
     private static final Color PAPER = new Color(255, 255, 255, 222);
     private static final Color INK = new Color(0x20262e);
     private static final Color FAINT = new Color(0x6a737d);
+
+    /** Of what no longer belongs to the time of the picture. */
+    private static final Color STALE = new Color(0xb3261e);
+
     /** A scale bar of about this share of the picture's width. */
     private static final double BAR = 0.16;
 
@@ -134,7 +138,7 @@ final class Furniture {
         String number = length >= 1.0
                 ? String.format(Locale.ROOT, "%.0f m", length)
                 : String.format(Locale.ROOT, "%.0f cm", 100.0 * length);
-        String text = everywhere ? number : number + " in the middle";
+        String text = everywhere ? number : number + " at the centre";
         g.setFont(font(Font.PLAIN, 12));
         int w = Math.max(pixels, g.getFontMetrics().stringWidth(text)) + px(24);
         int h = px(36);
@@ -178,16 +182,29 @@ final class Furniture {
                 (cy + (reach + 6 * scale) * uy + 0.36 * metrics.getAscent()));
     }
 
-    /** The colours of levels, and how many pieces of rays are drawn of how many. */
-    void levels(RaySet rays, RayFilter filter) {
+    /**
+     * The colours of levels, how many segments of rays are drawn, and for which time they were traced.
+     *
+     * @param now time of the picture, s
+     */
+    void levels(RaySet rays, RayFilter filter, double now) {
         LevelScale levels = rays.scale();
         g.setFont(font(Font.PLAIN, 12));
         FontMetrics metrics = g.getFontMetrics();
-        String count = String.format(Locale.ROOT, "%,d of %,d pieces", filter.count(rays), rays.count());
-        String whose = "sound of " + rays.drone() + " for " + rays.sensor();
+        String count = String.format(Locale.ROOT, "%,d of %,d ray segments", filter.count(rays), rays.count());
+        String whose = "sound from " + rays.drone() + " to " + rays.sensor();
+        boolean old = Math.abs(now - rays.time()) >= 0.005;
+        String when = String.format(
+                Locale.ROOT,
+                old ? "traced at %.2f s, %.2f s %s than this picture" : "traced at %.2f s",
+                rays.time(),
+                Math.abs(now - rays.time()),
+                now > rays.time() ? "earlier" : "later");
         int bar = px(180);
-        int w = Math.max(bar, Math.max(metrics.stringWidth(count), metrics.stringWidth(whose))) + px(24);
-        int h = px(86);
+        int text =
+                Math.max(metrics.stringWidth(count), Math.max(metrics.stringWidth(whose), metrics.stringWidth(when)));
+        int w = Math.max(bar, text) + px(24);
+        int h = px(103);
         int x = width - margin - w;
         int y = height - margin - h;
         paper(x, y, w, h);
@@ -195,20 +212,22 @@ final class Furniture {
         g.drawString(whose, x + px(12), y + px(19));
         g.setColor(FAINT);
         g.drawString(count, x + px(12), y + px(36));
+        g.setColor(old ? STALE : FAINT);
+        g.drawString(when, x + px(12), y + px(53));
         for (int i = 0; i < bar; i++) {
             double level = levels.low() + (i + 0.5) / bar * (levels.high() - levels.low());
             g.setColor(new Color(levels.colour(level)));
-            g.fillRect(x + px(12) + i, y + px(45), 1, px(12));
+            g.fillRect(x + px(12) + i, y + px(62), 1, px(12));
         }
         g.setColor(INK);
         double step = levels.high() - levels.low() > 30.0 ? 20.0 : levels.high() - levels.low() > 12.0 ? 10.0 : 5.0;
         for (double level = step * Math.ceil(levels.low() / step); level <= levels.high(); level += step) {
             double at = x + px(12) + (level - levels.low()) / (levels.high() - levels.low()) * bar;
-            String text = String.format(Locale.ROOT, level + step > levels.high() ? "%.0f dB" : "%.0f", level + 0.0);
-            g.draw(new Line2D.Double(at, y + px(57), at, y + px(60)));
-            int half = metrics.stringWidth(text) / 2;
+            String mark = String.format(Locale.ROOT, level + step > levels.high() ? "%.0f dB" : "%.0f", level + 0.0);
+            g.draw(new Line2D.Double(at, y + px(74), at, y + px(77)));
+            int half = metrics.stringWidth(mark) / 2;
             int left = (int) Math.max(x + px(8), Math.min(x + w - px(8) - 2.0 * half, at - half));
-            g.drawString(text, left, y + px(73));
+            g.drawString(mark, left, y + px(90));
         }
     }
 

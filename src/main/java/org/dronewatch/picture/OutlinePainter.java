@@ -15,7 +15,7 @@ final class OutlinePainter {
     /**
      * A painter of one picture.
      *
-     * @param length how far pyramids and sectors are drawn at most, m: they have no end worth the name
+     * @param length how far pyramids and sectors are drawn at most, m, because they have no natural end
      */
     OutlinePainter(LinePainter lines, double length) {
         this.lines = lines;

@@ -16,6 +16,7 @@ public final class RayCollector implements RayRecorder {
 
     private final String sensor;
     private final String drone;
+    private final double time;
     private float[] ends = new float[RaySet.ENDS * FIRST];
     private float[] levels = new float[FIRST];
     private int[] orders = new int[FIRST];
@@ -23,8 +24,13 @@ public final class RayCollector implements RayRecorder {
     private int count;
     private long leftOut;
 
-    /** For the rays of a sensor and a drone of these names. */
-    public RayCollector(String sensor, String drone) {
+    /**
+     * For the rays of a sensor and a drone of these names.
+     *
+     * @param time for which they are traced, seconds since the start of the run
+     */
+    public RayCollector(String sensor, String drone, double time) {
+        this.time = time;
         this.sensor = sensor;
         this.drone = drone;
     }
@@ -68,6 +74,7 @@ public final class RayCollector implements RayRecorder {
         return new RaySet(
                 sensor,
                 drone,
+                time,
                 Arrays.copyOf(ends, RaySet.ENDS * count),
                 Arrays.copyOf(levels, count),
                 Arrays.copyOf(orders, count),

@@ -16,6 +16,7 @@ public final class RaySet {
 
     private final String sensor;
     private final String drone;
+    private final double time;
     private final float[] ends;
     private final float[] levels;
     private final int[] orders;
@@ -25,9 +26,18 @@ public final class RaySet {
     private final LevelScale scale;
 
     /** From arrays that are handed over. */
-    RaySet(String sensor, String drone, float[] ends, float[] levels, int[] orders, BitSet received, long leftOut) {
+    RaySet(
+            String sensor,
+            String drone,
+            double time,
+            float[] ends,
+            float[] levels,
+            int[] orders,
+            BitSet received,
+            long leftOut) {
         this.sensor = sensor;
         this.drone = drone;
+        this.time = time;
         this.ends = ends;
         this.levels = levels;
         this.orders = orders;
@@ -45,6 +55,11 @@ public final class RaySet {
     /** Name of the drone. */
     public String drone() {
         return drone;
+    }
+
+    /** Time for which they were traced, seconds since the start of the run. */
+    public double time() {
+        return time;
     }
 
     /** How many pieces are kept. */

@@ -58,9 +58,9 @@ public final class SitePicture {
         this.drones = settings.fliers().keySet();
         this.world = stage.world();
         this.painter = new SitePainter(world.tree(), stage.colours());
-        this.colours = KindColours.of(settings.sensors().values());
+        this.colours = KindColours.of(settings.enabledSensors().values());
         this.flights = new Flights(settings, stage);
-        boolean empty = settings.sensors().isEmpty() && drones.isEmpty();
+        boolean empty = settings.enabledSensors().isEmpty() && drones.isEmpty();
         this.interest = empty ? world.bounds() : flights.interest(settings);
     }
 
@@ -81,9 +81,9 @@ public final class SitePicture {
             Function<String, Optional<Pointing>> pointing,
             Optional<String> selected,
             Optional<RaySet> rays) {
-        Set<String> sensors = settings.sensors().keySet();
+        Set<String> sensors = settings.enabledSensors().keySet();
         List<SensorMark> sensorMarks = new ArrayList<>();
-        settings.sensors()
+        settings.enabledSensors()
                 .forEach((id, sensor) -> sensorMarks.add(new SensorMark(
                         id,
                         sensor.kind(),
@@ -110,7 +110,7 @@ public final class SitePicture {
         corners.add(new Position(interest.minX(), interest.minY(), interest.minZ()));
         corners.add(new Position(interest.maxX(), interest.maxY(), interest.maxZ()));
         double length = OUTLINE * interest.diagonal();
-        settings.sensors().values().forEach(sensor -> {
+        settings.enabledSensors().values().forEach(sensor -> {
             if (sensor.outline().orElse(null) instanceof Outline.Pyramid pyramid) {
                 corners.addAll(pyramid.corners(sensor.position(), length));
             }
@@ -140,13 +140,13 @@ public final class SitePicture {
      */
     public Optional<Cut> openRoof(double time) {
         List<Drone> drones = stage.dronesAt(time);
-        long roofed = settings.sensors().values().stream()
+        long roofed = settings.enabledSensors().values().stream()
                         .filter(sensor -> isUnderRoof(sensor.position()))
                         .count()
                 + drones.stream()
                         .filter(drone -> isUnderRoof(Position.of(drone.position())))
                         .count();
-        int all = settings.sensors().size() + drones.size();
+        int all = settings.enabledSensors().size() + drones.size();
         return 2 * roofed > all ? Optional.of(Cut.above(interest.maxZ() - 2.5)) : Optional.empty();
     }
 
@@ -205,7 +205,7 @@ public final class SitePicture {
                 settings.alert().protect().isPresent());
         furniture.scaleBar(backdrop.orbit().metresPerPixel(backdrop.height()), isFlat(backdrop.orbit()));
         furniture.northArrow(backdrop.orbit());
-        state.rays().ifPresent(rays -> furniture.levels(rays, style.filter()));
+        state.rays().ifPresent(rays -> furniture.levels(rays, style.filter(), state.time()));
         drawSymbols(
                 new Symbols(g, camera, lines, image.getHeight() / (double) camera.height(), style.scale()),
                 state,

@@ -8,6 +8,7 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
@@ -61,7 +62,8 @@ final class Charts {
                 .setPlotGridLinesColor(GRID)
                 .setAxisTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_SIZE))
                 .setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_SIZE))
-                .setYAxisMin(0.0);
+                .setYAxisMin(0.0)
+                .setLocale(Locale.ROOT);
         return chart;
     }
 

@@ -1,7 +1,6 @@
 package org.dronewatch.report;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
@@ -24,13 +23,14 @@ public final class CostReport {
      */
     public static void write(Path directory, Supplier<List<CostCurves>> study) {
         try (OutputDirectory target = new OutputDirectory(directory)) {
-            for (CostCurves curves : study.get()) {
-                table(curves, target.file(curves.name() + ".csv"));
-                plot(curves, target.file(curves.name() + ".png"));
-            }
-            target.publish(List.of());
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            List<CostCurves> all = study.get();
+            target.write(() -> {
+                for (CostCurves curves : all) {
+                    table(curves, target.file(curves.name() + ".csv"));
+                    plot(curves, target.file(curves.name() + ".png"));
+                }
+                target.publish(List.of());
+            });
         }
     }
 

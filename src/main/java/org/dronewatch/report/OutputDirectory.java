@@ -1,87 +1,130 @@
 package org.dronewatch.report;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.Stream;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 
 /**
- * A directory of results that appears whole: files are written into a directory beside it and moved into place at the
- * end. Whatever else the target holds stays as it is.
+ * A directory of results that appears whole: files are written into a directory beside it and moved into it at the
+ * end, either all of them or none. Whatever else the target holds stays as it is. One run at a time may write into a target.
  */
 final class OutputDirectory implements AutoCloseable {
+    private final String asked;
     private final Path target;
-    private final Path staging;
+    private final StagingLock lock;
+    private final Path fresh;
+    private final Path replaced;
+
+    /** Something that writes into the directory. */
+    @FunctionalInterface
+    interface Work {
+        /** Writes. */
+        void run() throws IOException;
+    }
 
     /**
-     * Makes the directory to write into, so that a target that cannot be written is found out before the work.
+     * Makes the directory to write into, so that a target that cannot be written is found out before the work. What a run that
+     * was killed left there is removed.
      *
-     * @throws InputException when the target is a file or cannot be written
+     * @throws InputException when the target is a file, cannot be written, or another run is writing into it
      */
-    OutputDirectory(Path target) {
-        this.target = target.toAbsolutePath().normalize();
-        Path parent = this.target.getParent();
-        if (parent == null) {
-            throw new InputException("output directory " + target + " is the root of a file system");
+    OutputDirectory(Path given) {
+        this.asked = "output directory " + PlainText.value(given);
+        Path absolute = given.toAbsolutePath().normalize();
+        if (absolute.getParent() == null) {
+            throw new InputException(asked + " is the root of a file system");
         }
-        for (Path place = this.target; place != null; place = place.getParent()) {
+        for (Path place = absolute; place != null; place = place.getParent()) {
             if (Files.exists(place) && !Files.isDirectory(place)) {
-                throw new InputException("output directory " + target + " cannot be written: " + place + " is a file");
+                throw new InputException(asked + " cannot be written: " + PlainText.value(place) + " is a file");
             }
         }
         try {
-            Files.createDirectories(parent);
-            if (Files.isDirectory(this.target) && !Files.isWritable(this.target)) {
-                throw new InputException("output directory " + target + " cannot be written: no permission");
+            // Of a link the directory itself, so that two names of it are one target.
+            this.target = Files.isDirectory(absolute) ? absolute.toRealPath() : absolute;
+            if (Files.isDirectory(target) && !Files.isWritable(target)) {
+                throw new InputException(asked + " cannot be written: no permission");
             }
-            this.staging = Files.createTempDirectory(parent, ".partial-" + this.target.getFileName() + "-");
+            Path staging = stagingPlace();
+            this.lock = StagingLock.acquire(staging)
+                    .orElseThrow(() -> new InputException(
+                            asked + " is in use by another run: wait for its end, or take another directory"));
+            this.fresh = staging.resolve("new");
+            this.replaced = staging.resolve("old");
         } catch (IOException e) {
-            throw new InputException("output directory " + target + " cannot be written: " + reason(e), e);
+            throw new InputException(asked + " cannot be written: " + Refusal.reason(e), e);
         }
     }
 
-    private static String reason(IOException problem) {
-        String why = problem instanceof FileSystemException known ? known.getReason() : problem.getMessage();
-        return why == null ? problem.getClass().getSimpleName() : why;
+    /** Beside the target; in it where that is another disk, from which files cannot be moved, or may not be written. */
+    private Path stagingPlace() throws IOException {
+        String name = ".partial-" + target.getFileName();
+        Path parent = Objects.requireNonNull(target.getParent());
+        Files.createDirectories(parent);
+        boolean within = Files.isDirectory(target)
+                && !(Files.isWritable(parent) && Files.getFileStore(parent).equals(Files.getFileStore(target)));
+        return within ? target.resolve(name) : parent.toRealPath().resolve(name);
+    }
+
+    /**
+     * Does something that writes into the directory.
+     *
+     * @throws InputException when the disk refuses
+     */
+    void write(Work work) {
+        try {
+            work.run();
+        } catch (IOException | RuntimeException e) {
+            throw refusal(e);
+        }
+    }
+
+    /** A problem of writing as the user is to see it. */
+    RuntimeException refusal(Exception problem) {
+        return Refusal.of(asked, problem);
     }
 
     /** Where to write a file, given by its path inside the directory; its folders are made. */
     Path file(String relative) throws IOException {
-        return withFolder(staging.resolve(relative));
+        Path file = fresh.resolve(relative);
+        Files.createDirectories(Objects.requireNonNull(file.getParent()));
+        return file;
     }
 
     /** The files that were written in a folder of the directory so far, in the order of their names. */
     List<Path> filesIn(String folder) throws IOException {
-        Path place = staging.resolve(folder);
+        Path place = fresh.resolve(folder);
         return Files.isDirectory(place) ? filesIn(place) : List.of();
     }
 
     /**
-     * Moves all that was written into place.
+     * Moves all that was written into place; if one file cannot be, none is.
      *
      * @param obsolete files of an earlier run that must not stay if they were not written anew
      */
     void publish(List<String> obsolete) throws IOException {
-        Files.createDirectories(target);
-        for (String name : obsolete) {
-            Files.deleteIfExists(target.resolve(name));
+        Moves moves = new Moves();
+        try {
+            moves.makeDirectories(target);
+            for (String name : obsolete) {
+                if (Files.exists(target.resolve(name), LinkOption.NOFOLLOW_LINKS)) {
+                    moves.setAside(target.resolve(name), replaced.resolve(name));
+                }
+            }
+            for (Path file : filesIn(fresh)) {
+                Path relative = fresh.relativize(file);
+                moves.move(file, target.resolve(relative), replaced.resolve(relative));
+            }
+        } catch (IOException | RuntimeException e) {
+            moves.takeBack(e);
+            throw e;
         }
-        for (Path file : filesIn(staging)) {
-            Path place = withFolder(target.resolve(staging.relativize(file)));
-            Files.move(file, place, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-        }
-    }
-
-    private static Path withFolder(Path file) throws IOException {
-        Files.createDirectories(Objects.requireNonNull(file.getParent()));
-        return file;
     }
 
     private static List<Path> filesIn(Path directory) throws IOException {
@@ -93,12 +136,6 @@ final class OutputDirectory implements AutoCloseable {
     /** Removes what was not published. */
     @Override
     public void close() {
-        try (Stream<Path> files = Files.walk(staging)) {
-            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                Files.deleteIfExists(file);
-            }
-        } catch (IOException e) {
-            throw new UncheckedIOException("temporary directory " + staging + " cannot be removed", e);
-        }
+        lock.close();
     }
 }

@@ -10,6 +10,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.SweptValue;
 import org.dronewatch.setting.Quantity;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
@@ -53,7 +54,7 @@ final class RangePlot {
                 result.scene() + ": what '" + sensor + "' measured over the range", "range [m]", valueAxis());
         for (int i = 0; i < curves.size(); i++) {
             RangeCurve curve = curves.get(i);
-            XYSeries series = chart.addSeries(nameOf(curve), curve.ranges(), curve.values());
+            XYSeries series = chart.addSeries(unique(chart, nameOf(curve)), curve.ranges(), curve.values());
             series.setMarker(curve.isOfOneRange() ? SeriesMarkers.CIRCLE : SeriesMarkers.NONE);
             series.setMarkerColor(Charts.colour(i)).setLineColor(Charts.colour(i));
         }
@@ -64,7 +65,7 @@ final class RangePlot {
             double[] ends = {0.0, farthest};
             double[] level = {entry.getKey(), entry.getKey()};
             Charts.asReference(
-                    chart.addSeries(nameOf(entry.getKey(), entry.getValue()), ends, level),
+                    chart.addSeries(unique(chart, nameOf(entry.getKey(), entry.getValue())), ends, level),
                     colourOf(entry.getValue(), drawn++));
         }
         RangeCurve any = curves.get(0);
@@ -110,8 +111,22 @@ final class RangePlot {
         return cut ? what + ", cut at " + Quantity.NUMBER.inBrief(any.top()) : what;
     }
 
+    /** The plotting library refuses a second series of a name. */
+    private static String unique(XYChart chart, String name) {
+        Set<String> taken =
+                chart.getSeriesCollection().stream().map(XYSeries::getName).collect(Collectors.toSet());
+        String free = name;
+        for (int i = 2; taken.contains(free); i++) {
+            free = name + " (" + i + ")";
+        }
+        return free;
+    }
+
     private String nameOf(RangeCurve curve) {
         Collection<Integer> runs = curve.thresholds().keySet();
+        if (runs.size() > 1 && runs.size() <= NAMED_RUNS) {
+            return curve.drone() + swept(runs);
+        }
         return runs.size() > 1
                 ? curve.drone() + ", " + runs.size() + " runs alike"
                 : (curve.drone() + swept(runs)).strip();

@@ -3,20 +3,28 @@ package org.dronewatch.report;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.dronewatch.report.html.Looks;
 import org.dronewatch.report.map.SiteMap;
+import org.dronewatch.report.provenance.Provenance;
+import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.Frame;
+import org.dronewatch.scene.InputFiles;
+import org.dronewatch.scene.RunInfo;
+import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneListener;
 import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.Observation;
@@ -26,8 +34,8 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
  * Writes the files of a run: {@code detections.csv} and, when asked for, {@code observations.csv} while it goes on,
- * {@code summary.json}, {@code report.html}, {@code plots/} and, of a scene with an origin on earth, {@code map.geojson} and
- * {@code map.kml} at its end. They appear in the directory together, once all is done.
+ * {@code result.json}, {@code summary.json}, {@code provenance.json}, {@code report.html}, {@code plots/} and, of a scene
+ * with an origin on earth, {@code map.geojson} and {@code map.kml} at its end. They appear in the directory together, once all is done.
  */
 public final class RunReport implements SceneListener, AutoCloseable {
     private static final String DETECTIONS = "detections.csv";
@@ -40,7 +48,10 @@ public final class RunReport implements SceneListener, AutoCloseable {
     private final Map<String, String> captions = new LinkedHashMap<>();
     private final RangePlots rangePlots = new RangePlots();
     private final Looks looks = new Looks();
-    private Stage stage;
+    private final Instant started = Instant.now();
+    private List<String> command = List.of();
+    private Optional<InputFiles> inputs = Optional.empty();
+    private Optional<Function<SceneSettings, Stage>> stages = Optional.empty();
 
     /**
      * Opens the report.
@@ -53,8 +64,9 @@ public final class RunReport implements SceneListener, AutoCloseable {
     public RunReport(Scene scene, Path target, boolean withObservations) {
         this.scene = scene;
         this.directory = new OutputDirectory(target);
+        Table opened = null;
         try {
-            this.detections = new Table(
+            opened = new Table(
                     directory.file(DETECTIONS),
                     "run",
                     "time_s",
@@ -67,6 +79,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
                     "threshold",
                     "unit",
                     "heard_s");
+            this.detections = opened;
             this.observations = withObservations
                     ? new Table(
                             directory.file(OBSERVATIONS),
@@ -84,19 +97,46 @@ public final class RunReport implements SceneListener, AutoCloseable {
                             "heard_s",
                             "figures")
                     : null;
-        } catch (IOException e) {
+        } catch (IOException | RuntimeException e) {
+            close(opened);
             directory.close();
-            throw new UncheckedIOException(e);
+            throw directory.refusal(e);
+        }
+    }
+
+    /** Lets go of a table that nobody will have. */
+    private static void close(Table table) {
+        if (table != null) {
+            try {
+                table.close();
+            } catch (UncheckedIOException e) {
+                // Another file has been refused already.
+                return;
+            }
         }
     }
 
     @Override
+    public void runStarted(RunInfo run) {
+        looks.runStarted(run);
+    }
+
+    @Override
+    public void runEnded(RunResult result) {
+        looks.runEnded(result);
+    }
+
+    /** @throws org.dronewatch.setting.InputException when the rows cannot be written */
+    @Override
     public void observed(Frame frame) {
         rangePlots.add(frame);
         looks.observed(frame);
-        if (observations == null) {
-            return;
+        if (observations != null) {
+            directory.write(() -> writeRows(frame));
         }
+    }
+
+    private void writeRows(Frame frame) {
         for (Observation o : frame.observations()) {
             observations.row(
                     Integer.toString(frame.run()),
@@ -121,8 +161,13 @@ public final class RunReport implements SceneListener, AutoCloseable {
                 .collect(Collectors.joining(" "));
     }
 
+    /** @throws org.dronewatch.setting.InputException when the disk refuses the row */
     @Override
     public void detectionChanged(DetectionEvent event) {
+        directory.write(() -> writeRow(event));
+    }
+
+    private void writeRow(DetectionEvent event) {
         Observation o = event.observation();
         detections.row(
                 Integer.toString(event.run()),
@@ -144,30 +189,56 @@ public final class RunReport implements SceneListener, AutoCloseable {
         chart.addSeries(sensor, curve.x(), curve.y()).setMarker(SeriesMarkers.NONE);
         chart.getStyler().setYAxisMin(Collections.min(curve.y()));
         chart.getStyler().setLegendVisible(false);
-        Charts.write(chart, plotFile(curve.name() + "-" + sensor, sensor + ": " + curve.title()));
+        directory.write(
+                () -> Charts.write(chart, plotFile(curve.name() + "-" + sensor, sensor + ": " + curve.title())));
     }
 
-    /** Takes the site of the first run: only with it there are a {@code report.html} and maps. */
-    public void site(Stage ofFirstRun) {
-        stage = ofFirstRun;
+    /**
+     * Takes what gives the site of a run by its settings, such as {@code runner::stage}: only with it there are a {@code
+     * report.html} and maps. It is asked when the report is finished.
+     */
+    public void site(Function<SceneSettings, Stage> ofRun) {
+        stages = Optional.of(ofRun);
     }
 
-    /** Writes summary, plots, maps and the report for people, and moves everything into place. */
-    public void finish(SceneResult result) throws IOException {
+    /** Notes the arguments of the command line in {@code provenance.json} and the report; a run by a program has none. */
+    public void command(List<String> arguments) {
+        command = List.copyOf(arguments);
+    }
+
+    /** Notes what the scene was run from, with the hashes of its files: {@code SceneRunner.inputs()} after the run. */
+    public void inputs(InputFiles files) {
+        inputs = Optional.of(files);
+    }
+
+    /**
+     * Writes summary, plots, maps and the report for people, and moves everything into place.
+     *
+     * @throws org.dronewatch.setting.InputException when the disk refuses; the directory is then as it was
+     */
+    public void finish(SceneResult result) {
+        directory.write(() -> writeAll(result));
+    }
+
+    private void writeAll(SceneResult result) throws IOException {
         closeTables();
-        new Summary(result).write(directory.file("summary.json"));
+        Provenance provenance = new Provenance(
+                started,
+                command,
+                inputs.orElseGet(() -> InputFiles.of(result.runs().get(0).settings())));
+        JsonFile.write(directory.file("result.json"), new ResultFile(result).toJson());
+        JsonFile.write(directory.file("summary.json"), new Summary(result).toJson());
+        JsonFile.write(directory.file("provenance.json"), ProvenanceFile.of(provenance, result));
         SweepPlot.of(scene, result)
                 .ifPresent(plot -> plot.write(plotFile("range-over-" + plot.fileName(), plot.caption())));
         rangePlots.write(result, name -> plotFile(SiteReport.VALUES + name, valueCaption(result, name)));
-        if (stage != null) {
-            new SiteReport(result, looks, stage, captions).write(directory);
-        }
         List<String> obsolete = new ArrayList<>();
-        if (stage == null) {
+        if (stages.isPresent()) {
+            new SiteReport(result, looks, stages.get(), captions).write(directory, provenance);
+            obsolete.addAll(writeMaps(result, stages.get()));
+        } else {
             obsolete.add(SiteReport.FILE);
             obsolete.addAll(SiteMap.FILES);
-        } else {
-            obsolete.addAll(writeMaps(result));
         }
         if (observations == null) {
             obsolete.add(OBSERVATIONS);
@@ -175,9 +246,10 @@ public final class RunReport implements SceneListener, AutoCloseable {
         directory.publish(obsolete);
     }
 
-    /** Writes the maps if the scene has an origin on earth, or tells what must not stay of an earlier run. */
-    private List<String> writeMaps(SceneResult result) throws IOException {
-        Optional<SiteMap> map = SiteMap.of(result, stage);
+    /** Writes the maps if the scene has an origin on earth; gives what must not stay of an earlier run. */
+    private List<String> writeMaps(SceneResult result, Function<SceneSettings, Stage> ofRun) throws IOException {
+        Optional<SiteMap> map =
+                SiteMap.of(result, ofRun.apply(result.runs().get(0).settings()));
         if (map.isEmpty()) {
             return SiteMap.FILES;
         }
@@ -202,9 +274,12 @@ public final class RunReport implements SceneListener, AutoCloseable {
     }
 
     private void closeTables() {
-        detections.close();
-        if (observations != null) {
-            observations.close();
+        try {
+            detections.close();
+        } finally {
+            if (observations != null) {
+                observations.close();
+            }
         }
     }
 

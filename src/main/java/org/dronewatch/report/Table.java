@@ -2,23 +2,33 @@ package org.dronewatch.report;
 
 import de.siegmar.fastcsv.writer.CsvWriter;
 import de.siegmar.fastcsv.writer.LineDelimiter;
+import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** A CSV file that is written row by row; a row is in the file as soon as it is written. */
 final class Table implements AutoCloseable {
+    private final OutputStream stream;
     private final CsvWriter writer;
     private boolean closed;
 
     Table(Path file, String... header) throws IOException {
+        // Not a channel, because an interrupt would close it in the middle of a row.
+        this.stream = new FileOutputStream(file.toFile());
         this.writer = CsvWriter.builder()
                 .lineDelimiter(LineDelimiter.LF)
                 .autoFlush(true)
-                .build(Files.newBufferedWriter(file, StandardCharsets.UTF_8));
-        writer.writeRecord(header);
+                .build(new OutputStreamWriter(stream, StandardCharsets.UTF_8));
+        try {
+            writer.writeRecord(header);
+        } catch (RuntimeException e) {
+            stream.close();
+            throw e;
+        }
     }
 
     void row(String... values) {
@@ -34,8 +44,18 @@ final class Table implements AutoCloseable {
         closed = true;
         try {
             writer.close();
+            // A writer that cannot write what is left does not close its stream.
+        } catch (IOException | RuntimeException e) {
+            closeStream(e);
+            throw e instanceof RuntimeException known ? known : new UncheckedIOException((IOException) e);
+        }
+    }
+
+    private void closeStream(Exception problem) {
+        try {
+            stream.close();
         } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            problem.addSuppressed(e);
         }
     }
 }

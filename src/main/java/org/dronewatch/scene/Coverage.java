@@ -47,10 +47,10 @@ public final class Coverage {
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'; the scene has "
                         + String.join(", ", settings.fliers().keySet())));
-        Coverage coverage = new Coverage(grid, settings.sensors());
+        Coverage coverage = new Coverage(grid, settings.enabledSensors());
         Heights heights = new Heights(stage.world(), grid);
         List<Supplier<boolean[]>> tasks = new ArrayList<>();
-        settings.sensors().forEach((id, sensor) -> {
+        settings.enabledSensors().forEach((id, sensor) -> {
             Prober prober = new Prober(
                     grid,
                     heights,
@@ -58,14 +58,14 @@ public final class Coverage {
                     sample,
                     sensor,
                     id,
-                    tasks.size(),
+                    settings.numberOf(id),
                     settings.run().seed());
             tasks.add(() -> prober.probe(progress));
         });
         boolean[][] results = new boolean[tasks.size()][];
         Workers.forEach(results.length, i -> results[i] = tasks.get(i).get());
         int next = 0;
-        for (String id : settings.sensors().keySet()) {
+        for (String id : settings.enabledSensors().keySet()) {
             coverage.reached.put(id, results[next++]);
         }
         return coverage;

@@ -7,15 +7,15 @@ import org.dronewatch.setting.Quantity;
 /**
  * A square of points at one height over the ground, at each of which a drone is put.
  *
- * @param east of the middle, m
- * @param north of the middle, m
+ * @param east of the middle, -100 to 100 km, m
+ * @param north of the middle, -100 to 100 km, m
  * @param side length of a side, above 0 and at most 100 km, m
  * @param cells how many points to a side, 2 to 2000
  * @param height of the points over the highest surface below, above 0 and at most 10 km, m
  */
 public record CoverageGrid(
-        @In(Quantity.LENGTH) double east,
-        @In(Quantity.LENGTH) double north,
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double east,
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double north,
         @In(value = Quantity.LENGTH, above = 0, to = 100_000) double side,
         @In(value = Quantity.NUMBER, from = 2, to = 2000) int cells,
         @In(value = Quantity.LENGTH, above = 0, to = 10_000) double height) {

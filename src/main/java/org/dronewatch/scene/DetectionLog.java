@@ -23,7 +23,7 @@ final class DetectionLog {
     DetectionLog(int run, SceneSettings settings, Consumer<DetectionEvent> target) {
         this.run = run;
         this.target = target;
-        settings.sensors().forEach((sensor, sensorSettings) -> settings.fliers()
+        settings.enabledSensors().forEach((sensor, sensorSettings) -> settings.fliers()
                 .keySet()
                 .forEach(drone -> pairs.put(List.of(sensor, drone), new Pair(sensor, sensorSettings.kind(), drone))));
     }

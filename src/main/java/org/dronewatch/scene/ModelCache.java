@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
@@ -12,6 +13,7 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.world.LoadedModel;
 import org.dronewatch.world.ModelSettings;
 import org.dronewatch.world.ObjLoader;
@@ -28,6 +30,7 @@ final class ModelCache {
     private final Consumer<String> notes;
     private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
     private final Map<List<ModelSettings>, KDTree> trees = new HashMap<>();
+    private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
     private final Set<String> noted = new HashSet<>();
     private double loadSeconds;
     private double buildSeconds;
@@ -41,6 +44,11 @@ final class ModelCache {
     ModelCache(Path directory, Consumer<String> notes) {
         this.loader = new ObjLoader(directory);
         this.notes = notes;
+    }
+
+    /** Reads a model, once. */
+    synchronized void read(ModelSettings settings) {
+        models.computeIfAbsent(settings, this::load);
     }
 
     /** The tree over some models as one mesh. */
@@ -68,6 +76,11 @@ final class ModelCache {
         return files;
     }
 
+    /** The files that were read of each model, by its name in the settings, in the order in which they were read. */
+    synchronized Map<String, List<FileHash>> files() {
+        return new LinkedHashMap<>(files);
+    }
+
     private KDTree build(List<ModelSettings> settings) {
         List<TriangleMesh> meshes = new ArrayList<>();
         for (ModelSettings model : settings) {
@@ -83,6 +96,7 @@ final class ModelCache {
         long start = System.nanoTime();
         LoadedModel model = loader.load(settings);
         loadSeconds += NANO * (System.nanoTime() - start);
+        files.put(settings.file(), model.files());
         notes.accept("read " + model.describe());
         model.warnings().forEach(warning -> notes.accept("warning: " + warning));
         return model;

@@ -9,6 +9,7 @@ import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.SettingsPath;
 
@@ -39,7 +40,7 @@ final class Overrides {
         try {
             return scene.withSensor(id, catalog.settings(value.strip(), poseOf(old, value.strip())));
         } catch (InputException e) {
-            throw new InputException(path + "=" + value + ": " + e.getMessage(), e);
+            throw new InputException(path + "=" + PlainText.value(value) + ": " + e.getMessage(), e);
         }
     }
 

@@ -6,6 +6,12 @@ import java.util.concurrent.TimeUnit;
 @FunctionalInterface
 public interface Pace {
 
+    /** The least factor of real time. */
+    double SLOWEST = 0.001;
+
+    /** The largest factor of real time. */
+    double FASTEST = 1e6;
+
     /** No waiting. */
     Pace AS_FAST_AS_POSSIBLE = time -> {};
 
@@ -17,14 +23,14 @@ public interface Pace {
     void await(double time);
 
     /**
-     * Simulated time runs so many times as fast as the clock on the wall, from the first call on; a simulation that is
+     * Simulated time runs by this factor faster than the wall clock, from the first call on; a simulation that is
      * slower than that is late and does not wait.
      *
-     * @param factor 1 for real time; above 0
+     * @param factor 1 for real time; 0.001 to 1,000,000
      */
     static Pace realTime(double factor) {
-        if (!(factor > 0.0 && factor < Double.POSITIVE_INFINITY)) {
-            throw new IllegalArgumentException("speed factor " + factor + " must be above 0 and finite");
+        if (!(factor >= SLOWEST && factor <= FASTEST)) {
+            throw new IllegalArgumentException("factor " + factor + " must be " + SLOWEST + " to " + FASTEST);
         }
         return new Pace() {
             private long start;
@@ -32,8 +38,8 @@ public interface Pace {
 
             @Override
             public void await(double time) {
-                // A new run begins at 0 again.
-                if (time < last) {
+                // A new run begins at 0 again, also after one that ended there.
+                if (time <= last) {
                     start = System.nanoTime() - (long) (time / factor * 1e9);
                 }
                 last = time;

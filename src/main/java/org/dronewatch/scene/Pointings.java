@@ -9,11 +9,39 @@ import org.dronewatch.sensor.positioner.Pointing;
 /** Remembers where the mounts of a run's sensors pointed. One thread at a time. */
 public final class Pointings {
     private final Map<String, TreeMap<Double, Pointing>> known = new HashMap<>();
+    private final double interval;
 
-    /** Takes what a frame tells. */
+    /** Remembers every look. */
+    public Pointings() {
+        this(0.0);
+    }
+
+    /**
+     * Remembers the last look of each interval, so that memory stays in bounds: {@link #at} is exact at whole multiples of it.
+     *
+     * @param interval s; 0 for every look
+     */
+    public Pointings(double interval) {
+        this.interval = interval;
+    }
+
+    /** Takes the pointings of a frame. */
     public void add(Frame frame) {
-        frame.pointings().forEach((sensor, pointing) -> known.computeIfAbsent(sensor, name -> new TreeMap<>())
-                .put(frame.time(), pointing));
+        frame.pointings()
+                .forEach((sensor, pointing) ->
+                        add(known.computeIfAbsent(sensor, name -> new TreeMap<>()), frame.time(), pointing));
+    }
+
+    private void add(TreeMap<Double, Pointing> looks, double time, Pointing pointing) {
+        if (interval > 0.0 && !looks.isEmpty() && index(looks.lastKey()) == index(time)) {
+            looks.pollLastEntry();
+        }
+        looks.put(time, pointing);
+    }
+
+    /** The interval that ends with its own multiple. */
+    private long index(double time) {
+        return (long) Math.ceil(time / interval);
     }
 
     /** Where the mount of a sensor pointed at its last look up to a time, s; empty for a sensor that stands still. */

@@ -1,7 +1,10 @@
 package org.dronewatch.scene;
 
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.ThreatLabel;
 
 /**
  * What one run of a scene gave.
@@ -25,6 +28,15 @@ public record RunResult(
         events = List.copyOf(events);
         pairs = List.copyOf(pairs);
         alerts = List.copyOf(alerts);
+    }
+
+    /** The alerts that count: those to drones that attack. Where none attacks, all. */
+    public List<AlertResult> attackAlerts() {
+        Map<String, DroneSettings> drones = settings.fliers();
+        List<AlertResult> attacks = alerts.stream()
+                .filter(alert -> drones.get(alert.drone()).label().role() == ThreatLabel.Role.ATTACK)
+                .toList();
+        return attacks.isEmpty() ? alerts : attacks;
     }
 
     /** Distance at which a sensor first detected a drone, m: the farthest of the scene's drones; empty for never. */

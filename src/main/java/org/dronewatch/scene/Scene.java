@@ -14,8 +14,10 @@ import org.djutils.event.EventType;
 import org.djutils.metadata.MetaData;
 import org.djutils.metadata.ObjectDescriptor;
 import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.Drone;
@@ -73,6 +75,13 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /** Where relative names of files start: the working directory unless the scene itself is a file. */
     public Path directory() {
         return Path.of("");
+    }
+
+    /**
+     * The files in which it is described, as they were when it was last described; none unless the scene itself is a file.
+     */
+    public List<FileHash> files() {
+        return List.of();
     }
 
     /**
@@ -156,6 +165,16 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().addSensor(id, sensor);
     }
 
+    /**
+     * Switches a sensor off, as {@code enabled: false} does in a scene file: it stays in the scene, observes nothing and costs
+     * nothing. {@code --set sensors.ID.enabled=true} switches it on again.
+     *
+     * @param sensor id of a sensor that is added before or after
+     */
+    protected final void disable(String sensor) {
+        building().disableSensor(sensor);
+    }
+
     /** Sets when the site is alerted, and what is to be protected; any detection of any sensor is an alert unless set. */
     protected final void setAlert(AlertSettings alert) {
         building().setAlert(alert);
@@ -205,19 +224,37 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         }
     }
 
+    /**
+     * Where a setting stands that a message is about.
+     *
+     * @param path of the setting
+     * @return file, line and column, as {@code site.yaml:3:12}; empty for a scene in Java
+     */
+    Optional<String> placeOf(String path) {
+        return Optional.empty();
+    }
+
     /** Runs the scene to its end on this thread, as fast as possible, with as many helpers as there are cores. */
     public final SceneResult run() {
         return new SceneRunner(this).run();
     }
 
-    /** What this scene is to do when the simulator next constructs it. */
+    /** What this scene is to do when the simulator next constructs it. What the last run has made is let go. */
     final void prepare(RunPlan next) {
         this.plan = next;
+        this.stage = null;
     }
 
     /** Creates world, drones and sensors and schedules the first look; DSOL calls this for each replication. */
     @Override
     public final void constructModel() {
+        if (!(getSimulator() instanceof SceneSimulator own && own.constructsLater())) {
+            construct();
+        }
+    }
+
+    /** Does what {@link #constructModel()} promises. */
+    final void construct() {
         if (plan == null) {
             if (ownModels == null) {
                 ownModels = new ModelCache(directory(), note -> {});
@@ -234,7 +271,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         scheduleNextLook();
     }
 
-    /** World, drones and sensors of the current run. */
+    /** World, drones and sensors of the current run; null before they are made. */
     final Stage stage() {
         return stage;
     }
@@ -252,6 +289,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
             return;
         }
         plan.pace().await(time);
+        Workers.checkInterrupted();
         List<Drone> drones = stage.dronesAt(time);
         List<Observation> observations = stage.look(time, drones, plan.times());
         double now = getSimulator().getSimulatorTime();

@@ -1,10 +1,13 @@
 package org.dronewatch.scene;
 
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.DroneSettings;
@@ -26,6 +29,7 @@ final class SceneBuilder {
     private Optional<Origin> origin = Optional.empty();
     private final Map<String, DroneSettings> drones = new LinkedHashMap<>();
     private final Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
+    private final Set<String> disabled = new LinkedHashSet<>();
     private AlertSettings alert = AlertSettings.DEFAULT;
     private PriceSettings prices = PriceSettings.DEFAULT;
     private RunSettings run = RunSettings.DEFAULT;
@@ -75,6 +79,10 @@ final class SceneBuilder {
         }
     }
 
+    void disableSensor(String id) {
+        disabled.add(id);
+    }
+
     void setRun(RunSettings settings) {
         run = settings;
     }
@@ -104,6 +112,9 @@ final class SceneBuilder {
                 .withRain(rain)
                 .withLight(light);
         WorldSettings site = origin.map(anywhere::withOrigin).orElse(anywhere);
-        return new SceneSettings(site, drones, sensors, alert, prices, run, sweep);
+        SceneSettings settings = new SceneSettings(site, drones, sensors, disabled, alert, prices, run, sweep);
+        // What is read from a file has been checked there, where messages have lines.
+        Limits.checkAll(settings);
+        return settings;
     }
 }

@@ -1,10 +1,14 @@
 package org.dronewatch.scene;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.setting.file.SettingsFile;
 
 /** A scene that is described in a file instead of a class: the same settings, written in YAML. */
@@ -12,6 +16,7 @@ public final class SceneFile extends Scene {
     private static final long serialVersionUID = 1L;
 
     private final transient Path file;
+    private transient List<FileHash> files = List.of();
 
     /**
      * The scene of a file. It is read when the scene is described, so a wrong file is found there.
@@ -42,6 +47,17 @@ public final class SceneFile extends Scene {
         return parent == null ? Path.of("") : parent;
     }
 
+    /** The scene file, then the entries of the user's catalogue that it uses. */
+    @Override
+    public List<FileHash> files() {
+        return files;
+    }
+
+    @Override
+    Optional<String> placeOf(String path) {
+        return Optional.of(SettingsFile.document(file).markOf(path).toString());
+    }
+
     /**
      * Reads the file.
      *
@@ -49,6 +65,10 @@ public final class SceneFile extends Scene {
      */
     @Override
     protected void build() {
-        set(SettingsFile.read(file, SceneSettings.class, SensorKinds.kinds(Catalog.beside(directory()))));
+        Catalog catalog = Catalog.beside(directory());
+        set(SettingsFile.read(file, SceneSettings.class, SensorKinds.kinds(catalog)));
+        List<Path> read = new ArrayList<>(List.of(file));
+        read.addAll(catalog.filesRead());
+        files = read.stream().map(InputFiles::hash).toList();
     }
 }

@@ -9,6 +9,9 @@ public interface SceneListener {
     /** Sensors have looked. */
     default void observed(Frame frame) {}
 
+    /** A run is over, to its end or cut short. */
+    default void runEnded(RunResult result) {}
+
     /** A sensor gained or lost a drone. */
     default void detectionChanged(DetectionEvent event) {}
 }

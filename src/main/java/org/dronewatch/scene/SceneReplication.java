@@ -11,7 +11,8 @@ final class SceneReplication extends Replication<Double> {
     private static final long serialVersionUID = 1L;
 
     SceneReplication(String id, double duration) {
-        super(id, 0.0, 0.0, duration);
+        // DSOL refuses a run without length; one that ends at once still has its first looks.
+        super(id, 0.0, 0.0, Math.max(duration, Double.MIN_VALUE));
         setContext(new JvmContext(id));
     }
 }

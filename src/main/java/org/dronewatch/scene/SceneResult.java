@@ -79,7 +79,7 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         for (RunResult run : runs) {
             run.settings().sweep().ifPresent(sweep -> {
                 Object value = sweep.valueIn(run.settings());
-                for (String sensor : run.settings().sensors().keySet()) {
+                for (String sensor : run.settings().enabledSensors().keySet()) {
                     points.add(new SweepPoint(sweep.parameter(), value, sensor, run.firstDetectionRange(sensor)));
                 }
             });

@@ -6,13 +6,19 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.dronewatch.catalog.Catalog;
+import org.dronewatch.parallel.Interrupts;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsPath;
+import org.dronewatch.world.ModelSettings;
 
 /**
  * Runs a scene on the caller's thread: once, or once for each value of its sweep. The results depend on the scene, its
@@ -30,6 +36,10 @@ public final class SceneRunner {
     private BooleanSupplier cancelled = () -> false;
     private Consumer<String> notes = note -> {};
     private ModelCache models;
+    private Catalog catalog;
+    private Optional<InputFiles> inputs = Optional.empty();
+    private OptionalInt only = OptionalInt.empty();
+    private double until = Double.POSITIVE_INFINITY;
 
     /** A runner of a scene that has a simulator of its own. */
     public SceneRunner(Scene scene) {
@@ -61,9 +71,10 @@ public final class SceneRunner {
         return this;
     }
 
-    /** Sets where relative model paths start, and the user's own sensors lie; the scene's directory unless set. */
+    /** Sets where relative model paths start, and the user's catalogue files lie; the scene's directory unless set. */
     public SceneRunner directory(Path path) {
         this.directory = path;
+        this.catalog = null;
         return this;
     }
 
@@ -89,15 +100,45 @@ public final class SceneRunner {
         });
     }
 
-    /** Asked before each look: once it says true, the run ends with what it has. */
+    /**
+     * Asked before each look: once it is true, the run ends with what it has. Interrupt the running thread as well, and loading
+     * or a long look ends early, too.
+     */
     public SceneRunner cancelWhen(BooleanSupplier condition) {
         this.cancelled = condition;
         return this;
     }
 
-    /** Is told in a line each what was read and what looked odd. */
+    /**
+     * Runs one of the scene's runs alone, with the random numbers that it has among the others.
+     *
+     * @param run its index in the sweep, from 0; {@link #run()} checks it
+     */
+    public SceneRunner only(int run) {
+        this.only = OptionalInt.of(run);
+        return this;
+    }
+
+    /**
+     * Ends each run after this time, looks at it included; up to there nothing differs from the whole run.
+     *
+     * @param seconds simulated time since the start of the run, 0 or more; beyond the duration it changes nothing
+     * @throws IllegalArgumentException when negative or not a number
+     */
+    public SceneRunner until(double seconds) {
+        if (!(seconds >= 0.0)) {
+            throw new IllegalArgumentException("a run until " + seconds + " s: must be 0 or more");
+        }
+        this.until = seconds;
+        return this;
+    }
+
+    /**
+     * Is given what was read and what looked odd, a line each. Names in it that come from files are shortened, and their
+     * control characters made visible, so that a line can go to a terminal as it is.
+     */
     public SceneRunner notes(Consumer<String> target) {
-        this.notes = target;
+        this.notes = note -> target.accept(PlainText.line(note));
         return this;
     }
 
@@ -112,7 +153,11 @@ public final class SceneRunner {
             boolean sweptPath = settings.sweep()
                     .map(sweep -> sweep.parameter().equals(override.getKey()))
                     .orElse(false);
-            settings = overrides().write(settings, override.getKey(), override.getValue());
+            try {
+                settings = overrides().write(settings, override.getKey(), override.getValue());
+            } catch (InputException e) {
+                throw new InputException("--set " + e.getMessage(), e);
+            }
             settings = sweptPath ? settings.withoutSweep() : settings;
         }
         settingsOfRuns(settings);
@@ -120,7 +165,24 @@ public final class SceneRunner {
     }
 
     private Overrides overrides() {
-        return new Overrides(Catalog.beside(directory));
+        return new Overrides(catalog());
+    }
+
+    private Catalog catalog() {
+        if (catalog == null) {
+            catalog = Catalog.beside(directory);
+        }
+        return catalog;
+    }
+
+    /** What the last run was made from, with the models that are loaded so far; before any run, the scene as it is now. */
+    public InputFiles inputs() {
+        InputFiles known = inputs.orElseGet(() -> described(settings()));
+        return known.withModels(models().files());
+    }
+
+    private InputFiles described(SceneSettings settings) {
+        return InputFiles.of(settings).withScene(scene.files(), catalog().filesRead());
     }
 
     private SceneSettings described() {
@@ -143,12 +205,52 @@ public final class SceneRunner {
             return List.of(settings);
         }
         SettingsPath path = new SettingsPath(sweep.get().parameter());
+        List<SceneSettings> runs = new ArrayList<>();
+        String here = "sweep.parameter";
         try {
-            return sweep.get().values(path.quantity(settings)).stream()
-                    .map(value -> overrides().write(settings.asRunWith(value), path.toString(), value))
-                    .toList();
-        } catch (IllegalArgumentException e) {
-            throw new InputException("sweep of " + path + ": " + e.getMessage(), e);
+            path.read(settings);
+            here = "sweep.from";
+            List<String> values = sweep.get().values(path.quantity(settings));
+            for (int i = 0; i < values.size(); i++) {
+                here = "sweep.values." + i;
+                runs.add(overrides().write(settings.asRunWith(values.get(i)), path.toString(), values.get(i)));
+            }
+        } catch (IllegalArgumentException | InputException e) {
+            throw new InputException(placed(here) + "sweep of " + path + ": " + e.getMessage(), e);
+        }
+        return runs;
+    }
+
+    /** What a message about a setting begins with: the option that set it or what it is part of, or its line in a file. */
+    private String placed(String path) {
+        return placed(path, set -> path.equals(set) || path.startsWith(set + "."));
+    }
+
+    private String placed(String path, Predicate<String> isBehind) {
+        for (Map.Entry<String, String> override : overrides.entrySet()) {
+            if (isBehind.test(override.getKey())) {
+                return "--set " + override.getKey() + "=" + override.getValue() + ": ";
+            }
+        }
+        return scene.placeOf(path).map(place -> place + ": ").orElse("");
+    }
+
+    /** Reads the models of a run, so that what is wrong with one names the setting that asks for it. */
+    private void load(SceneSettings settings) {
+        List<ModelSettings> world = settings.world().models();
+        for (int i = 0; i < world.size(); i++) {
+            load("world.models." + i, world.get(i));
+        }
+        settings.drones().forEach((id, drone) -> load("drones." + id + ".model", drone.model()));
+    }
+
+    private void load(String path, ModelSettings model) {
+        try {
+            models().read(model);
+        } catch (InputException e) {
+            // What is wrong with a file is not the fault of an override of its scale or position.
+            String place = placed(path, set -> set.equals(path) || set.equals(path + ".file"));
+            throw new InputException(place + path + ": " + e.getMessage(), e);
         }
     }
 
@@ -156,32 +258,50 @@ public final class SceneRunner {
      * Loads the models and creates what one of the scene's runs shows, without running it.
      *
      * @param settings one of {@link #settingsOfRuns()}
+     * @throws CancellationException when the thread is interrupted; it stays so
      * @throws InputException when a model is wrong
      */
     public Stage stage(SceneSettings settings) {
-        return new Stage(settings, models(), runSeed(settings, 0, 0));
+        return Interrupts.surfacing(() -> {
+            load(settings);
+            return new Stage(settings, models(), runSeed(settings, 0, 0));
+        });
     }
 
     /**
-     * Runs the scene.
+     * Runs the scene. An {@link Error} of the scene or of a sensor passes unchanged. After a run that failed or was interrupted
+     * this runner can run again.
      *
+     * @throws CancellationException when the thread is interrupted, before the run or at any moment of it; it stays so
      * @throws InputException when an override or a model is wrong
+     * @throws IllegalArgumentException when the scene has no run of the index given to {@link #only}
      * @throws IllegalStateException when the scene was made for a simulator of the user's
      */
     public SceneResult run() {
+        return Interrupts.surfacing(this::runAll);
+    }
+
+    private SceneResult runAll() {
         if (!(scene.getSimulator() instanceof SceneSimulator simulator)) {
             throw new IllegalStateException("this scene was made for another simulator: start that one");
         }
         SceneSettings settings = settings();
+        inputs = Optional.of(described(settings));
         List<SceneSettings> settingsOfRuns = settingsOfRuns(settings);
+        int first = only.orElse(0);
+        int end = only.isPresent() ? first + 1 : settingsOfRuns.size();
+        if (first < 0 || end > settingsOfRuns.size()) {
+            throw new IllegalArgumentException("run " + first + " must be 0 to " + (settingsOfRuns.size() - 1));
+        }
         ModelCache loaded = models();
         double before = loaded.loadSeconds() + loaded.buildSeconds();
         List<RunResult> results = new ArrayList<>();
         LookTimes times = new LookTimes();
         boolean complete = true;
         long start = System.nanoTime();
+        settingsOfRuns.forEach(this::load);
         try (Workers workers = new Workers(threads)) {
-            for (int run = 0; run < settingsOfRuns.size() && complete; run++) {
+            for (int run = first; run < end && complete; run++) {
                 RunInfo info = new RunInfo(run, settingsOfRuns.size(), settingsOfRuns.get(run));
                 results.add(workers.call(() -> runOnce(simulator, info, loaded, times)));
                 complete = !cancelled.getAsBoolean();
@@ -192,12 +312,15 @@ public final class SceneRunner {
         double all = NANO * (System.nanoTime() - start);
         double wall = all - (loaded.loadSeconds() + loaded.buildSeconds() - before);
         Timing timing = new Timing(loaded.loadSeconds(), loaded.buildSeconds(), wall, times.seconds());
+        complete &=
+                results.stream().allMatch(run -> until >= run.settings().run().duration());
         return new SceneResult(scene.name(), settings.run().seed(), threads, complete, results, timing);
     }
 
     private ModelCache models() {
         if (models == null) {
             models = new ModelCache(directory, notes);
+            ConditionAdvice.of(settingsOfRuns()).forEach(models::warn);
         }
         return models;
     }
@@ -223,11 +346,29 @@ public final class SceneRunner {
                 times,
                 cancelled));
         listeners.forEach(listener -> listener.runStarted(info));
-        double duration = info.settings().run().duration();
-        simulator.run(scene, new SceneReplication(scene.name(), duration));
+        double duration = Math.min(until, info.settings().run().duration());
+        simulate(simulator, new SceneReplication(scene.name(), duration));
         double simulated = cancelled.getAsBoolean() ? progress.time : duration;
-        List<AlertResult> alerts = progress.alerts(info, scene.stage()).results(scene.stage(), simulated);
-        return new RunResult(info.run(), info.settings(), simulated, log.events(), log.pairs(), alerts);
+        Stage stage = scene.stage();
+        List<AlertResult> alerts =
+                stage == null ? List.of() : progress.alerts(info, stage).results(stage, simulated);
+        RunResult result = new RunResult(info.run(), info.settings(), simulated, log.events(), log.pairs(), alerts);
+        listeners.forEach(listener -> listener.runEnded(result));
+        return result;
+    }
+
+    /** Runs to the end, or until the run is cancelled: an interrupt then only brings that about sooner. */
+    private void simulate(SceneSimulator simulator, SceneReplication replication) {
+        try {
+            Interrupts.surfacing(() -> {
+                simulator.run(scene, replication);
+                return null;
+            });
+        } catch (CancellationException e) {
+            if (!cancelled.getAsBoolean()) {
+                throw e;
+            }
+        }
     }
 
     /** When the last frame was, and what alerts there were. The stage is there from the first frame on. */

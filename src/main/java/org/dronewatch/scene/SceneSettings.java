@@ -2,15 +2,18 @@ package org.dronewatch.scene;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Spelling;
+import org.dronewatch.setting.Switchable;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.WorldSettings;
 
@@ -20,20 +23,25 @@ import org.dronewatch.world.WorldSettings;
  *
  * @param world the site
  * @param drones drones by id; at most 1000 fly, with those of their swarms
- * @param sensors sensors by id
+ * @param sensors sensors by id, with those that are switched off ({@code enabled: false}): they observe nothing, cost nothing
+ *     and are checked like the others
+ * @param disabled ids of the sensors that are switched off
  * @param alert when the site is alerted, and what is to be protected
  * @param prices what the sensors cost
- * @param run duration and seed
+ * @param run duration and seed; no sensor may look more than 100,000,000 times in that time
  * @param sweep a setting that changes from run to run, or empty for a single run
  */
 public record SceneSettings(
         WorldSettings world,
         Map<String, DroneSettings> drones,
-        Map<String, SensorSettings<?>> sensors,
+        @Switchable("disabled") Map<String, SensorSettings<?>> sensors,
+        Set<String> disabled,
         AlertSettings alert,
         PriceSettings prices,
         RunSettings run,
         Optional<SweepSettings> sweep) {
+    /** How often one sensor may look in a run: ten times a second for more than a hundred days. */
+    public static final int MOST_LOOKS = 100_000_000;
 
     /** Checks ids and keeps its own maps. */
     public SceneSettings {
@@ -44,6 +52,7 @@ public record SceneSettings(
         Check.present("sweep", sweep);
         drones = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("drones", drones)));
         sensors = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("sensors", sensors)));
+        disabled = Collections.unmodifiableSet(new LinkedHashSet<>(Check.present("disabled", disabled)));
         drones.keySet().forEach(SceneSettings::checkId);
         Fliers.of(drones);
         sensors.keySet().forEach(SceneSettings::checkId);
@@ -55,16 +64,35 @@ public record SceneSettings(
         if (!sensors.isEmpty()) {
             // Without sensors it may be a scene that is still being read.
             prices.sensors().keySet().forEach(id -> checkPriced(id, all));
+            disabled.forEach(id -> checkDisabled(id, all));
             checkRule(alert.rule(), sensors.size());
         }
+        double duration = run.duration();
+        sensors.forEach((id, sensor) -> checkLooks(id, sensor.rate(), duration));
         sensors.forEach((id, sensor) ->
                 sensor.positioner().ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
+    }
+
+    /** More would take days even of the cheapest sensor. */
+    private static void checkLooks(String id, double rate, double duration) {
+        double looks = rate * duration;
+        if (looks > MOST_LOOKS) {
+            throw new IllegalArgumentException("sensors." + id + ".rate " + rate + " Hz for run.duration " + duration
+                    + " s makes " + (float) looks + " looks, must be at most " + MOST_LOOKS);
+        }
     }
 
     private static void checkRule(AlertRule rule, int sensors) {
         if (rule instanceof AlertRule.SeveralSensors several && several.count() > sensors) {
             throw new IllegalArgumentException("alert.rule.count " + several.count() + " must be at most " + sensors
                     + ", as many as there are sensors");
+        }
+    }
+
+    private static void checkDisabled(String id, Map<String, SensorSettings<?>> sensors) {
+        if (!sensors.containsKey(id)) {
+            throw new IllegalArgumentException("disabled '" + id + "': there is no such sensor; nearest are "
+                    + String.join(", ", Spelling.nearest(id, sensors.keySet(), 3)));
         }
     }
 
@@ -76,7 +104,7 @@ public record SceneSettings(
     }
 
     private static void checkCue(String id, String cue, Map<String, SensorSettings<?>> sensors) {
-        String listens = "sensor '" + id + "' listens to '" + cue + "'";
+        String listens = "sensors." + id + ".positioner.cues: sensor '" + id + "' listens to '" + cue + "'";
         if (cue.equals(id)) {
             throw new IllegalArgumentException(listens + ", which is itself: it follows what it sees in any case");
         }
@@ -113,27 +141,78 @@ public record SceneSettings(
                 world,
                 Map.of(),
                 Map.of(),
+                Set.of(),
                 AlertSettings.DEFAULT,
                 PriceSettings.DEFAULT,
                 RunSettings.DEFAULT,
                 Optional.empty());
     }
 
+    /** The sensors that are not switched off, by id: those that observe. */
+    public Map<String, SensorSettings<?>> enabledSensors() {
+        if (disabled.isEmpty()) {
+            return sensors;
+        }
+        Map<String, SensorSettings<?>> enabled = new LinkedHashMap<>(sensors);
+        enabled.keySet().removeAll(disabled);
+        return Collections.unmodifiableMap(enabled);
+    }
+
+    /** Whether a sensor is not switched off. */
+    public boolean isEnabled(String sensor) {
+        return sensors.containsKey(sensor) && !disabled.contains(sensor);
+    }
+
+    /**
+     * The number of a sensor among all, those that are switched off too, from 0. Its random numbers depend on it, so that they
+     * stay the same when another one is switched off.
+     */
+    int numberOf(String sensor) {
+        int number = 0;
+        for (String id : sensors.keySet()) {
+            if (id.equals(sensor)) {
+                return number;
+            }
+            number++;
+        }
+        throw new IllegalArgumentException("no sensor '" + sensor + "'");
+    }
+
+    /**
+     * These settings with a sensor switched on or off.
+     *
+     * @throws IllegalArgumentException when there is no such sensor
+     */
+    public SceneSettings withEnabled(String sensor, boolean enabled) {
+        if (!sensors.containsKey(sensor)) {
+            throw new IllegalArgumentException("sensor '" + sensor + "' cannot be switched " + (enabled ? "on" : "off")
+                    + ": the scene's sensors are "
+                    + (sensors.isEmpty() ? "none" : String.join(", ", sensors.keySet())));
+        }
+        Set<String> off = new LinkedHashSet<>(disabled);
+        if (enabled) {
+            off.remove(sensor);
+        } else {
+            off.add(sensor);
+        }
+        return new SceneSettings(world, drones, sensors, off, alert, prices, run, sweep);
+    }
+
     /** These settings with a sensor in the place of the one of this id. */
     public SceneSettings withSensor(String id, SensorSettings<?> sensor) {
         Map<String, SensorSettings<?>> others = new LinkedHashMap<>(sensors);
         others.put(id, sensor);
-        return new SceneSettings(world, drones, others, alert, prices, run, sweep);
+        return new SceneSettings(world, drones, others, disabled, alert, prices, run, sweep);
     }
 
     /** These settings as one run of a sweep: what is swept has this value only. */
     SceneSettings asRunWith(String value) {
         Optional<SweepSettings> one = sweep.map(all -> new SweepSettings.Values(all.parameter(), List.of(value)));
-        return new SceneSettings(world, drones, sensors, alert, prices, run, one);
+        return new SceneSettings(world, drones, sensors, disabled, alert, prices, run, one);
     }
 
     /** These settings without a sweep. */
     public SceneSettings withoutSweep() {
-        return new SceneSettings(world, drones, sensors, alert, prices, run, Optional.empty());
+        return new SceneSettings(world, drones, sensors, disabled, alert, prices, run, Optional.empty());
     }
 }

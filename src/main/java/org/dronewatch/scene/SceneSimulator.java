@@ -1,5 +1,7 @@
 package org.dronewatch.scene;
 
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import nl.tudelft.simulation.dsol.SimRuntimeException;
 import nl.tudelft.simulation.dsol.experiment.Replication;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulator;
@@ -8,8 +10,8 @@ import nl.tudelft.simulation.dsol.simulators.RunState;
 import nl.tudelft.simulation.dsol.simulators.SimulatorInterface;
 
 /**
- * A DSOL simulator that runs on the caller's thread and lets what an event throws surface there. DSOL's own start() runs
- * on a worker thread and only logs failures.
+ * A DSOL simulator that runs on the caller's thread and lets what an event throws surface there, unchanged. DSOL's own
+ * start() runs on a worker thread and only logs failures.
  */
 final class SceneSimulator extends DevsSimulator<Double> {
     private static final long serialVersionUID = 1L;
@@ -17,6 +19,7 @@ final class SceneSimulator extends DevsSimulator<Double> {
 
     private transient Thread caller;
     private transient RuntimeException failure;
+    private transient volatile boolean initializing;
 
     private SceneSimulator(String id) {
         super(id);
@@ -34,14 +37,45 @@ final class SceneSimulator extends DevsSimulator<Double> {
         caller = Thread.currentThread();
         failure = null;
         try {
-            synchronized (CONSTRUCTION) {
-                initialize(scene, replication);
-            }
+            initializeApart(scene, replication);
+            scene.construct();
             runToEnd();
         } finally {
             cleanUp();
             caller = null;
         }
+    }
+
+    /** Whether the scene is not to construct its model yet: that may take long, and is done on the caller's thread. */
+    boolean constructsLater() {
+        return initializing;
+    }
+
+    /** DSOL swallows interrupts while it initializes, which takes a millisecond: so another thread does that. */
+    private void initializeApart(Scene scene, SceneReplication replication) {
+        initializing = true;
+        try {
+            // Waits through an interrupt and keeps it.
+            CompletableFuture.runAsync(() -> initializeAlone(scene, replication), SceneSimulator::start)
+                    .join();
+        } catch (CompletionException e) {
+            if (e.getCause() instanceof Error error) {
+                throw error;
+            }
+            throw e.getCause() instanceof RuntimeException known ? known : e;
+        } finally {
+            initializing = false;
+        }
+    }
+
+    private void initializeAlone(Scene scene, SceneReplication replication) {
+        synchronized (CONSTRUCTION) {
+            initialize(scene, replication);
+        }
+    }
+
+    private static void start(Runnable task) {
+        new Thread(task, "dronewatch-initialization").start();
     }
 
     private void runToEnd() {

@@ -41,6 +41,7 @@ public final class Stage {
     private final long runSeed;
 
     Stage(SceneSettings settings, ModelCache models, long runSeed) {
+        PictureMemory.check(settings, Runtime.getRuntime().maxMemory());
         WorldSettings site = settings.world();
         this.world = new World(models.tree(site.models()), site.noise(), site.surfaces(), site.atmosphere())
                 .withRain(site.rain())
@@ -54,20 +55,25 @@ public final class Stage {
             Drone created = new Drone(id, drone, models.tree(List.of(drone.model())));
             fliers.add(new Flier(created, paths.of(id, drone)));
         });
-        settings.sensors().forEach((id, sensor) -> lookers.add(new Looker(id, lookers.size(), sensor)));
+        // A sensor's number is part of its random draws: it stays when a neighbour is switched off.
+        settings.enabledSensors().forEach((id, sensor) -> lookers.add(new Looker(id, settings.numberOf(id), sensor)));
     }
 
     private void warn(SceneSettings settings, ModelCache models) {
         SurfaceSettings surfaces = settings.world().surfaces();
         List<String> leftOver = surfaces.leftOver(world.mesh().materialNames());
-        if (!leftOver.isEmpty() && settings.sensors().values().stream().anyMatch(SensorSettings::hearsSurfaces)) {
+        if (!leftOver.isEmpty()
+                && settings.enabledSensors().values().stream().anyMatch(SensorSettings::hearsSurfaces)) {
             models.warn("no surface is named for " + String.join(", ", leftOver) + ": taken as '" + surfaces.otherwise()
                     + "'");
         }
-        settings.sensors().forEach((id, sensor) -> sensor.positioner()
+        settings.enabledSensors().forEach((id, sensor) -> sensor.positioner()
                 .ifPresent(mount -> new MountAdvice(settings, id, mount).tell(models::warn)));
+        if (settings.enabledSensors().isEmpty() && !settings.sensors().isEmpty()) {
+            models.warn("all sensors are switched off: nothing is observed");
+        }
         Clearance clearance = new Clearance(world);
-        settings.sensors().forEach((id, sensor) -> {
+        settings.enabledSensors().forEach((id, sensor) -> {
             Position at = sensor.position();
             String where =
                     String.format(Locale.ROOT, "sensor '%s' at (%.3f, %.3f, %.3f) m", id, at.x(), at.y(), at.z());

@@ -9,12 +9,14 @@ import org.dronewatch.setting.Quantity;
 
 /** Where a sensor points: at a place, or in a direction. */
 public sealed interface Aim {
+    /** How near to a sensor the place may be at which it points, m. */
+    double NEAREST = 0.001;
 
     /**
      * The way from a sensor to where it points, of any length but 0.
      *
      * @param sensor where the sensor is, m
-     * @throws IllegalArgumentException when it would have to point at its own place
+     * @throws IllegalArgumentException when the place at which it points is less than a millimetre away
      */
     Position from(Position sensor);
 
@@ -32,7 +34,7 @@ public sealed interface Aim {
         @Override
         public Position from(Position sensor) {
             Position way = lookAt.minus(sensor);
-            Check.positive("distance from 'position' to 'lookAt'", way.length(), Quantity.LENGTH);
+            Check.atLeast("distance from 'position' to 'lookAt'", way.length(), NEAREST, Quantity.LENGTH);
             return way;
         }
     }

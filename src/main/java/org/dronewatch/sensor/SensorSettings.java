@@ -1,6 +1,7 @@
 package org.dronewatch.sensor;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.positioner.Pointing;
@@ -86,6 +87,11 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
         return Optional.empty();
     }
 
+    /** How many pixels its picture has; none unless a kind of sensor takes pictures. Java must have memory for all of them. */
+    default long pixels() {
+        return 0;
+    }
+
     /** What is said of a drone of which it has too little, such as {@code too quiet}. */
     default String weakness() {
         return "too weak";
@@ -94,6 +100,16 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
     /** What the model of this sensor leaves out, in sentences for a report. */
     default List<String> leavesOut() {
         return List.of();
+    }
+
+    /**
+     * Conditions of the site that would matter to a real sensor of this kind, but that its model does not take into account;
+     * none unless a kind of sensor knows better. A scene that sets one of them gets a warning.
+     *
+     * @return by condition what to do instead, in words such as {@code set its 'transmission' for such weather}
+     */
+    default Map<Condition, String> ignoredConditions() {
+        return Map.of();
     }
 
     /** Whether it matters to this sensor what the world's surfaces are to sound. */

@@ -21,6 +21,14 @@ public final class Check {
         return value;
     }
 
+    /** A value that must be finite and not below a limit. */
+    public static double atLeast(String name, double value, double low, Quantity quantity) {
+        if (!(value >= low && value < Double.POSITIVE_INFINITY)) {
+            throw fails(name, value, quantity, "must be " + quantity.number(low) + " or more and finite");
+        }
+        return value;
+    }
+
     /** A value between two limits or on one of them. */
     public static double between(String name, double value, double low, double high, Quantity quantity) {
         if (!(value >= low && value <= high)) {

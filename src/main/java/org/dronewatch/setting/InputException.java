@@ -12,20 +12,16 @@ public final class InputException extends RuntimeException {
 
     /** A problem described in one line. */
     public InputException(String message) {
-        super(oneLine(message));
+        super(PlainText.line(message));
     }
 
     /** A problem described in one line, with what caused it. */
     public InputException(String message, Throwable cause) {
-        super(oneLine(message), cause);
+        super(PlainText.line(message), cause);
     }
 
     /** Several problems, each described in one line. */
     public InputException(List<String> problems) {
-        super(problems.stream().map(InputException::oneLine).collect(Collectors.joining("\n")));
-    }
-
-    private static String oneLine(String message) {
-        return message.replaceAll("\\p{Cntrl}+", " ").strip();
+        super(problems.stream().map(PlainText::line).collect(Collectors.joining("\n")));
     }
 }

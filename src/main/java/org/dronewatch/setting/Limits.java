@@ -3,6 +3,8 @@ package org.dronewatch.setting;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 
 /**
  * What a settings record demands of its components: that each is there, and that each number is finite and within the
@@ -50,6 +52,40 @@ public final class Limits {
         new Component(part.getName(), part.getAnnotation(In.class)).check(value);
     }
 
+    /**
+     * Checks every number in a tree of settings: those of all records in it, in lists, maps and optional parts, too. So the
+     * limits of {@link In} hold even for records whose constructors do not ask for them.
+     *
+     * @param tree settings
+     * @throws IllegalArgumentException when one is missing or out of its limits; the message begins with its path, as in
+     *     {@code sensors.gate.position.x}
+     */
+    public static void checkAll(Object tree) {
+        checkAll("", tree);
+    }
+
+    private static void checkAll(String path, Object here) {
+        if (here instanceof Record settings) {
+            for (RecordComponent part : SettingsForm.of(settings.getClass()).parts()) {
+                Object value = SettingsForm.get(settings, part);
+                try {
+                    check(part, value);
+                } catch (IllegalArgumentException e) {
+                    throw new IllegalArgumentException(path + e.getMessage(), e);
+                }
+                checkAll(path + part.getName() + ".", value);
+            }
+        } else if (here instanceof Optional<?> optional) {
+            optional.ifPresent(value -> checkAll(path, value));
+        } else if (here instanceof Map<?, ?> map) {
+            map.forEach((name, value) -> checkAll(path + name + ".", value));
+        } else if (here instanceof List<?> list) {
+            for (int i = 0; i < list.size(); i++) {
+                checkAll(path + i + ".", list.get(i));
+            }
+        }
+    }
+
     /** The limits of a number in words, as in {@code above 0 and at most 100}; empty when it must only be finite. */
     public static String inWords(In limits) {
         Quantity quantity = limits.value();
@@ -77,24 +113,36 @@ public final class Limits {
             if (value == null) {
                 throw new IllegalArgumentException(name + " is missing");
             }
-            if (limits != null && value instanceof Number written) {
-                check(written.doubleValue());
+            if (limits != null) {
+                check(name, value);
             }
         }
 
-        private void check(double value) {
+        private void check(String part, Object value) {
+            if (value instanceof Number written) {
+                check(part, written.doubleValue());
+            } else if (value instanceof List<?> list) {
+                for (int i = 0; i < list.size(); i++) {
+                    check(part + "." + i, list.get(i));
+                }
+            } else if (value instanceof Optional<?> optional && optional.isPresent()) {
+                check(part, optional.get());
+            }
+        }
+
+        private void check(String part, double value) {
             if (!Double.isFinite(value)) {
-                throw fails(value, "finite");
+                throw fails(part, value, "finite");
             }
             boolean fits =
                     value >= limits.from() && value > limits.above() && value <= limits.to() && value < limits.below();
             if (!fits) {
-                throw fails(value, inWords(limits));
+                throw fails(part, value, inWords(limits));
             }
         }
 
-        private IllegalArgumentException fails(double value, String limit) {
-            return new IllegalArgumentException(name + " " + limits.value().inWords(value) + " must be " + limit);
+        private IllegalArgumentException fails(String part, double value, String limit) {
+            return new IllegalArgumentException(part + " " + limits.value().inWords(value) + " must be " + limit);
         }
     }
 }

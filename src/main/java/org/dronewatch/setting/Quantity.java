@@ -150,7 +150,7 @@ public enum Quantity {
             throw new IllegalArgumentException("'" + shortened(text) + "' is not a number" + orWithUnit());
         }
         double number = Double.parseDouble(matcher.group(1));
-        String written = matcher.group(2);
+        String written = KnownUnits.meant(this, matcher.group(2));
         if (written.isEmpty() || written.equals(unit)) {
             return number;
         }
@@ -162,7 +162,9 @@ public enum Quantity {
             return zero + number * (one - zero);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException(
-                    "'" + text.strip() + "': unit '" + written + "' does not fit: expected a number" + orWithUnit(), e);
+                    "'" + text.strip() + "': unit '" + written + "' does not fit: expected a number" + orWithUnit()
+                            + KnownUnits.hint(this, written),
+                    e);
         }
     }
 

@@ -3,6 +3,7 @@ package org.dronewatch.setting;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -100,8 +101,9 @@ public final class SettingText {
 
     private static long longNumber(String text) {
         try {
-            return Long.parseLong(text.strip());
-        } catch (NumberFormatException e) {
+            // A sweep counts in numbers that may have a part after the point: 2.0 is a whole number, too.
+            return new BigDecimal(text.strip()).longValueExact();
+        } catch (ArithmeticException | NumberFormatException e) {
             throw new IllegalArgumentException("'" + text + "' is not a whole number of at most 18 digits", e);
         }
     }
@@ -169,7 +171,9 @@ public final class SettingText {
         Map<String, Object> values = new LinkedHashMap<>();
         List<RecordComponent> parts = new ArrayList<>(form.parts());
         for (int i = 0; i < parts.size(); i++) {
-            values.put(parts.get(i).getName(), parse(parts.get(i), texts.get(i)));
+            Object value = parse(parts.get(i), texts.get(i));
+            Limits.check(parts.get(i), value);
+            values.put(parts.get(i).getName(), value);
         }
         return form.create(values);
     }

@@ -11,6 +11,8 @@ import java.lang.reflect.RecordComponent;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * The form of a settings record: its parts, which of them must be filled in, and what the others are by default (see
@@ -30,6 +32,7 @@ public final class SettingsForm {
     private final Field constant;
     private final Method factory;
     private final List<String> required;
+    private final Set<String> hidden;
 
     private SettingsForm(Class<?> type) {
         this.type = type;
@@ -40,6 +43,10 @@ public final class SettingsForm {
         } catch (NoSuchMethodException e) {
             throw new IllegalStateException("record " + type.getName() + " has no canonical constructor", e);
         }
+        this.hidden = parts.stream()
+                .filter(part -> part.isAnnotationPresent(Switchable.class))
+                .map(part -> part.getAnnotation(Switchable.class).value())
+                .collect(Collectors.toUnmodifiableSet());
         this.constant = marked(List.of(type.getDeclaredFields()));
         this.factory = marked(List.of(type.getDeclaredMethods()));
         if (constant != null) {
@@ -84,19 +91,32 @@ public final class SettingsForm {
         return type;
     }
 
-    /** All parts, in their order. */
+    /** All parts that people write, in their order. */
     public List<RecordComponent> parts() {
-        return parts;
+        return hidden.isEmpty()
+                ? parts
+                : parts.stream()
+                        .filter(part -> !hidden.contains(part.getName()))
+                        .toList();
     }
 
     /** The part of a name. */
     public Optional<RecordComponent> part(String name) {
-        return parts.stream().filter(part -> part.getName().equals(name)).findFirst();
+        return parts().stream().filter(part -> part.getName().equals(name)).findFirst();
     }
 
-    /** The names of all parts, in their order. */
+    /** The names of all parts that people write, in their order. */
     public List<String> names() {
-        return parts.stream().map(RecordComponent::getName).toList();
+        return parts().stream().map(RecordComponent::getName).toList();
+    }
+
+    /** The part that holds the names of those that are off of a {@link Switchable} one. */
+    public RecordComponent switchOf(RecordComponent switchable) {
+        String name = switchable.getAnnotation(Switchable.class).value();
+        return parts.stream()
+                .filter(part -> part.getName().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalStateException(type.getName() + " has no component " + name));
     }
 
     /** The names of those parts that have no default. */

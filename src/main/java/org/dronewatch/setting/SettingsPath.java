@@ -44,7 +44,9 @@ public final class SettingsPath {
      */
     public <T> T write(T tree, String text) {
         @SuppressWarnings("unchecked")
-        T changed = (T) replaced(tree, 0, text);
+        T changed = (T) Switches.at(tree, names)
+                .<Object>map(toggle -> switched(toggle, (Record) tree, text))
+                .orElseGet(() -> replaced(tree, 0, text));
         return changed;
     }
 
@@ -54,6 +56,10 @@ public final class SettingsPath {
      * @throws InputException when the path leads nowhere
      */
     public Object read(Object tree) {
+        Optional<Switches> toggle = Switches.at(tree, names);
+        if (toggle.isPresent()) {
+            return toggle.get().isEnabled((Record) tree);
+        }
         Object here = tree;
         for (int depth = 0; depth < names.size(); depth++) {
             here = child(here, depth);
@@ -63,6 +69,9 @@ public final class SettingsPath {
 
     /** The quantity of the setting at this path: what it is measured in; a plain number if nothing is said. */
     public Quantity quantity(Object tree) {
+        if (Switches.at(tree, names).isPresent()) {
+            return Quantity.NUMBER;
+        }
         Object here = tree;
         for (int depth = 0; depth < names.size() - 1; depth++) {
             here = child(here, depth);
@@ -72,10 +81,18 @@ public final class SettingsPath {
                 : Quantity.NUMBER;
     }
 
+    private Record switched(Switches toggle, Record settings, String text) {
+        try {
+            return toggle.with(settings, (boolean) SettingText.parse(boolean.class, Quantity.NUMBER, text));
+        } catch (IllegalArgumentException e) {
+            throw new InputException(path + "=" + text + ": " + e.getMessage(), e);
+        }
+    }
+
     private Object replaced(Object here, int depth, String text) {
         if (depth == names.size()) {
-            throw new InputException(
-                    path + "=" + text + ": '" + path + "' is not a single value: name one of its parts");
+            throw new InputException(path + "=" + PlainText.value(text) + ": '" + path
+                    + "' is not a single value: name one of its parts");
         }
         Object unwrapped = here instanceof Optional<?> optional ? optional.orElse(null) : here;
         if (unwrapped instanceof Record settings) {
@@ -108,7 +125,7 @@ public final class SettingsPath {
         try {
             return SettingsForm.of(settings.getClass()).with(settings, Map.of(part.getName(), value));
         } catch (IllegalArgumentException e) {
-            throw new InputException(path + "=" + text + ": " + e.getMessage(), e);
+            throw new InputException(path + "=" + PlainText.value(text) + ": " + e.getMessage(), e);
         }
     }
 
@@ -125,16 +142,18 @@ public final class SettingsPath {
             Type kind = ((ParameterizedType) part.getGenericType()).getActualTypeArguments()[1];
             return SettingText.parse(kind, SettingText.quantity(part), text);
         } catch (IllegalArgumentException e) {
-            throw new InputException(path + "=" + text + ": " + e.getMessage(), e);
+            throw new InputException(path + "=" + PlainText.value(text) + ": " + e.getMessage(), e);
         }
     }
 
     private Object parsed(RecordComponent target, String text) {
         try {
             Map<String, Class<? extends Record>> kinds = open.get(target.getType());
-            return kinds == null ? SettingText.parse(target, text) : SettingText.choice(kinds, text);
+            Object value = kinds == null ? SettingText.parse(target, text) : SettingText.choice(kinds, text);
+            Limits.check(target, value);
+            return value;
         } catch (IllegalArgumentException e) {
-            throw new InputException(path + "=" + text + ": " + e.getMessage(), e);
+            throw new InputException(path + "=" + PlainText.value(text) + ": " + e.getMessage(), e);
         }
     }
 

@@ -4,6 +4,7 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /** Finds what a person may have meant. */
 public final class Spelling {
@@ -21,6 +22,13 @@ public final class Spelling {
                         .thenComparing(Comparator.naturalOrder()))
                 .limit(count)
                 .toList();
+    }
+
+    /** The nearest name if it is near enough to be what was meant: about one letter in four may differ. */
+    public static Optional<String> meant(String typed, Collection<String> names) {
+        return nearest(typed, names, 1).stream()
+                .filter(name -> distance(typed, name) <= 1.0 + 0.25 * typed.length())
+                .findFirst();
     }
 
     /**

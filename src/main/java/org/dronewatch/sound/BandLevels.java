@@ -4,39 +4,50 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import org.dronewatch.setting.In;
-import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A spectrum: one level for each octave band, dB, relative to whatever its owner says. Every level is finite; nothing at
- * all is written as a very low level, such as -200 dB.
+ * A spectrum: one level for each octave band, dB, relative to whatever its owner says. Every level is finite, and in a
+ * scene's settings -200 to 200 dB; nothing at all is written as a very low level, such as -200 dB.
  *
- * @param hz63 level of the band at 63 Hz, dB
- * @param hz125 level of the band at 125 Hz, dB
- * @param hz250 level of the band at 250 Hz, dB
- * @param hz500 level of the band at 500 Hz, dB
- * @param hz1000 level of the band at 1 kHz, dB
- * @param hz2000 level of the band at 2 kHz, dB
- * @param hz4000 level of the band at 4 kHz, dB
- * @param hz8000 level of the band at 8 kHz, dB
+ * @param hz63 level of the band at 63 Hz, -200 to 200 dB in settings
+ * @param hz125 level of the band at 125 Hz, -200 to 200 dB in settings
+ * @param hz250 level of the band at 250 Hz, -200 to 200 dB in settings
+ * @param hz500 level of the band at 500 Hz, -200 to 200 dB in settings
+ * @param hz1000 level of the band at 1 kHz, -200 to 200 dB in settings
+ * @param hz2000 level of the band at 2 kHz, -200 to 200 dB in settings
+ * @param hz4000 level of the band at 4 kHz, -200 to 200 dB in settings
+ * @param hz8000 level of the band at 8 kHz, -200 to 200 dB in settings
  */
 public record BandLevels(
-        @In(Quantity.LEVEL) double hz63,
-        @In(Quantity.LEVEL) double hz125,
-        @In(Quantity.LEVEL) double hz250,
-        @In(Quantity.LEVEL) double hz500,
-        @In(Quantity.LEVEL) double hz1000,
-        @In(Quantity.LEVEL) double hz2000,
-        @In(Quantity.LEVEL) double hz4000,
-        @In(Quantity.LEVEL) double hz8000) {
+        @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz63,
+        @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz125,
+        @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz250,
+        @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz500,
+        @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz1000,
+        @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz2000,
+        @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz4000,
+        @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz8000) {
+
+    /** The largest level of a band in a scene's settings, dB, and the least one when negative. */
+    public static final double MOST = 200.0;
 
     /**
-     * Checks the limits.
+     * Checks that there is a level for each band.
      *
      * @throws IllegalArgumentException when a level is not finite
      */
     public BandLevels {
-        Limits.check(BandLevels.class, hz63, hz125, hz250, hz500, hz1000, hz2000, hz4000, hz8000);
+        checkFinite(hz63, hz125, hz250, hz500, hz1000, hz2000, hz4000, hz8000);
+    }
+
+    private static void checkFinite(double... levels) {
+        for (int band = 0; band < levels.length; band++) {
+            if (!Double.isFinite(levels[band])) {
+                String name = BandLevels.class.getRecordComponents()[band].getName();
+                throw new IllegalArgumentException(name + " " + levels[band] + " dB must be finite");
+            }
+        }
     }
 
     /**

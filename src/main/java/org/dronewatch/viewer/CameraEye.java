@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import org.dronewatch.geometry.Hit;
+import org.dronewatch.picture.CameraView;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.CameraObject;
@@ -53,7 +54,7 @@ final class CameraEye {
 
     /** When its last frame up to a time was, s. */
     double frameTime(double time) {
-        return Math.floor(time * sensor.rate() + 1e-6) / sensor.rate();
+        return CameraView.lookTime(sensor, time);
     }
 
     /** Its last frame up to a time, the background in at most so many pixels. */

@@ -61,7 +61,7 @@ final class CameraPanel extends JPanel {
         visuals.clear();
         enlarged = null;
         known = true;
-        run.settings().sensors().forEach((id, sensor) -> {
+        run.settings().enabledSensors().forEach((id, sensor) -> {
             if (sensor instanceof PictureSettings) {
                 visuals.add(visual(new CameraEye(
                         id, sensor, run.stage(), moment -> run.run().pointing(id, moment))));
@@ -144,9 +144,7 @@ final class CameraPanel extends JPanel {
     void show(double next) {
         time = next;
         List<CameraVisual> wanted = shown();
-        double density = getGraphicsConfiguration() == null
-                ? 1.0
-                : getGraphicsConfiguration().getDefaultTransform().getScaleX();
+        double density = Scaled.density(this);
         List<int[]> sizes = wanted.stream()
                 .map(visual ->
                         new int[] {(int) (visual.frame().width * density), (int) (visual.frame().height * density)})

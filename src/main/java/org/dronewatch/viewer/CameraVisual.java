@@ -2,8 +2,6 @@ package org.dronewatch.viewer;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Dimension;
-import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -31,7 +29,7 @@ final class CameraVisual extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final Color UNDETECTED = new Color(0xffffff);
     private static final Color PLATE = new Color(24, 28, 34, 190);
-    private static final Font PLATES = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
+    private static final double PLATES = 0.88;
     private static final Color BORDER = new Color(0x10141a);
 
     /** The smallest frame about a drone's pixels, in pixels of the panel. */
@@ -39,6 +37,9 @@ final class CameraVisual extends JPanel {
 
     /** Pictures that are lower than this have room for the camera's name only. */
     private static final int LEGIBLE = 70;
+
+    /** Plates keep this far from the lower edge. */
+    private static final int EDGE = 4;
 
     /** From this width on there is room for the magnifier. */
     private static final int LARGE = 420;
@@ -51,8 +52,8 @@ final class CameraVisual extends JPanel {
 
     CameraVisual(CameraEye eye) {
         this.eye = eye;
-        setPreferredSize(new Dimension(240, 150));
-        setMinimumSize(new Dimension(80, 50));
+        setPreferredSize(Scaled.size(240, 150));
+        setMinimumSize(Scaled.size(80, 50));
         setToolTipText(eye.id() + ": click to enlarge, click again for all cameras");
         getAccessibleContext().setAccessibleName("camera " + eye.id());
         addMouseMotionListener(new MouseAdapter() {
@@ -127,7 +128,7 @@ final class CameraVisual extends JPanel {
             for (DronePixels drone : shot.drones()) {
                 drawDrone(g, frame, drone);
             }
-            if (frame.width >= LARGE) {
+            if (frame.width >= Scaled.px(LARGE)) {
                 shot.drones().stream()
                         .filter(drone -> drone.count() > 0)
                         .findFirst()
@@ -157,18 +158,18 @@ final class CameraVisual extends JPanel {
                 }
             }
         }
-        double width = Math.max(SMALLEST, (drone.columns() + 2) * sx);
-        double height = Math.max(SMALLEST, (drone.rows() + 2) * sy);
+        double width = Math.max(SMALLEST * Scaled.factor(), (drone.columns() + 2) * sx);
+        double height = Math.max(SMALLEST * Scaled.factor(), (drone.rows() + 2) * sy);
         double x = frame.x + (drone.left() + 0.5 * drone.columns()) * sx - 0.5 * width;
         double y = frame.y + (drone.top() + 0.5 * drone.rows()) * sy - 0.5 * height;
         Reading told = readings.get(drone.drone());
         g.setColor(told != null && told.isEnough() ? DETECTED : UNDETECTED);
         g.setStroke(new BasicStroke(1.5f));
         g.draw(new Rectangle2D.Double(x, y, width, height));
-        if (frame.height < LEGIBLE) {
+        if (frame.height < Scaled.px(LEGIBLE)) {
             return;
         }
-        if (frame.width < LARGE) {
+        if (frame.width < Scaled.px(LARGE)) {
             // Beside the drone there would be no room.
             plate(g, frame, frame.x + 4, frame.y + 4, shortCount(drone));
         } else {
@@ -190,12 +191,12 @@ final class CameraVisual extends JPanel {
 
     /** A text on a plate, kept inside the frame. */
     private static void plate(Graphics2D g, Rectangle frame, int x, int y, String text) {
-        g.setFont(PLATES);
+        g.setFont(Scaled.font(PLATES));
         FontMetrics metrics = g.getFontMetrics();
         int width = metrics.stringWidth(text) + 8;
         int height = metrics.getHeight() + 2;
         int left = Math.max(frame.x, Math.min(frame.x + frame.width - width, x));
-        int top = Math.max(frame.y, Math.min(frame.y + frame.height - height, y));
+        int top = Math.max(frame.y, Math.min(frame.y + frame.height - height - EDGE, y));
         g.setColor(PLATE);
         g.fillRoundRect(left, top, width, height, 6, 6);
         g.setColor(Color.WHITE);
@@ -213,7 +214,7 @@ final class CameraVisual extends JPanel {
     }
 
     private void drawName(Graphics2D g, Rectangle frame) {
-        plate(g, frame, frame.x + 4, frame.y + frame.height - 22, name());
+        plate(g, frame, frame.x + 4, frame.y + frame.height - 4, name());
     }
 
     /** The drone's pixels one by one, large, in the upper right corner. */

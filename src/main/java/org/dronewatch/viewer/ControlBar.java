@@ -1,6 +1,5 @@
 package org.dronewatch.viewer;
 
-import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -12,7 +11,7 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JToolBar;
-import org.dronewatch.report.SweptValue;
+import org.dronewatch.scene.SweptValue;
 
 /** Play, pause, step, speed, which run of a sweep, and the time. */
 final class ControlBar extends JToolBar {
@@ -50,8 +49,8 @@ final class ControlBar extends JToolBar {
             speed.addItem(Texts.speed(factor));
         }
         speed.setSelectedIndex(3);
-        speed.setMaximumSize(new Dimension(190, 40));
-        speed.setToolTipText("How many times as fast as real time it plays");
+        speed.setMaximumSize(Scaled.size(190, 40));
+        speed.setToolTipText("Playback speed, as a multiple of real time");
         speed.getAccessibleContext().setAccessibleName("speed");
         speed.addActionListener(e -> {
             if (!updating) {
@@ -60,7 +59,7 @@ final class ControlBar extends JToolBar {
         });
         add(speed);
         addSeparator();
-        runs.setMaximumSize(new Dimension(330, 40));
+        runs.setMaximumSize(Scaled.size(330, 40));
         runs.setToolTipText("Which run of the sweep is shown");
         runs.getAccessibleContext().setAccessibleName("run");
         runs.setVisible(false);
@@ -72,11 +71,11 @@ final class ControlBar extends JToolBar {
         add(runs);
         add(Box.createHorizontalGlue());
         add(state);
-        add(Box.createHorizontalStrut(16));
+        add(Box.createHorizontalStrut(Scaled.px(16)));
         time.setFont(time.getFont().deriveFont(time.getFont().getSize2D() * 1.25f));
         time.setToolTipText("Time since the start of the run");
         add(time);
-        add(Box.createHorizontalStrut(12));
+        add(Box.createHorizontalStrut(Scaled.px(12)));
     }
 
     /** A button that shows a symbol in place of the action's name. */

@@ -24,7 +24,7 @@ final class DroneTable extends AbstractTableModel {
         for (Drone drone : now) {
             detectedBy.add(String.join(
                     ", ",
-                    run.info().settings().sensors().keySet().stream()
+                    run.info().settings().enabledSensors().keySet().stream()
                             .filter(sensor -> run.isDetected(sensor, drone.id(), time))
                             .toList()));
         }
@@ -63,7 +63,7 @@ final class DroneTable extends AbstractTableModel {
             case 0 -> drone.id();
             case 1 -> String.format(Locale.ROOT, "%.1f, %.1f, %.1f", at.x(), at.y(), at.z());
             case 2 -> String.format(Locale.ROOT, "%.1f", drone.velocity().length());
-            default -> detectedBy.get(row).isEmpty() ? "nobody" : detectedBy.get(row);
+            default -> detectedBy.get(row).isEmpty() ? "-" : detectedBy.get(row);
         };
     }
 }

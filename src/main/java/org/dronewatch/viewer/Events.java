@@ -13,14 +13,13 @@ final class Events {
         Observation o = event.observation();
         return String.format(
                 Locale.ROOT,
-                "%s  %s %s %s at %.1f m (%s of %s %s)",
+                "%s  %s %s %s at %.1f m (%s, needs %s)",
                 Texts.time(o.arrival()),
                 o.sensor(),
                 event.gained() ? "gains" : "loses",
                 o.drone(),
                 o.range(),
-                Texts.value(o.value()),
-                Texts.value(o.threshold()),
-                o.unit());
+                Texts.measured(o.value(), o.unit()),
+                Texts.measured(o.threshold(), o.unit()));
     }
 }

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.DoubleFunction;
 import javax.imageio.ImageIO;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
@@ -59,9 +60,7 @@ final class Exports {
 
     /** What a part of the window shows, at the density of its screen. */
     static BufferedImage picture(Component part) {
-        double density = part.getGraphicsConfiguration() == null
-                ? 1.0
-                : part.getGraphicsConfiguration().getDefaultTransform().getScaleX();
+        double density = Scaled.density(part);
         BufferedImage image = new BufferedImage(
                 Math.max(1, (int) Math.round(part.getWidth() * density)),
                 Math.max(1, (int) Math.round(part.getHeight() * density)),
@@ -131,22 +130,27 @@ final class Exports {
 
     /** The export of a run seen from where the pane sees it now. */
     FrameExport export(ViewedRun viewed, Path directory, double rate) {
+        return new FrameExport(directory, viewed.run().reached(), rate, pictures(viewed));
+    }
+
+    /** Pictures of a run at any time, seen from where the pane sees it now; for one thread. */
+    DoubleFunction<BufferedImage> pictures(ViewedRun viewed) {
         WorldPanel world = pane.world();
         double density = world.density();
         int width = (int) Math.round(world.getWidth() * density);
         int height = (int) Math.round(world.getHeight() * density);
-        SiteStyle style = world.style().withScale(density);
+        SiteStyle style = world.style().withScale(density * Scaled.factor());
         Optional<String> selected = pane.selected();
         Backdrop[] backdrop = new Backdrop[1];
         var orbit = world.orbit();
         var cut = world.cut();
-        return new FrameExport(directory, viewed.run().reached(), rate, time -> {
+        return time -> {
             if (backdrop[0] == null) {
                 backdrop[0] = viewed.picture()
                         .backdrop(orbit, width, height, cut, Fineness.FINE, () -> false)
                         .flat();
             }
             return viewed.picture().draw(backdrop[0], viewed.state(time, selected, Optional.empty()), style);
-        });
+        };
     }
 }

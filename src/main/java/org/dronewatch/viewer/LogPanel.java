@@ -1,7 +1,6 @@
 package org.dronewatch.viewer;
 
 import java.awt.BorderLayout;
-import java.awt.Font;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JPanel;
@@ -27,7 +26,7 @@ final class LogPanel extends JPanel {
     LogPanel() {
         super(new BorderLayout());
         text.setEditable(false);
-        text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 12));
+        text.setFont(Scaled.monospaced(1.0));
         text.getAccessibleContext().setAccessibleName("log");
         add(new JScrollPane(text));
     }

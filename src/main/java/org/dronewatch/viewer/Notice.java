@@ -18,7 +18,7 @@ final class Notice extends JPanel {
         super(new BorderLayout(8, 0));
         setVisible(false);
         setBackground(new Color(0xb3261e));
-        setBorder(BorderFactory.createEmptyBorder(6, 12, 6, 8));
+        setBorder(BorderFactory.createEmptyBorder(Scaled.px(6), Scaled.px(12), Scaled.px(6), Scaled.px(8)));
         text.setEditable(false);
         text.setOpaque(false);
         text.setLineWrap(true);

@@ -35,7 +35,7 @@ final class PairTable extends AbstractTableModel {
         if (next != run) {
             run = next;
             rows.clear();
-            run.info().settings().sensors().forEach((id, sensor) -> {
+            run.info().settings().enabledSensors().forEach((id, sensor) -> {
                 for (String drone : run.info().settings().fliers().keySet()) {
                     if (rows.size() < MOST) {
                         rows.add(new Row(id, sensor.kind(), drone));
@@ -90,12 +90,9 @@ final class PairTable extends AbstractTableModel {
             case 2 -> row.drone;
             case 3 -> row.detected ? "detects" : "-";
             case 4 -> row.reading.map(r -> Texts.value(r.range())).orElse("");
-            case 5 ->
-                row.reading.map(r -> Texts.value(r.value()) + " " + r.unit()).orElse("");
+            case 5 -> row.reading.map(r -> Texts.measured(r.value(), r.unit())).orElse("");
             default ->
-                row.reading
-                        .map(r -> Texts.value(r.threshold()) + " " + r.unit())
-                        .orElse("");
+                row.reading.map(r -> Texts.measured(r.threshold(), r.unit())).orElse("");
         };
     }
 }

@@ -31,7 +31,7 @@ final class Playback {
     void show(RecordedRun other) {
         run = other;
         time = 0.0;
-        double fastest = other.info().settings().sensors().values().stream()
+        double fastest = other.info().settings().enabledSensors().values().stream()
                 .mapToDouble(sensor -> sensor.rate())
                 .max()
                 .orElse(10.0);

@@ -33,7 +33,7 @@ final class RayPanel extends JPanel {
     private final JButton clear = new JButton("Hide");
     private final JSpinner fewest = new JSpinner(new SpinnerNumberModel(0, 0, HIGHEST_ORDER, 1));
     private final JSpinner most = new JSpinner(new SpinnerNumberModel(HIGHEST_ORDER, 0, HIGHEST_ORDER, 1));
-    private final JCheckBox heardOnly = new JCheckBox("only paths that reached the sensor");
+    private final JCheckBox heardOnly = new JCheckBox("only paths that reach the sensor", true);
     private final JLabel count = new JLabel(" ");
     private final transient Latest tracing;
     private final transient Playback playback;
@@ -41,6 +41,7 @@ final class RayPanel extends JPanel {
     private transient Consumer<Optional<RaySet>> traced = rays -> {};
     private transient Stage stage;
     private transient RaySet rays;
+    private int drawn;
 
     /**
      * An empty panel.
@@ -54,11 +55,11 @@ final class RayPanel extends JPanel {
         this.playback = playback;
         this.filtered = filtered;
         this.tracing = new Latest("dronewatch-rays", threads, failed);
-        trace.setToolTipText("Follows all rays of sound from the drone to the sensor as they are at the time shown");
-        heardOnly.setToolTipText("Leaves out the rays that end elsewhere");
-        fewest.setToolTipText("Surfaces that a ray has met before, at least");
-        most.setToolTipText("Surfaces that a ray has met before, at most");
-        add(row(new JLabel("Sound of"), drones, new JLabel("for"), sensors, trace, clear));
+        trace.setToolTipText("Traces all rays of sound from the drone to the sensor at the time shown");
+        heardOnly.setToolTipText("Hides rays that end elsewhere");
+        fewest.setToolTipText("Least number of surfaces that the ray has met");
+        most.setToolTipText("Greatest number of surfaces that the ray has met");
+        add(row(new JLabel("Sound from"), drones, new JLabel("to"), sensors, trace, clear));
         add(row(new JLabel("Order from"), fewest, new JLabel("to"), most, heardOnly));
         add(row(count));
         trace.addActionListener(e -> trace());
@@ -66,11 +67,12 @@ final class RayPanel extends JPanel {
         fewest.addChangeListener(e -> filter());
         most.addChangeListener(e -> filter());
         heardOnly.addActionListener(e -> filter());
+        playback.listen(this::tell);
         getAccessibleContext().setAccessibleName("rays");
     }
 
     private static JPanel row(JComponent... parts) {
-        JPanel row = new JPanel(new FlowLayout(FlowLayout.LEADING, 6, 4));
+        JPanel row = new JPanel(new FlowLayout(FlowLayout.LEADING, Scaled.px(6), Scaled.px(4)));
         List.of(parts).forEach(row::add);
         return row;
     }
@@ -88,7 +90,7 @@ final class RayPanel extends JPanel {
         boolean possible = sensors.getItemCount() > 0 && drones.getItemCount() > 0;
         trace.setEnabled(possible);
         take(null);
-        count.setText(possible ? "Nothing is traced yet." : "No sensor of the scene follows rays.");
+        count.setText(possible ? "No rays have been traced yet." : "No sensor of the scene traces rays.");
     }
 
     /** Traces the rays of the chosen pair at the time shown. */
@@ -102,7 +104,7 @@ final class RayPanel extends JPanel {
         double time = playback.time();
         count.setText("Tracing ...");
         tracing.ask(outdated -> {
-            RayCollector collector = new RayCollector(sensor, drone);
+            RayCollector collector = new RayCollector(sensor, drone, time);
             tracedStage.traceRays(time, sensor, drone, collector);
             RaySet set = collector.toRays();
             SwingUtilities.invokeLater(() -> take(set));
@@ -111,24 +113,36 @@ final class RayPanel extends JPanel {
 
     private void take(RaySet set) {
         rays = set;
+        if (set == null) {
+            count.setText("No rays are drawn.");
+        }
         traced.accept(Optional.ofNullable(set));
         filter();
     }
 
     private void filter() {
         RayFilter filter = filter((int) fewest.getValue(), (int) most.getValue());
-        if (rays == null) {
-            count.setText("Nothing is traced.");
-        } else {
-            count.setText(String.format(
-                    Locale.ROOT,
-                    "%,d of %,d pieces are drawn; the highest order is %d%s",
-                    filter.count(rays),
-                    rays.count(),
-                    rays.maxOrder(),
-                    rays.leftOut() == 0 ? "" : String.format(Locale.ROOT, "; %,d more were not kept", rays.leftOut())));
-        }
+        drawn = rays == null ? 0 : filter.count(rays);
+        tell();
         filtered.accept(filter);
+    }
+
+    /** How many are drawn, of which time, and whether that is still the time shown. */
+    private void tell() {
+        if (rays == null) {
+            return;
+        }
+        String more = rays.leftOut() == 0 ? "" : String.format(Locale.ROOT, "; %,d more were not kept", rays.leftOut());
+        String text = String.format(
+                Locale.ROOT,
+                "Traced at %s: %,d of %,d ray segments drawn, highest order %d%s",
+                Texts.time(rays.time()),
+                drawn,
+                rays.count(),
+                rays.maxOrder(),
+                more);
+        boolean moved = Math.abs(playback.time() - rays.time()) >= 0.005;
+        count.setText(moved ? text + ". The time shown is now " + Texts.time(playback.time()) + "." : text);
     }
 
     private RayFilter filter(int from, int to) {

@@ -17,6 +17,6 @@ record Reading(double time, double value, double threshold, String unit, double 
 
     /** Value against threshold. */
     String text() {
-        return (Texts.value(value) + " " + unit).strip() + " (needs " + Texts.value(threshold) + ")";
+        return Texts.measured(value, unit) + " (needs " + Texts.value(threshold) + ")";
     }
 }

@@ -5,9 +5,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.picture.RunHistory;
 import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.Frame;
-import org.dronewatch.scene.Pointings;
 import org.dronewatch.scene.RunInfo;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.positioner.Pointing;
@@ -16,8 +16,7 @@ import org.dronewatch.sensor.positioner.Pointing;
 final class RecordedRun {
     private final RunInfo info;
     private final Map<List<String>, Readings> readings = new HashMap<>();
-    private final Map<List<String>, List<DetectionEvent>> eventsOfPair = new HashMap<>();
-    private final Pointings pointings = new Pointings();
+    private final RunHistory history = new RunHistory();
     private final List<DetectionEvent> events = new ArrayList<>();
     private double reached;
     private boolean finished;
@@ -31,16 +30,13 @@ final class RecordedRun {
             readings.computeIfAbsent(List.of(observation.sensor(), observation.drone()), pair -> new Readings())
                     .add(observation);
         }
-        pointings.add(frame);
+        history.observed(frame);
         reached = frame.time();
     }
 
     synchronized void add(DetectionEvent event) {
-        Observation observation = event.observation();
         events.add(event);
-        eventsOfPair
-                .computeIfAbsent(List.of(observation.sensor(), observation.drone()), pair -> new ArrayList<>())
-                .add(event);
+        history.detectionChanged(event);
     }
 
     synchronized void finish() {
@@ -80,18 +76,11 @@ final class RecordedRun {
 
     /** Where the mount of a sensor points at a time; empty for a sensor that stands still. */
     synchronized Optional<Pointing> pointing(String sensor, double time) {
-        return pointings.at(sensor, time);
+        return history.pointing(sensor, time);
     }
 
     /** Whether a sensor detects a drone at a time. */
     synchronized boolean isDetected(String sensor, String drone, double time) {
-        boolean detected = false;
-        for (DetectionEvent event : eventsOfPair.getOrDefault(List.of(sensor, drone), List.of())) {
-            if (event.observation().arrival() > time) {
-                break;
-            }
-            detected = event.gained();
-        }
-        return detected;
+        return history.isDetected(sensor, drone, time);
     }
 }

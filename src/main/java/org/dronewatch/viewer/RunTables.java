@@ -14,7 +14,7 @@ final class RunTables {
     private final DroneTable drones = new DroneTable();
     private final Consumer<String> selection;
 
-    /** Empty tables that tell which sensor or drone was clicked on. */
+    /** Empty tables that report which sensor or drone was clicked on. */
     RunTables(Consumer<String> selection) {
         this.selection = selection;
     }
@@ -24,7 +24,7 @@ final class RunTables {
         JTable table = new JTable(pairs);
         table.setAutoCreateRowSorter(true);
         for (int i = 0; i < PAIR_COLUMNS.length; i++) {
-            table.getColumnModel().getColumn(i).setPreferredWidth(PAIR_COLUMNS[i]);
+            table.getColumnModel().getColumn(i).setPreferredWidth(Scaled.px(PAIR_COLUMNS[i]));
         }
         table.setDefaultRenderer(Object.class, new DetectionRenderer(pairs));
         return prepared(table, "sensors", () -> pairs.sensor(table.convertRowIndexToModel(table.getSelectedRow())));

@@ -49,18 +49,18 @@ final class SiteSection extends JPanel {
         return List.of(
                 view(
                         "Orbit",
-                        "Looks at all sensors and flights in perspective",
+                        "Shows all sensors and flights in perspective",
                         '1',
                         box -> Orbit.about(box, world.aspect())),
                 view("From above", "A plan with north up", '2', box -> Orbit.top(box, world.aspect())),
                 view(
                         "From the side",
-                        "From the east, level",
+                        "A level view from the east",
                         '3',
                         box -> Orbit.side(box, world.aspect(), 0.5 * Math.PI)),
                 ViewerActions.action(
                         "Focus",
-                        "Looks at the selected sensor or drone from near",
+                        "Zooms in on the selected sensor or drone",
                         ViewerActions.key('F'),
                         () -> focus.run()));
     }

@@ -32,6 +32,11 @@ final class Texts {
         return String.format(Locale.ROOT, size < 10.0 ? "%.2f" : "%.1f", value);
     }
 
+    /** A measured value with its unit; in words where there was no signal at all. */
+    static String measured(double value, String unit) {
+        return value == Double.NEGATIVE_INFINITY ? "no signal" : (value(value) + " " + unit).strip();
+    }
+
     /** A speed of playing. */
     static String speed(double factor) {
         return factor == Double.POSITIVE_INFINITY

@@ -2,10 +2,10 @@ package org.dronewatch.viewer;
 
 import java.awt.Color;
 import java.awt.Dimension;
-import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -15,27 +15,39 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JViewport;
+import javax.swing.Scrollable;
+import javax.swing.SwingConstants;
 import javax.swing.UIManager;
 import org.dronewatch.picture.KindColours;
 import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.sensor.Observation;
 
 /**
- * A run from its start to its end: a row for each sensor with a bar while it detects a drone, a triangle where it gains one
- * and a stroke where it loses it; what has not been simulated yet is hatched. A click jumps to a time.
+ * A run from its start to its end: a row for each sensor, with its name on the left, a bar while it detects a drone, a
+ * triangle where it gains one and a stroke where it loses it; what has not been simulated yet is paler. A click jumps to a
+ * time. Rows keep a legible height: where there are too many, they scroll.
  */
-final class TimeLine extends JPanel {
+final class TimeLine extends JPanel implements Scrollable {
     private static final long serialVersionUID = 1L;
     private static final int MARGIN = 10;
-    private static final int AXIS = 20;
-    private static final int HIGHEST_ROW = 12;
+    private static final int GAP = 3;
     private static final int WANTED_WIDTH = 600;
-    private static final int WANTED_ROW = 10;
     private static final int LOWEST = 64;
-    private static final int HIGHEST = 170;
+    private static final int HIGHEST = 230;
     private static final int NEAR = 6;
-    private static final double LEGIBLE_ROW = 9.0;
-    private static final int NAME_SIZE = 9;
+
+    /** The largest fraction of the window that it takes before its rows scroll. */
+    private static final double MOST_OF_WINDOW = 0.28;
+
+    private static final double NAME_FONT = 0.9;
+
+    /** Names take at most this fraction of the width. */
+    private static final double NAMES = 0.25;
+
+    /** Labels of the axis are at least this far apart. */
+    private static final int TICKS = 80;
 
     private final transient Playback playback;
     private final transient List<DetectionEvent> events = new ArrayList<>();
@@ -45,7 +57,7 @@ final class TimeLine extends JPanel {
 
     TimeLine(Playback playback) {
         this.playback = playback;
-        setMinimumSize(new Dimension(200, LOWEST));
+        setMinimumSize(Scaled.size(200, LOWEST));
         setToolTipText("");
         getAccessibleContext().setAccessibleName("time line");
         MouseAdapter mouse = new MouseAdapter() {
@@ -63,13 +75,65 @@ final class TimeLine extends JPanel {
         addMouseMotionListener(mouse);
     }
 
-    /** As high as its rows want, but no more than a fifth of the window. */
+    /** This time line in a pane that scrolls its rows and keeps its axis in sight. */
+    JScrollPane scrolling() {
+        JScrollPane pane =
+                new JScrollPane(this, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        // The axis is painted at the lower edge of what is in sight: copying what was painted would smear it.
+        pane.getViewport().setScrollMode(JViewport.SIMPLE_SCROLL_MODE);
+        pane.setBorder(null);
+        return pane;
+    }
+
+    private FontMetrics nameMetrics() {
+        return getFontMetrics(Scaled.font(NAME_FONT));
+    }
+
+    private int axisHeight() {
+        return nameMetrics().getHeight() + Scaled.px(6);
+    }
+
+    /** Height of a row: that of a name. */
+    double rowHeight() {
+        return nameMetrics().getHeight();
+    }
+
+    /** As high as its rows. */
     @Override
     public Dimension getPreferredSize() {
+        int rows = (int) Math.ceil(sensors.size() * rowHeight());
+        return new Dimension(Scaled.px(WANTED_WIDTH), Math.max(Scaled.px(LOWEST), axisHeight() + 2 * GAP + rows));
+    }
+
+    /** As high as its rows, but no more than a part of the window. */
+    @Override
+    public Dimension getPreferredScrollableViewportSize() {
         int most = getTopLevelAncestor() == null
-                ? HIGHEST
-                : Math.min(HIGHEST, getTopLevelAncestor().getHeight() / 5);
-        return new Dimension(WANTED_WIDTH, Math.max(LOWEST, Math.min(most, AXIS + 8 + WANTED_ROW * sensors.size())));
+                ? Scaled.px(HIGHEST)
+                : Math.min(Scaled.px(HIGHEST), (int)
+                        (MOST_OF_WINDOW * getTopLevelAncestor().getHeight()));
+        Dimension all = getPreferredSize();
+        return new Dimension(all.width, Math.min(most, all.height));
+    }
+
+    @Override
+    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+        return (int) rowHeight();
+    }
+
+    @Override
+    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+        return orientation == SwingConstants.VERTICAL ? visible.height / 2 : visible.width;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+        return true;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportHeight() {
+        return getParent() instanceof JViewport viewport && viewport.getHeight() > getPreferredSize().height;
     }
 
     private void jump(int x) {
@@ -97,43 +161,80 @@ final class TimeLine extends JPanel {
         repaint();
     }
 
+    /** Where times begin: right of the names, which take as much room as the longest, within limits. */
+    int left() {
+        FontMetrics metrics = nameMetrics();
+        int longest = sensors.stream().mapToInt(metrics::stringWidth).max().orElse(0);
+        return Scaled.px(MARGIN) + Math.min(longest, (int) (NAMES * getWidth())) + Scaled.px(MARGIN);
+    }
+
+    private int right() {
+        return getWidth() - Scaled.px(MARGIN);
+    }
+
     private double timeAt(int x) {
-        return (x - MARGIN) / (double) Math.max(1, getWidth() - 2 * MARGIN) * run.duration();
+        return (x - left()) / (double) Math.max(1, right() - left()) * run.duration();
     }
 
     /** Where a time is, in pixels from the left. */
     double xOf(double time) {
-        return MARGIN + time / run.duration() * (getWidth() - 2 * MARGIN);
-    }
-
-    private double rowHeight() {
-        return Math.min(HIGHEST_ROW, (getHeight() - AXIS - 6.0) / Math.max(1, sensors.size()));
+        return left() + time / run.duration() * (right() - left());
     }
 
     /** The upper edge of a sensor's row. */
     double yOf(int row) {
-        return 3.0 + row * rowHeight();
+        return GAP + row * rowHeight();
+    }
+
+    /** A sensor's name as it is written: its beginning and an ellipsis where there is no room for all of it. */
+    String label(String sensor) {
+        FontMetrics metrics = nameMetrics();
+        int room = left() - 2 * Scaled.px(MARGIN);
+        if (metrics.stringWidth(sensor) <= room) {
+            return sensor;
+        }
+        String text = sensor;
+        while (!text.isEmpty() && metrics.stringWidth(text + "\u2026") > room) {
+            text = text.substring(0, text.length() - 1);
+        }
+        return text + "\u2026";
     }
 
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setColor(UIManager.getColor("TextField.background"));
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setFont(Scaled.font(NAME_FONT));
+        g.setColor(background());
         g.fillRect(0, 0, getWidth(), getHeight());
         if (run != null) {
             paintRows(g);
-            paintAxis(g);
-            paintNow(g);
+            int axis = bottom() - axisHeight();
+            g.setColor(background());
+            g.fillRect(0, axis, getWidth(), axisHeight());
+            paintAxis(g, axis);
+            paintNow(g, axis);
         }
         g.dispose();
+    }
+
+    private static Color background() {
+        return UIManager.getColor("TextField.background");
+    }
+
+    /** The lower edge of what is in sight, or of all of it in a picture. */
+    private int bottom() {
+        boolean scrolled = getParent() instanceof JViewport && !isPaintingForPrint();
+        Rectangle visible = getVisibleRect();
+        return scrolled && !visible.isEmpty() ? visible.y + visible.height : getHeight();
     }
 
     private void paintRows(Graphics2D g) {
         double height = rowHeight();
         double reached = xOf(run.reached());
         g.setColor(shade(24));
-        g.fill(new Rectangle2D.Double(MARGIN, 3, reached - MARGIN, height * sensors.size()));
+        g.fill(new Rectangle2D.Double(left(), GAP, reached - left(), height * sensors.size()));
         for (int row = 0; row < sensors.size(); row++) {
             String sensor = sensors.get(row);
             Color colour =
@@ -164,14 +265,12 @@ final class TimeLine extends JPanel {
         }
     }
 
-    /** Small, where there is room: the tool tip tells all of them. */
     private void paintName(Graphics2D g, int row, String sensor) {
-        if (rowHeight() >= LEGIBLE_ROW) {
-            g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, NAME_SIZE));
-            g.setColor(shade(150));
-            float right = getWidth() - MARGIN - 3f - g.getFontMetrics().stringWidth(sensor);
-            g.drawString(sensor, right, (float) (yOf(row) + rowHeight() - 2.5));
-        }
+        String text = label(sensor);
+        FontMetrics metrics = g.getFontMetrics();
+        g.setColor(shade(220));
+        float x = left() - Scaled.px(MARGIN) / 2f - metrics.stringWidth(text);
+        g.drawString(text, x, (float) (yOf(row) + metrics.getAscent()));
     }
 
     private void bar(Graphics2D g, int row, double from, double to, Color colour) {
@@ -191,12 +290,13 @@ final class TimeLine extends JPanel {
             if (event.gained()) {
                 Path2D triangle = new Path2D.Double();
                 triangle.moveTo(x, top);
-                triangle.lineTo(x + 6, 0.5 * (top + bottom));
+                triangle.lineTo(x + Scaled.px(6), 0.5 * (top + bottom));
                 triangle.lineTo(x, bottom);
                 triangle.closePath();
                 g.fill(triangle);
             } else {
-                g.fill(new Rectangle2D.Double(x - 0.75, top, 1.5, bottom - top));
+                // On whole pixels: a thin stroke between two is only half as dark.
+                g.fill(new Rectangle2D.Double(Math.round(x) - 1.0, top, 2, bottom - top));
             }
         }
     }
@@ -206,53 +306,53 @@ final class TimeLine extends JPanel {
         return new Color(ink.getRed(), ink.getGreen(), ink.getBlue(), alpha);
     }
 
-    private void paintAxis(Graphics2D g) {
-        g.setFont(
-                getFont() == null
-                        ? new Font(Font.SANS_SERIF, Font.PLAIN, 11)
-                        : getFont().deriveFont(11f));
+    private void paintAxis(Graphics2D g, int top) {
         FontMetrics metrics = g.getFontMetrics();
-        double wanted = run.duration() * 80.0 / Math.max(1, getWidth() - 2 * MARGIN);
+        double wanted = run.duration() * Scaled.px(TICKS) / Math.max(1, right() - left());
         double power = Math.pow(10.0, Math.floor(Math.log10(wanted)));
         double step = wanted <= power
                 ? power
                 : wanted <= 2 * power ? 2 * power : wanted <= 5 * power ? 5 * power : 10 * power;
-        int y = getHeight() - AXIS;
         g.setColor(shade(160));
         for (int i = 0; i * step <= run.duration() * (1.0 + 1e-9); i++) {
             double x = xOf(i * step);
-            g.fill(new Rectangle2D.Double(x - 0.5, y, 1, 4));
+            g.fill(new Rectangle2D.Double(x - 0.5, top, 1, Scaled.px(4)));
             String text = String.format(Locale.ROOT, step < 1.0 ? "%.2g s" : "%.0f s", i * step);
             int left = (int)
                     Math.max(0, Math.min(getWidth() - metrics.stringWidth(text), x - 0.5 * metrics.stringWidth(text)));
-            g.drawString(text, left, getHeight() - 4);
+            g.drawString(text, left, top + Scaled.px(4) + metrics.getAscent());
         }
     }
 
-    private void paintNow(Graphics2D g) {
+    private void paintNow(Graphics2D g, int axis) {
         double x = xOf(playback.time());
+        double size = Scaled.px(5);
+        double top = Math.max(0, axis - getVisibleRect().height);
         g.setColor(
                 UIManager.getColor("Component.accentColor") == null
                         ? new Color(0x2675bf)
                         : UIManager.getColor("Component.accentColor"));
-        g.fill(new Rectangle2D.Double(x - 1, 0, 2, getHeight() - AXIS + 4.0));
+        g.fill(new Rectangle2D.Double(x - 1, 0, 2, axis + 4.0));
         Path2D head = new Path2D.Double();
-        head.moveTo(x - 5, 0);
-        head.lineTo(x + 5, 0);
-        head.lineTo(x, 7);
+        head.moveTo(x - size, top);
+        head.lineTo(x + size, top);
+        head.lineTo(x, top + 1.4 * size);
         head.closePath();
         g.fill(head);
     }
 
-    /** The event nearest to the pointer, else the sensor of the row and the time. */
+    /** The whole name over a name, the event nearest to the pointer, else the sensor of the row and the time. */
     @Override
     public String getToolTipText(MouseEvent e) {
         if (run == null || sensors.isEmpty()) {
             return null;
         }
-        int row = (int) Math.max(0, Math.min(sensors.size() - 1.0, (e.getY() - 3) / rowHeight()));
+        int row = (int) Math.max(0, Math.min(sensors.size() - 1.0, (e.getY() - GAP) / rowHeight()));
+        if (e.getX() < left()) {
+            return sensors.get(row);
+        }
         DetectionEvent nearest = null;
-        double best = NEAR;
+        double best = Scaled.px(NEAR);
         for (DetectionEvent event : events) {
             double distance = Math.abs(xOf(event.observation().arrival()) - e.getX());
             if (event.observation().sensor().equals(sensors.get(row)) && distance < best) {

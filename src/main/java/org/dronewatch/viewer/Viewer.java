@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
 import javax.swing.SwingUtilities;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneListener;
@@ -27,14 +28,33 @@ import org.dronewatch.scene.SceneRunner;
  * }</pre>
  */
 public final class Viewer implements AutoCloseable {
-    private final Recording recording = new Recording();
     private final CountDownLatch closed = new CountDownLatch(1);
     private final Thread runner = Thread.currentThread();
-    private ViewerPane pane;
-    private ViewerWindow window;
-    private volatile boolean closing;
+    private final int threads;
+    private volatile ViewerWindow window;
+    private Optional<SceneOpening> opening = Optional.empty();
 
-    private Viewer() {}
+    // The window's threads read these.
+    private volatile Recording recording = new Recording();
+    private volatile ViewerPane pane;
+    private volatile boolean closing;
+    private volatile Subject next;
+
+    /** Whether the thread that runs scenes closes the window itself: it reads nothing then. */
+    private volatile boolean ended;
+
+    /**
+     * A scene to be looked at.
+     *
+     * @param scene it
+     * @param runner the one that will run it; it also gives what the pictures show
+     * @param file the file that describes it, which a window then offers again; empty when there is none
+     */
+    public record Subject(Scene scene, SceneRunner runner, Optional<Path> file) {}
+
+    private Viewer(int threads) {
+        this.threads = threads;
+    }
 
     /** Why no window can be opened here; empty when one can. */
     public static Optional<String> obstacle() {
@@ -62,29 +82,113 @@ public final class Viewer implements AutoCloseable {
         return open(scene, runner, threads, ViewerLayout.ofUser());
     }
 
+    /**
+     * Opens the window as {@link #open(Scene, SceneRunner, int)}, with a menu that opens other scenes in it. The thread that
+     * calls is expected to run them one after the other: {@link #awaitNext} gives the next.
+     *
+     * @param reader reads and checks a scene file; it throws InputException where there are mistakes
+     * @throws IllegalStateException when there is no display
+     */
+    public static Viewer open(Subject subject, int threads, Function<Path, Subject> reader) {
+        return open(subject, threads, ViewerLayout.ofUser(), Optional.of(reader));
+    }
+
     static Viewer open(Scene scene, SceneRunner runner, int threads, Path layoutFile) {
+        return open(new Subject(scene, runner, Optional.empty()), threads, layoutFile, Optional.empty());
+    }
+
+    static Viewer open(Subject subject, int threads, Path layoutFile, Optional<Function<Path, Subject>> reader) {
         Optional<String> obstacle = obstacle();
         if (obstacle.isPresent()) {
             throw new IllegalStateException(obstacle.get());
         }
-        Viewer viewer = new Viewer();
+        Viewer viewer = new Viewer(threads);
         ViewerLayout layout = new ViewerLayout(layoutFile);
+        RecentScenes recent = new RecentScenes(layoutFile.resolveSibling("recent-scenes.txt"));
+        viewer.opening = reader.map(
+                read -> new SceneOpening(recent, read, viewer::choose, problem -> viewer.pane.tell(problem)));
+        viewer.opening.ifPresent(any -> subject.file().ifPresent(recent::add));
+        String title = subject.scene().name();
         // One thing after the other, so that the event thread is never busy for long.
         onEventThread(() -> ViewerWindow.setLook(layout.isDark()));
-        onEventThread(() -> viewer.pane = new ViewerPane(scene.name(), viewer.recording, runner::stage, threads));
-        onEventThread(() -> viewer.window =
-                new ViewerWindow(scene.name(), viewer.pane, layout, viewer::closing, viewer.closed::countDown));
+        onEventThread(() -> viewer.pane = viewer.paneOf(subject));
+        onEventThread(() -> viewer.window = new ViewerWindow(
+                title, viewer.pane, layout, viewer.opening, viewer::closing, viewer.closed::countDown));
         onEventThread(viewer.window::show);
         onEventThread(viewer.window::divide);
         return viewer;
     }
 
+    private ViewerPane paneOf(Subject subject) {
+        return new ViewerPane(subject.scene().name(), recording, subject.runner()::stage, threads);
+    }
+
     /** Whoever reads models for a window that is gone need not go on. */
     private void closing() {
-        closing = true;
-        if (!recording.hasFrames()) {
+        synchronized (this) {
+            closing = true;
+            interruptReading();
+            notifyAll();
+        }
+    }
+
+    /** The user wants to see another scene: the run that goes on is of no use any more. */
+    private void choose(Subject subject) {
+        synchronized (this) {
+            next = subject;
+            // Under the lock: a moment later it would be the reading of the next scene that ends.
+            interruptReading();
+            notifyAll();
+        }
+    }
+
+    private void interruptReading() {
+        if (!ended && !recording.hasFrames() && !recording.isFinished()) {
             runner.interrupt();
         }
+    }
+
+    /**
+     * Waits until the user opens another scene or closes the window. Another scene is then shown in the place of the one
+     * before, whose threads have ended; it is for the caller to run.
+     *
+     * @return the other scene; empty when the window is closed
+     */
+    public Optional<Subject> awaitNext() {
+        Subject chosen;
+        synchronized (this) {
+            // What interrupted the reading of models has done its work.
+            Thread.interrupted();
+            while (!closing && next == null) {
+                try {
+                    wait();
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                    return Optional.empty();
+                }
+            }
+            if (closing) {
+                return Optional.empty();
+            }
+            chosen = next;
+            next = null;
+            recording = new Recording();
+        }
+        Runnable[] ending = {() -> {}};
+        onEventThread(() -> {
+            // A window that has been closed meanwhile has ended its own pane.
+            if (!closing) {
+                pane = paneOf(chosen);
+                ending[0] = window.replace(chosen.scene().name(), pane);
+            }
+        });
+        ending[0].run();
+        return Optional.of(chosen);
+    }
+
+    /** Whether a run is of no use any more: the user has closed the window or opened another scene. */
+    public boolean isLeft() {
+        return closing || next != null;
     }
 
     private static void onEventThread(Runnable work) {
@@ -150,6 +254,10 @@ public final class Viewer implements AutoCloseable {
         return pane;
     }
 
+    Optional<SceneOpening> opening() {
+        return opening;
+    }
+
     ViewerWindow window() {
         return window;
     }
@@ -157,6 +265,7 @@ public final class Viewer implements AutoCloseable {
     /** Closes the window if the user has not. */
     @Override
     public void close() {
+        ended = Thread.currentThread() == runner;
         closing = true;
         SwingUtilities.invokeLater(window::close);
         awaitClosed();

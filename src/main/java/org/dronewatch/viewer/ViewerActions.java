@@ -19,20 +19,21 @@ final class ViewerActions {
     private final Action slower;
 
     ViewerActions(Playback playback) {
-        play = action("Play", "Plays the run, or pauses it", key(KeyEvent.VK_SPACE), () -> {
+        play = action("Play", "Plays or pauses the run", key(KeyEvent.VK_SPACE), () -> {
             if (playback.isPlaying()) {
                 playback.pause();
             } else {
                 playback.play();
             }
         });
-        stepOn = action("Step on", "Pauses, and goes one look on", key(KeyEvent.VK_PERIOD), () -> playback.step(1));
-        stepBack =
-                action("Step back", "Pauses, and goes one look back", key(KeyEvent.VK_COMMA), () -> playback.step(-1));
+        stepOn = action(
+                "Step forward", "Pauses and steps to the next look", key(KeyEvent.VK_PERIOD), () -> playback.step(1));
+        stepBack = action(
+                "Step back", "Pauses and steps to the previous look", key(KeyEvent.VK_COMMA), () -> playback.step(-1));
         toStart = action("To the start", "Jumps to the start", key(KeyEvent.VK_HOME), () -> playback.jump(0.0));
         toEnd = action(
                 "To the end",
-                "Jumps as far as the run is simulated",
+                "Jumps to the end of what has been simulated",
                 key(KeyEvent.VK_END),
                 () -> playback.jump(Double.MAX_VALUE));
         faster = action("Faster", "Plays faster", key(KeyEvent.VK_PLUS), () -> change(playback, 1));

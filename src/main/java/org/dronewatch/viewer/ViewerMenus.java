@@ -1,12 +1,15 @@
 package org.dronewatch.viewer;
 
 import java.awt.event.KeyEvent;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
+import javax.swing.event.MenuEvent;
+import javax.swing.event.MenuListener;
 import org.dronewatch.picture.Orbit;
 
 /** The menus, each entry with its key. */
@@ -18,12 +21,31 @@ final class ViewerMenus {
     private final Exports exports;
     private final Consumer<Boolean> darkChosen;
     private final Runnable closeChosen;
+    private final FilmExport films;
+    private final Optional<SceneOpening> opening;
+    private final Runnable keysChosen;
 
-    ViewerMenus(ViewerPane pane, Exports exports, Consumer<Boolean> darkChosen, Runnable closeChosen) {
+    /**
+     * For a pane.
+     *
+     * @param opening opens other scenes; empty where the run is fixed
+     * @param keysChosen opens the page of keys
+     */
+    ViewerMenus(
+            ViewerPane pane,
+            Exports exports,
+            FilmExport films,
+            Optional<SceneOpening> opening,
+            Consumer<Boolean> darkChosen,
+            Runnable keysChosen,
+            Runnable closeChosen) {
         this.pane = pane;
         this.exports = exports;
         this.darkChosen = darkChosen;
         this.closeChosen = closeChosen;
+        this.films = films;
+        this.opening = opening;
+        this.keysChosen = keysChosen;
     }
 
     JMenuBar bar(boolean dark) {
@@ -32,6 +54,7 @@ final class ViewerMenus {
         bar.add(run());
         bar.add(view());
         bar.add(window(dark));
+        bar.add(help());
         return bar;
     }
 
@@ -42,6 +65,7 @@ final class ViewerMenus {
     private JMenu file() {
         JMenu menu = new JMenu("File");
         menu.setMnemonic('F');
+        opening.ifPresent(scenes -> addOpening(menu, scenes));
         menu.add(item(
                 "Save picture of the site ...",
                 "Writes the 3D view as PNG",
@@ -67,8 +91,50 @@ final class ViewerMenus {
                 "Writes the whole run as numbered pictures of the site",
                 ViewerActions.menuKey(KeyEvent.VK_E),
                 exports::saveRun));
+        menu.add(item(
+                "Save film of the site ...",
+                "Writes the run as an MP4 film of the site, seen from here",
+                ViewerActions.menuKey(KeyEvent.VK_M),
+                films::saveSite));
+        menu.add(item(
+                "Save film of the camera ...",
+                "Writes what the selected camera sees over the run as an MP4 film",
+                ViewerActions.shiftedMenuKey(KeyEvent.VK_M),
+                films::saveCamera));
         menu.addSeparator();
         menu.add(item("Close", "Closes the window", ViewerActions.menuKey(KeyEvent.VK_W), closeChosen));
+        return menu;
+    }
+
+    private void addOpening(JMenu menu, SceneOpening scenes) {
+        menu.add(item(
+                "Open ...",
+                "Opens another scene file in this window",
+                ViewerActions.menuKey(KeyEvent.VK_O),
+                () -> scenes.ask(pane)));
+        JMenu recent = new JMenu("Open recent");
+        scenes.list(recent);
+        menu.addMenuListener(new MenuListener() {
+            @Override
+            public void menuSelected(MenuEvent e) {
+                scenes.list(recent);
+            }
+
+            @Override
+            public void menuDeselected(MenuEvent e) {}
+
+            @Override
+            public void menuCanceled(MenuEvent e) {}
+        });
+        menu.add(recent);
+        menu.addSeparator();
+    }
+
+    private JMenu help() {
+        JMenu menu = new JMenu("Help");
+        menu.setMnemonic('H');
+        menu.add(item(
+                "Keys and mouse", "Lists all keys and mouse gestures", ViewerActions.key(KeyEvent.VK_F1), keysChosen));
         return menu;
     }
 
@@ -87,7 +153,7 @@ final class ViewerMenus {
         menu.addSeparator();
         menu.add(item(
                 "Trace rays of sound",
-                "Follows all rays of the chosen microphone at the time shown",
+                "Traces all rays of the chosen microphone at the time shown",
                 ViewerActions.key(KeyEvent.VK_R),
                 pane.rayPanel()::trace));
         return menu;
@@ -99,15 +165,33 @@ final class ViewerMenus {
         pane.views().forEach(view -> menu.add(new QuickItem(view)));
         menu.addSeparator();
         WorldPanel world = pane.world();
-        menu.add(toggle("Names", 'N', shown -> world.setStyle(world.style().withLabels(shown))));
         menu.add(toggle(
-                "Fields of view", 'O', shown -> world.setStyle(world.style().withOutlines(shown))));
-        menu.add(toggle("Flights", 'L', shown -> world.setStyle(world.style().withFlights(shown))));
+                "Names",
+                "Shows or hides names",
+                'N',
+                shown -> world.setStyle(world.style().withLabels(shown))));
+        menu.add(toggle(
+                "Fields of view",
+                "Shows or hides fields of view",
+                'O',
+                shown -> world.setStyle(world.style().withOutlines(shown))));
+        menu.add(toggle(
+                "Flights",
+                "Shows or hides the drones' flights",
+                'L',
+                shown -> world.setStyle(world.style().withFlights(shown))));
         menu.addSeparator();
-        menu.add(item("Walk ahead", "Walks on the level", ViewerActions.key(KeyEvent.VK_W), () -> walk(1, 0)));
-        menu.add(item("Walk back", "Walks on the level", ViewerActions.key(KeyEvent.VK_S), () -> walk(-1, 0)));
-        menu.add(item("Walk left", "Walks on the level", ViewerActions.key(KeyEvent.VK_A), () -> walk(0, -1)));
-        menu.add(item("Walk right", "Walks on the level", ViewerActions.key(KeyEvent.VK_D), () -> walk(0, 1)));
+        menu.add(item(
+                "Walk forward",
+                "Moves forward at the same height",
+                ViewerActions.key(KeyEvent.VK_W),
+                () -> walk(1, 0)));
+        menu.add(item(
+                "Walk back", "Moves back at the same height", ViewerActions.key(KeyEvent.VK_S), () -> walk(-1, 0)));
+        menu.add(item(
+                "Walk left", "Moves left at the same height", ViewerActions.key(KeyEvent.VK_A), () -> walk(0, -1)));
+        menu.add(item(
+                "Walk right", "Moves right at the same height", ViewerActions.key(KeyEvent.VK_D), () -> walk(0, 1)));
         menu.add(item("Nearer", "Zooms in", ViewerActions.key(KeyEvent.VK_PAGE_UP), () -> zoom(0.8)));
         menu.add(item("Farther", "Zooms out", ViewerActions.key(KeyEvent.VK_PAGE_DOWN), () -> zoom(1.25)));
         menu.addSeparator();
@@ -119,8 +203,9 @@ final class ViewerMenus {
         return menu;
     }
 
-    private static JCheckBoxMenuItem toggle(String name, char key, Consumer<Boolean> chosen) {
+    private static JCheckBoxMenuItem toggle(String name, String explanation, char key, Consumer<Boolean> chosen) {
         JCheckBoxMenuItem item = new QuickToggle(name, true);
+        item.setToolTipText(explanation);
         item.setAccelerator(ViewerActions.key(key));
         item.addActionListener(e -> chosen.accept(item.isSelected()));
         return item;
@@ -145,6 +230,7 @@ final class ViewerMenus {
         JMenu menu = new JMenu("Window");
         menu.setMnemonic('W');
         JCheckBoxMenuItem item = new QuickToggle("Dark", dark);
+        item.setToolTipText("Switches between the dark and the light theme");
         item.setAccelerator(ViewerActions.menuKey(KeyEvent.VK_D));
         item.addActionListener(e -> darkChosen.accept(item.isSelected()));
         menu.add(item);

@@ -81,7 +81,7 @@ final class ViewerPane extends JPanel {
         world().onHint(status::setText);
         site.onFocus(() -> {
             if (selected == null) {
-                status.setText("Click on a sensor or a drone first: Focus looks at what is selected");
+                status.setText("Click on a sensor or a drone first: Focus zooms in on the selection");
             }
             site.focusOn(selected, playback.time());
         });
@@ -103,7 +103,7 @@ final class ViewerPane extends JPanel {
         top.add(controls, BorderLayout.NORTH);
         top.add(notice, BorderLayout.SOUTH);
         JPanel bottom = new JPanel(new BorderLayout());
-        bottom.add(timeLine, BorderLayout.CENTER);
+        bottom.add(timeLine.scrolling(), BorderLayout.CENTER);
         bottom.add(statusBar(), BorderLayout.SOUTH);
         add(top, BorderLayout.NORTH);
         add(across, BorderLayout.CENTER);
@@ -114,7 +114,7 @@ final class ViewerPane extends JPanel {
 
     private JComponent statusBar() {
         JPanel bar = new JPanel(new BorderLayout());
-        bar.setBorder(BorderFactory.createEmptyBorder(3, 10, 3, 10));
+        bar.setBorder(BorderFactory.createEmptyBorder(Scaled.px(3), Scaled.px(10), Scaled.px(3), Scaled.px(10)));
         bar.add(status, BorderLayout.CENTER);
         bar.add(progress, BorderLayout.LINE_END);
         return bar;
@@ -210,8 +210,8 @@ final class ViewerPane extends JPanel {
         shownTime = Double.NaN;
         changed = true;
         sinceTables = TABLES;
-        status.setText("Drag to turn, right-drag to move, wheel to zoom, double click to look at a place; "
-                + "Space plays and pauses");
+        status.setText("Drag to turn, right-drag to move, wheel to zoom, double-click to centre on a point; "
+                + "Space plays and pauses; F1 lists all keys");
         if (first) {
             playback.play();
         }

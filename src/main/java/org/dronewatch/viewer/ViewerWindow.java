@@ -3,11 +3,13 @@ package org.dronewatch.viewer;
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.JSplitPane;
 import javax.swing.Timer;
@@ -24,12 +26,14 @@ final class ViewerWindow {
     private static final Dimension FIRST = new Dimension(1280, 800);
     private static final String[] DIVIDERS = {"across", "down"};
 
-    private final ViewerPane pane;
     private final ViewerLayout layout;
+    private final Optional<SceneOpening> opening;
     private final Runnable closing;
     private final Runnable closed;
-    private final JFrame frame;
+    private final JFrame frame = new JFrame();
     private final Timer timer;
+    private ViewerPane pane;
+    private FilmExport films;
     private long lastTick = System.nanoTime();
     private boolean open = true;
 
@@ -37,15 +41,21 @@ final class ViewerWindow {
      * A window that is not shown yet.
      *
      * @param layout how the user left it
+     * @param opening opens other scenes; empty where the run is fixed
      * @param closing is told when the user closes it
      * @param closed is told when it is gone, with all threads of the pane
      */
-    ViewerWindow(String title, ViewerPane pane, ViewerLayout layout, Runnable closing, Runnable closed) {
-        this.pane = pane;
+    ViewerWindow(
+            String title,
+            ViewerPane pane,
+            ViewerLayout layout,
+            Optional<SceneOpening> opening,
+            Runnable closing,
+            Runnable closed) {
         this.layout = layout;
+        this.opening = opening;
         this.closing = closing;
         this.closed = closed;
-        this.frame = new JFrame(title + " - dronewatch");
         this.timer = new Timer(TICK, e -> tick());
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new WindowAdapter() {
@@ -54,11 +64,43 @@ final class ViewerWindow {
                 close();
             }
         });
-        Exports exports = new Exports(pane, pane::tell);
-        frame.setJMenuBar(new ViewerMenus(pane, exports, this::setDark, this::close).bar(layout.isDark()));
-        frame.setContentPane(pane);
-        frame.setMinimumSize(new Dimension(640, 420));
+        fill(title, pane);
+        frame.setMinimumSize(Scaled.size(640, 420));
         place();
+    }
+
+    private void fill(String title, ViewerPane content) {
+        pane = content;
+        frame.setTitle(title + " - dronewatch");
+        Exports exports = new Exports(pane, pane::tell);
+        films = new FilmExport(pane, exports, pane::tell);
+        frame.setJMenuBar(
+                new ViewerMenus(pane, exports, films, opening, this::setDark, () -> KeysPage.open(frame), this::close)
+                        .bar(layout.isDark()));
+        frame.setContentPane(pane);
+    }
+
+    /**
+     * Shows another scene in the place of the one it shows.
+     *
+     * @return what ends the threads of the scene before; it may wait for them, so not on the event thread
+     */
+    Runnable replace(String title, ViewerPane content) {
+        ViewerPane old = pane;
+        FilmExport oldFilms = films;
+        int[] places = pane.dividers().stream()
+                .mapToInt(JSplitPane::getDividerLocation)
+                .toArray();
+        fill(title, content);
+        frame.validate();
+        for (int i = 0; i < places.length; i++) {
+            pane.dividers().get(i).setDividerLocation(places[i]);
+        }
+        pane.world().requestFocusInWindow();
+        return () -> {
+            oldFilms.close();
+            old.close();
+        };
     }
 
     /** Shows it. */
@@ -88,13 +130,14 @@ final class ViewerWindow {
 
     private void place() {
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        Dimension first = UIScale.scale(FIRST);
         Rectangle wanted = layout.bounds()
                 .filter(screen::intersects)
                 .orElse(new Rectangle(
-                        screen.x + Math.max(0, (screen.width - FIRST.width) / 2),
-                        screen.y + Math.max(0, (screen.height - FIRST.height) / 2),
-                        FIRST.width,
-                        FIRST.height));
+                        screen.x + Math.max(0, (screen.width - first.width) / 2),
+                        screen.y + Math.max(0, (screen.height - first.height) / 2),
+                        first.width,
+                        first.height));
         frame.setBounds(wanted.intersection(screen));
     }
 
@@ -131,6 +174,8 @@ final class ViewerWindow {
         // The threads may be in the middle of a picture: the event thread does not wait for them.
         Thread closing = new Thread(
                 () -> {
+                    opening.ifPresent(SceneOpening::close);
+                    films.close();
                     pane.close();
                     closed.run();
                 },

@@ -1,6 +1,5 @@
 package org.dronewatch.viewer;
 
-import java.awt.Dimension;
 import java.util.Locale;
 import java.util.Optional;
 import javax.swing.Action;
@@ -18,7 +17,7 @@ final class WorldBar extends JToolBar {
 
     private final transient WorldPanel world;
     private final JSlider slider = new JSlider(0, STEPS, STEPS);
-    private final JLabel height = new JLabel("not cut");
+    private final JLabel height = new JLabel("off");
     private double low;
     private double high = 1.0;
     private boolean updating;
@@ -30,10 +29,10 @@ final class WorldBar extends JToolBar {
             add(view).setFocusable(false);
         }
         add(Box.createHorizontalGlue());
-        add(new JLabel("Cut open at "));
-        slider.setMaximumSize(new Dimension(180, 40));
-        slider.setPreferredSize(new Dimension(130, 24));
-        slider.setToolTipText("Takes away all above a height, to look inside; nothing at the right end");
+        add(new JLabel("Hide above "));
+        slider.setMaximumSize(Scaled.size(180, 40));
+        slider.setPreferredSize(Scaled.size(130, 24));
+        slider.setToolTipText("Hides everything above this height, to look inside; at the right end nothing is hidden");
         slider.getAccessibleContext().setAccessibleName("cut height");
         slider.addChangeListener(e -> {
             if (!updating) {
@@ -41,7 +40,7 @@ final class WorldBar extends JToolBar {
             }
         });
         add(slider);
-        height.setPreferredSize(new Dimension(62, 20));
+        height.setPreferredSize(Scaled.size(62, 20));
         add(height);
     }
 
@@ -67,6 +66,6 @@ final class WorldBar extends JToolBar {
     }
 
     private void tell() {
-        height.setText(slider.getValue() == STEPS ? "not cut" : String.format(Locale.ROOT, "%.1f m", chosen()));
+        height.setText(slider.getValue() == STEPS ? "off" : String.format(Locale.ROOT, "%.1f m", chosen()));
     }
 }

@@ -2,7 +2,6 @@ package org.dronewatch.viewer;
 
 import java.awt.Color;
 import java.awt.Cursor;
-import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
@@ -61,8 +60,8 @@ final class WorldPanel extends JPanel {
                 }),
                 failed);
         rest.setRepeats(false);
-        setPreferredSize(new Dimension(760, 560));
-        setMinimumSize(new Dimension(200, 150));
+        setPreferredSize(Scaled.size(760, 560));
+        setMinimumSize(Scaled.size(200, 150));
         setFocusable(true);
         setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
         getAccessibleContext().setAccessibleName("site");
@@ -99,7 +98,7 @@ final class WorldPanel extends JPanel {
     /** Shows another state. */
     void show(SiteState next) {
         state = next;
-        renderer.draw(next, style.withScale(density()));
+        renderer.draw(next, style.withScale(density() * Scaled.factor()));
     }
 
     SiteStyle style() {
@@ -143,9 +142,7 @@ final class WorldPanel extends JPanel {
 
     /** Pixels of the screen for one of Swing's. */
     double density() {
-        return getGraphicsConfiguration() == null
-                ? 1.0
-                : getGraphicsConfiguration().getDefaultTransform().getScaleX();
+        return Scaled.density(this);
     }
 
     /** Width over height. */
@@ -168,7 +165,7 @@ final class WorldPanel extends JPanel {
             ids.add(mark.id());
             places.add(mark.position());
         });
-        double nearest = NEAR;
+        double nearest = NEAR * Scaled.factor();
         String found = null;
         for (int i = 0; i < ids.size(); i++) {
             Point2d at = orbit.camera(getWidth(), getHeight())
@@ -190,7 +187,7 @@ final class WorldPanel extends JPanel {
                 .flatMap((Backdrop behind) -> behind.placeAt((int) (x * density), (int) (y * density)));
     }
 
-    /** Tells what is under the pointer. */
+    /** Reports what is under the pointer. */
     void tell(int x, int y) {
         hint.accept(placeAt(x, y).map(Texts::place).orElse("sky"));
     }

@@ -11,15 +11,15 @@ import org.dronewatch.setting.Quantity;
  *
  * @param target the place, m
  * @param bearing from where it comes, as seen from the target: clockwise from north, rad
- * @param distance level way from the target at time 0: more than that at which the dive begins, m
- * @param height of the level flight over the target, above 0, m
+ * @param distance level way from the target at time 0: more than that at which the dive begins, at most 100 km, m
+ * @param height of the level flight over the target, above 0 and at most 100 km, m
  * @param angle of the dive below the horizon, 10 to 90 degrees, rad
  */
 public record Dive(
         Position target,
         @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing,
-        @In(value = Quantity.LENGTH, above = 0) double distance,
-        @In(value = Quantity.LENGTH, above = 0) double height,
+        @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double distance,
+        @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double height,
         @In(value = Quantity.ANGLE, from = Math.PI / 18, to = Math.PI / 2) double angle)
         implements FlightPathSettings {
     /** Checks the limits, and that the dive begins after the start. */
@@ -38,7 +38,7 @@ public record Dive(
         return new Dive(target, 0.0, distance, height, Math.PI / 3);
     }
 
-    /** Level way from the target at which the dive begins, m. */
+    /** Level way from the target at which the dive begins, at most 100 km, m. */
     private static double diving(double height, double angle) {
         return height / Math.tan(angle);
     }

@@ -22,8 +22,8 @@ import org.dronewatch.sound.DroneSounds;
  *
  * @param model its mesh, whose nose points to the model's north (y after loading) and whose origin is the drone's
  * @param flight the way it flies
- * @param speed cruise speed, above 0 and at most 400 m/s
- * @param acceleration largest acceleration along the path, above 0, m/s2
+ * @param speed cruise speed, 0.001 to 400 m/s
+ * @param acceleration largest acceleration along the path, 0.001 to 10,000 m/s2
  * @param radar what a radar sees of it
  * @param heat what a thermal camera sees of it
  * @param radio how it is controlled, and what of that can be heard by radio
@@ -39,8 +39,8 @@ import org.dronewatch.sound.DroneSounds;
 public record DroneSettings(
         ModelSettings model,
         FlightPathSettings flight,
-        @In(value = Quantity.SPEED, above = 0, to = 400) double speed,
-        @In(value = Quantity.ACCELERATION, above = 0) double acceleration,
+        @In(value = Quantity.SPEED, from = 0.001, to = 400) double speed,
+        @In(value = Quantity.ACCELERATION, from = 0.001, to = 10_000) double acceleration,
         RadarSignature radar,
         HeatSignature heat,
         RadioLink radio,

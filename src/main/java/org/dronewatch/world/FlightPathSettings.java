@@ -22,6 +22,11 @@ public sealed interface FlightPathSettings
                 Dive,
                 PopUp,
                 Displaced {
+    /** The shortest leg of a flight, m. */
+    double SHORTEST = 0.001;
+
+    /** The most waypoints of a flight. */
+    int MOST_WAYPOINTS = 10_000;
 
     /**
      * The path for a drone.
@@ -74,7 +79,7 @@ public sealed interface FlightPathSettings
         /** Checks that there is a way to go. */
         public Approach {
             Limits.check(Approach.class, from, to);
-            Check.positive("distance from 'from' to 'to'", from.distance(to), Quantity.LENGTH);
+            Check.atLeast("distance from 'from' to 'to'", from.distance(to), SHORTEST, Quantity.LENGTH);
         }
 
         @Override
@@ -97,23 +102,23 @@ public sealed interface FlightPathSettings
      *
      * @param target the place, m
      * @param bearing from where it comes, as seen from the target: clockwise from north, rad
-     * @param height of the flight over the target, below it if negative, m
-     * @param distance level way from the target at time 0, above 0, m
+     * @param height of the flight over the target, below it if negative, -100 to 100 km, m
+     * @param distance from the target at time 0, on the level, above 0 and at most 100 km, m
      * @param nearest level way from the target at which it stops, 0 or more, less than the distance, m
      */
     record Inbound(
             Position target,
             @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing,
-            @In(Quantity.LENGTH) double height,
-            @In(value = Quantity.LENGTH, above = 0) double distance,
-            @In(value = Quantity.LENGTH, from = 0) double nearest)
+            @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double height,
+            @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double distance,
+            @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) double nearest)
             implements FlightPathSettings {
         /** Checks the limits. */
         public Inbound {
             Limits.check(Inbound.class, target, bearing, height, distance, nearest);
-            if (nearest >= distance) {
-                throw new IllegalArgumentException(
-                        "nearest " + nearest + " m must be less than distance " + distance + " m");
+            if (distance - nearest < SHORTEST) {
+                throw new IllegalArgumentException("nearest " + nearest + " m must be less than distance " + distance
+                        + " m by " + SHORTEST + " m or more");
             }
         }
 
@@ -137,17 +142,22 @@ public sealed interface FlightPathSettings
      * Flies from waypoint to waypoint, starting and ending at rest, never faster than the cruise speed, and stopping at
      * each waypoint where the way bends; there it stays at the last one.
      *
-     * @param points at least two, no two neighbours in the same place, m
+     * @param points 2 to 10,000, neighbours 1 mm or more apart, m
      */
     record Waypoints(List<Position> points) implements FlightPathSettings {
         /** Checks the limits and keeps its own list. */
         public Waypoints {
             points = List.copyOf(Check.present("points", points));
-            if (points.size() < 2) {
-                throw new IllegalArgumentException("points has " + points.size() + " waypoints, needs 2 or more");
+            if (points.size() < 2 || points.size() > MOST_WAYPOINTS) {
+                throw new IllegalArgumentException(
+                        "points has " + points.size() + " waypoints, needs 2 to " + MOST_WAYPOINTS);
             }
             for (int i = 1; i < points.size(); i++) {
-                Check.positive("distance to waypoint " + i, points.get(i).distance(points.get(i - 1)), Quantity.LENGTH);
+                Check.atLeast(
+                        "distance to waypoint " + i,
+                        points.get(i).distance(points.get(i - 1)),
+                        SHORTEST,
+                        Quantity.LENGTH);
             }
         }
 
@@ -172,8 +182,9 @@ public sealed interface FlightPathSettings
         /** Checks the limits. */
         public Glide {
             Limits.check(Glide.class, from, release, to);
-            Check.positive("distance from 'from' to 'release'", from.distance(release), Quantity.LENGTH);
-            double drop = Check.positive("height of 'release' over 'to'", release.z() - to.z(), Quantity.LENGTH);
+            Check.atLeast("distance from 'from' to 'release'", from.distance(release), SHORTEST, Quantity.LENGTH);
+            double drop =
+                    Check.atLeast("height of 'release' over 'to'", release.z() - to.z(), SHORTEST, Quantity.LENGTH);
             double ratio = Math.hypot(to.x() - release.x(), to.y() - release.y()) / drop;
             if (ratio > FLATTEST) {
                 throw new IllegalArgumentException(
@@ -203,12 +214,12 @@ public sealed interface FlightPathSettings
      * Flies round a place, level, clockwise as seen from above.
      *
      * @param centre the middle of the circle, m
-     * @param radius above 0, m
+     * @param radius 0.1 m to 100 km, m
      * @param bearing where it is at time 0 as seen from the middle, clockwise from north, rad
      */
     record Orbit(
             Position centre,
-            @In(value = Quantity.LENGTH, above = 0) double radius,
+            @In(value = Quantity.LENGTH, from = 0.1, to = In.FARTHEST) double radius,
             @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing)
             implements FlightPathSettings {
         /** Checks the limits. */

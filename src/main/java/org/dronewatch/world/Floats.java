@@ -18,6 +18,11 @@ final class Floats {
         return values[index];
     }
 
+    /** Forgets all values. */
+    void clear() {
+        size = 0;
+    }
+
     int size() {
         return size;
     }

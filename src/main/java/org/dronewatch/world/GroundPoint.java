@@ -7,10 +7,12 @@ import org.dronewatch.setting.Quantity;
 /**
  * A place on the plan, without a height of its own: {@code [120, -40]} in a scene file.
  *
- * @param x east, m
- * @param y north, m
+ * @param x east, -100 to 100 km, m
+ * @param y north, -100 to 100 km, m
  */
-public record GroundPoint(@In(Quantity.LENGTH) double x, @In(Quantity.LENGTH) double y) {
+public record GroundPoint(
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double x,
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double y) {
     /** Checks that it is a place. */
     public GroundPoint {
         Limits.check(GroundPoint.class, x, y);

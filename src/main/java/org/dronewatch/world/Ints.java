@@ -18,6 +18,16 @@ final class Ints {
         return values[index];
     }
 
+    /** Forgets all values. */
+    void clear() {
+        size = 0;
+    }
+
+    /** The values from one index up to another, which is left out. */
+    int[] copyOfRange(int from, int to) {
+        return Arrays.copyOfRange(values, from, to);
+    }
+
     int size() {
         return size;
     }

@@ -21,14 +21,14 @@ public record LowApproach(
         @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing,
         @In(value = Quantity.LENGTH, above = 0, to = GroundTrack.LONGEST) double distance,
         @In(value = Quantity.LENGTH, above = 0, to = 10_000) double height,
-        @In(value = Quantity.LENGTH, from = 0) double nearest)
+        @In(value = Quantity.LENGTH, from = 0, to = GroundTrack.LONGEST) double nearest)
         implements FlightPathSettings {
     /** Checks the limits. */
     public LowApproach {
         Limits.check(LowApproach.class, target, bearing, distance, height, nearest);
-        if (nearest >= distance) {
-            throw new IllegalArgumentException(
-                    "nearest " + nearest + " m must be less than distance " + distance + " m");
+        if (distance - nearest < SHORTEST) {
+            throw new IllegalArgumentException("nearest " + nearest + " m must be less than distance " + distance
+                    + " m by " + SHORTEST + " m or more");
         }
     }
 

@@ -13,15 +13,15 @@ import org.dronewatch.setting.Quantity;
  *
  * @param file path of an .obj file, or {@code packaged:NAME} for a model that comes with the library
  * @param upAxis which axis of the file points up
- * @param scale metres for each unit of the file, above 0
+ * @param scale metres for each unit of the file, 1e-6 to 1e6
  * @param position where the model's origin goes, m
  * @param heading turn about the vertical, clockwise seen from above as on a compass, rad
  */
 public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,
         UpAxis upAxis,
-        @In(value = Quantity.NUMBER, above = 0) double scale,
-        @In(Quantity.LENGTH) Position position,
+        @In(value = Quantity.NUMBER, from = 1e-6, to = 1e6) double scale,
+        Position position,
         @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading) {
     /** The prefix of models that come with the library. */
     public static final String PACKAGED = "packaged:";

@@ -1,18 +1,18 @@
 package org.dronewatch.world;
 
-import de.javagl.obj.FloatTuple;
-import de.javagl.obj.ObjFace;
-import de.javagl.obj.WritableObj;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
 
-/** Takes what the OBJ parser finds, checks it while its line is still known, and makes a mesh of it. */
-final class ObjMeshCollector implements WritableObj {
+/** Takes what an OBJ file states, checks it while its line is still known, and makes a mesh of it. */
+final class ObjMeshCollector {
     /** The name of the material of faces that name none. */
     static final String NO_MATERIAL = "default";
 
@@ -23,13 +23,14 @@ final class ObjMeshCollector implements WritableObj {
     private final Placement placement;
     private final Floats vertices = new Floats();
     private final Ints corners = new Ints();
-    private final Ints lineOfTriangle = new Ints();
+    private final Ints ends = new Ints();
+    private final Ints lineOfFace = new Ints();
     private final Ints materials = new Ints();
     private final Map<String, Integer> materialNumbers = new LinkedHashMap<>();
-    private final List<String> libraries = new ArrayList<>();
-    private final List<String> warnings = new ArrayList<>();
+    private final Set<String> libraries = new LinkedHashSet<>();
+    private final Map<String, Integer> skipped = new TreeMap<>();
     private String material = NO_MATERIAL;
-    private int dropped;
+    private long triangles;
 
     ObjMeshCollector(String file, ObjLines lines, Placement placement) {
         this.file = file;
@@ -37,16 +38,7 @@ final class ObjMeshCollector implements WritableObj {
         this.placement = placement;
     }
 
-    @Override
-    public void addVertex(FloatTuple vertex) {
-        if (vertex.getDimensions() < 3) {
-            throw new InputException(lines.at(file) + "vertex has " + vertex.getDimensions() + " coordinates, needs 3");
-        }
-        addVertex(vertex.getX(), vertex.getY(), vertex.getZ());
-    }
-
-    @Override
-    public void addVertex(float x, float y, float z) {
+    void addVertex(float x, float y, float z) {
         placement.place(x, y, z, vertices);
         for (int i = vertices.size() - 3; i < vertices.size(); i++) {
             if (!(Math.abs(vertices.get(i)) <= TriangleMesh.MAX_COORDINATE)) {
@@ -56,54 +48,62 @@ final class ObjMeshCollector implements WritableObj {
         }
     }
 
-    @Override
-    public void addFace(ObjFace face) {
-        int size = face.getNumVertices();
+    /** A polygon of vertex indices as in the file: from 1, negative ones from the last vertex backwards. */
+    void addFace(Ints indices) {
+        int size = indices.size();
         if (size < 3) {
             throw new InputException(lines.at(file) + "face has " + size + " corners, needs 3 or more");
         }
-        for (int i = 0; i < size; i++) {
-            if (face.getVertexIndex(i) < 0) {
-                throw new InputException(lines.at(file) + "vertex index " + (face.getVertexIndex(i) - vertexCount())
-                        + " points before the first of " + vertexCount() + " vertices");
-            }
-        }
-        for (int i = 1; i + 1 < size; i++) {
-            addTriangle(face.getVertexIndex(0), face.getVertexIndex(i), face.getVertexIndex(i + 1));
-        }
-    }
-
-    private void addTriangle(int a, int b, int c) {
-        if (materials.size() == MAX_TRIANGLES) {
+        triangles += size - 2;
+        if (triangles > MAX_TRIANGLES) {
             throw new InputException(lines.at(file) + "more than " + MAX_TRIANGLES + " triangles");
         }
-        corners.add(a);
-        corners.add(b);
-        corners.add(c);
-        lineOfTriangle.add(lines.line());
+        for (int i = 0; i < size; i++) {
+            corners.add(vertex(indices.get(i)));
+        }
+        ends.add(corners.size());
+        lineOfFace.add(lines.line());
         materials.add(materialNumbers.computeIfAbsent(material, name -> materialNumbers.size()));
+    }
+
+    private int vertex(int index) {
+        if (index == 0) {
+            throw new InputException(lines.at(file) + "vertex index 0, but the first vertex has index 1");
+        }
+        if (index < -vertexCount()) {
+            throw new InputException(lines.at(file) + "vertex index " + index + " points before the first of "
+                    + vertexCount() + " vertices");
+        }
+        return index < 0 ? vertexCount() + index : index - 1;
     }
 
     private int vertexCount() {
         return vertices.size() / 3;
     }
 
-    @Override
-    public void setActiveMaterialGroupName(String name) {
+    void useMaterial(String name) {
         material = name.isEmpty() ? NO_MATERIAL : name;
     }
 
-    @Override
-    public void setMtlFileNames(Collection<? extends String> names) {
-        libraries.addAll(names);
+    void addLibrary(String name) {
+        libraries.add(name);
+    }
+
+    /** Counts a statement without effect. */
+    void skip(String word) {
+        skipped.merge(word, 1, Integer::sum);
     }
 
     /** Checks what can be known at the end only: a face may come before its vertices. */
     void finish() {
+        int face = 0;
         for (int i = 0; i < corners.size(); i++) {
+            if (i == ends.get(face)) {
+                face++;
+            }
             if (corners.get(i) >= vertexCount()) {
-                throw new InputException(file + ":" + lineOfTriangle.get(i / 3) + ": vertex index "
-                        + (corners.get(i) + 1) + " is beyond the last of " + vertexCount() + " vertices");
+                throw new InputException(file + ":" + lineOfFace.get(face) + ": vertex index " + (corners.get(i) + 1)
+                        + " is beyond the last of " + vertexCount() + " vertices");
             }
         }
         if (corners.size() == 0) {
@@ -111,99 +111,64 @@ final class ObjMeshCollector implements WritableObj {
         }
     }
 
-    /** The mesh without the triangles that have no area. */
-    TriangleMesh toMesh(String name) {
-        Ints keptCorners = new Ints();
-        Ints keptMaterials = new Ints();
-        Ints sourceNumbers = new Ints();
-        for (int i = 0; i < materials.size(); i++) {
-            if (hasArea(i)) {
-                for (int k = 0; k < 3; k++) {
-                    keptCorners.add(corners.get(3 * i + k));
-                }
-                keptMaterials.add(materials.get(i));
-                sourceNumbers.add(i);
+    /**
+     * The mesh without the triangles that have no area.
+     *
+     * @param warnings takes a line when polygons cross themselves
+     */
+    TriangleMesh toMesh(List<String> warnings) {
+        MeshTriangles mesh = new MeshTriangles(vertices);
+        int uncut = 0;
+        int firstUncut = 0;
+        int start = 0;
+        for (int face = 0; face < materials.size(); face++) {
+            int[] polygon = corners.copyOfRange(start, ends.get(face));
+            start = ends.get(face);
+            if (!mesh.add(polygon, materials.get(face)) && uncut++ == 0) {
+                firstUncut = lineOfFace.get(face);
             }
         }
-        dropped = materials.size() - keptMaterials.size();
-        if (keptMaterials.size() == 0) {
-            throw new InputException(name + ": none of its " + materials.size() + " triangles has an area: not a mesh");
+        if (uncut > 0) {
+            warnings.add(file + ":" + firstUncut
+                    + ": polygon crosses itself or has too many corners close together, and was cut into a fan of triangles"
+                    + (uncut > 1 ? "; so were " + (uncut - 1) + " more" : ""));
         }
-        return new TriangleMesh(
-                vertices.toArray(),
-                keptCorners.toArray(),
-                keptMaterials.toArray(),
-                sourceNumbers.toArray(),
-                materialNames());
+        if (mesh.size() == 0) {
+            throw new InputException(file + ": none of its " + triangles + " triangles has an area: not a mesh");
+        }
+        return mesh.toMesh(materialNames());
     }
 
-    private boolean hasArea(int triangle) {
-        int a = 3 * corners.get(3 * triangle);
-        int b = 3 * corners.get(3 * triangle + 1);
-        int c = 3 * corners.get(3 * triangle + 2);
-        double[] cross = new double[3];
-        for (int k = 0; k < 3; k++) {
-            int next = (k + 1) % 3;
-            double bk = (double) vertices.get(b + k) - vertices.get(a + k);
-            double bn = (double) vertices.get(b + next) - vertices.get(a + next);
-            double ck = (double) vertices.get(c + k) - vertices.get(a + k);
-            double cn = (double) vertices.get(c + next) - vertices.get(a + next);
-            cross[k] = bk * cn - bn * ck;
-        }
-        return cross[0] != 0.0 || cross[1] != 0.0 || cross[2] != 0.0;
-    }
-
-    int dropped() {
-        return dropped;
+    /** How many triangles the polygons have, those without area, too. */
+    int triangles() {
+        return (int) triangles;
     }
 
     List<String> materialNames() {
         return List.copyOf(materialNumbers.keySet());
     }
 
-    List<String> libraries() {
+    /** The names of the material libraries, each once. */
+    Collection<String> libraries() {
         return libraries;
     }
 
-    List<String> warnings() {
-        return warnings;
+    /** How many statements of each word were skipped. */
+    Map<String, Integer> skipped() {
+        return skipped;
     }
 
-    // What follows is read and not needed: texture coordinates, normals, groups, and forms the reader does not call.
-
-    @Override
-    public void addTexCoord(FloatTuple texCoord) {}
-
-    @Override
-    public void addTexCoord(float x) {}
-
-    @Override
-    public void addTexCoord(float x, float y) {}
-
-    @Override
-    public void addTexCoord(float x, float y, float z) {}
-
-    @Override
-    public void addNormal(FloatTuple normal) {}
-
-    @Override
-    public void addNormal(float x, float y, float z) {}
-
-    @Override
-    public void setActiveGroupNames(Collection<? extends String> groupNames) {}
-
-    @Override
-    public void addFace(int... v) {}
-
-    @Override
-    public void addFaceWithTexCoords(int... v) {}
-
-    @Override
-    public void addFaceWithNormals(int... v) {}
-
-    @Override
-    public void addFaceWithAll(int... v) {}
-
-    @Override
-    public void addFace(int[] v, int[] vt, int[] vn) {}
+    /** A line when skipped statements would have added surfaces. */
+    List<String> warnings() {
+        List<String> missing = new ArrayList<>();
+        skipped.forEach((word, count) -> {
+            if (ObjWords.isOfSurfaces(word)) {
+                missing.add(count + " " + word);
+            }
+        });
+        return missing.isEmpty()
+                ? List.of()
+                : List.of(file + ": statements that are not read would add surfaces, which are missing: "
+                        + String.join(", ", missing));
+    }
 }

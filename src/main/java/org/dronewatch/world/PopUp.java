@@ -11,13 +11,13 @@ import org.dronewatch.setting.Quantity;
  * speed, and stays there; its nose points to the north.
  *
  * @param position where it hovers first, m
- * @param hidden how long it hovers there, 0 or more, s
- * @param height how far it rises, above 0, m
+ * @param hidden how long it hovers there, 0 to 1,000,000 s
+ * @param height how far it rises, 1 mm to 100 km, m
  */
 public record PopUp(
         Position position,
-        @In(value = Quantity.DURATION, from = 0) double hidden,
-        @In(value = Quantity.LENGTH, above = 0) double height)
+        @In(value = Quantity.DURATION, from = 0, to = 1e6) double hidden,
+        @In(value = Quantity.LENGTH, from = 0.001, to = In.FARTHEST) double height)
         implements FlightPathSettings {
     /** Checks the limits. */
     public PopUp {

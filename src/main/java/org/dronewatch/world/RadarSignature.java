@@ -1,7 +1,6 @@
 package org.dronewatch.world;
 
 import java.util.List;
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -10,21 +9,20 @@ import org.dronewatch.setting.Quantity;
 /**
  * What a radar sees of a drone.
  *
- * @param crossSection mean radar cross-section, above 0, m2
+ * @param crossSection mean radar cross-section, 1e-9 to 1e6 m2
  * @param fluctuation how the cross-section changes from look to look
  * @param aspects how much more than the mean it shows to each side, dB: values at equal steps all round, clockwise from the
  *     nose as seen from above; 1 to 360 of them, one for a drone that is alike from all sides
  */
 public record RadarSignature(
-        @In(value = Quantity.AREA, above = 0) double crossSection,
+        @In(value = Quantity.AREA, from = 1e-9, to = 1e6) double crossSection,
         Fluctuation fluctuation,
-        @In(Quantity.LEVEL) List<Double> aspects) {
+        @In(value = Quantity.LEVEL, from = -100, to = 100) List<Double> aspects) {
     /** A small quadrotor: 0.01 m2, steady, alike from all sides. */
     @Defaults
     public static final RadarSignature DEFAULT = new RadarSignature(0.01, Fluctuation.STEADY, List.of(0.0));
 
     private static final int MAX_ASPECTS = 360;
-    private static final double MAX_GAIN = 100.0;
 
     /** How a cross-section changes: Swerling's cases, from look to look. */
     public enum Fluctuation {
@@ -47,9 +45,6 @@ public record RadarSignature(
         if (aspects.isEmpty() || aspects.size() > MAX_ASPECTS) {
             throw new IllegalArgumentException(
                     "aspects has " + aspects.size() + " values, must have 1 to " + MAX_ASPECTS);
-        }
-        for (double aspect : aspects) {
-            Check.between("aspects", aspect, -MAX_GAIN, MAX_GAIN, Quantity.LEVEL);
         }
     }
 

@@ -1,7 +1,8 @@
 package org.dronewatch.world;
 
-import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.AABB;
@@ -92,7 +93,7 @@ public final class World {
         return new World(this, rain, other);
     }
 
-    /** A world of a mesh without noise worth the name (0 dB). */
+    /** A world of a mesh with negligible noise (0 dB). */
     public static World of(TriangleMesh mesh) {
         return new World(KDTree.of(mesh), BackgroundNoise.of(0.0), SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
     }
@@ -106,18 +107,20 @@ public final class World {
         Ints corners = new Ints();
         Ints materials = new Ints();
         Ints numbers = new Ints();
-        List<String> names = new ArrayList<>();
+        Map<String, Integer> materialNumbers = new LinkedHashMap<>();
         for (TriangleMesh mesh : meshes) {
             append(mesh, vertices, corners, numbers);
             for (int i = 0; i < mesh.triangleCount(); i++) {
                 String name = mesh.materialNames().get(mesh.material(i));
-                if (!names.contains(name)) {
-                    names.add(name);
-                }
-                materials.add(names.indexOf(name));
+                materials.add(materialNumbers.computeIfAbsent(name, unseen -> materialNumbers.size()));
             }
         }
-        return new TriangleMesh(vertices.toArray(), corners.toArray(), materials.toArray(), numbers.toArray(), names);
+        return new TriangleMesh(
+                vertices.toArray(),
+                corners.toArray(),
+                materials.toArray(),
+                numbers.toArray(),
+                List.copyOf(materialNumbers.keySet()));
     }
 
     private static void append(TriangleMesh mesh, Floats vertices, Ints corners, Ints numbers) {

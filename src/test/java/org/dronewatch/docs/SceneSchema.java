@@ -14,6 +14,7 @@ import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.setting.Switchable;
 import org.dronewatch.setting.file.Kinds;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
@@ -113,11 +114,30 @@ final class SceneSchema {
                 sample.ifPresent(defaults -> putDefault(property, SettingsForm.get(defaults, part)));
             }
             properties.set(part.getName(), property);
+            if (part.isAnnotationPresent(Switchable.class)) {
+                putSwitch(definitions.get(reference(valueOf(part)).substring("#/$defs/".length())));
+            }
         }
         ArrayNode required = schema.putArray("required");
         form.required().forEach(required::add);
         schema.put("additionalProperties", false);
         return schema;
+    }
+
+    /** What a component holds by name. */
+    private static Class<?> valueOf(RecordComponent map) {
+        Type value = ((ParameterizedType) map.getGenericType()).getActualTypeArguments()[1];
+        return (Class<?>) (value instanceof ParameterizedType several ? several.getRawType() : value);
+    }
+
+    /** Lets each kind be switched off. */
+    private static void putSwitch(ObjectNode choice) {
+        choice.get("anyOf").forEach(kind -> {
+            ObjectNode enabled = ((ObjectNode) kind.get("properties")).putObject(Switchable.ENABLED);
+            enabled.put("type", "boolean");
+            enabled.put("description", "whether it is switched on; one that is off observes nothing and costs nothing");
+            enabled.put("default", true);
+        });
     }
 
     private void putDefault(ObjectNode property, Object value) {

@@ -3,6 +3,7 @@ package org.dronewatch.docs;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -18,12 +19,14 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.setting.Switchable;
 import org.dronewatch.setting.file.Kinds;
 
 /** Writes the page that lists every setting with unit, range and default, from the settings records. */
 final class SettingsReference {
     private final Kinds kinds = SensorKinds.kinds(Catalog.packaged());
     private final Set<Class<?>> waiting = new LinkedHashSet<>();
+    private final Set<Type> switchable = new HashSet<>();
     private final Set<Class<?>> written = new LinkedHashSet<>();
     private final StringBuilder page = new StringBuilder();
     private final RecordTexts texts;
@@ -73,6 +76,10 @@ final class SettingsReference {
             page.append(
                     "- or `use: NAME` instead of a kind: a sensor of the catalogue, or of a file beside the scene\n");
         }
+        if (switchable.contains(type)) {
+            page.append(
+                    "\nBeside the settings of each kind, `enabled: false` switches it off (`true` unless given).\n");
+        }
     }
 
     private void heading(Class<?> type) {
@@ -89,6 +96,10 @@ final class SettingsReference {
         SettingsForm form = SettingsForm.of(type);
         Optional<Record> sample = Samples.of(type);
         for (RecordComponent part : form.parts()) {
+            if (part.isAnnotationPresent(Switchable.class)) {
+                Type value = ((ParameterizedType) part.getGenericType()).getActualTypeArguments()[1];
+                switchable.add(value instanceof ParameterizedType several ? several.getRawType() : value);
+            }
             In limits = part.getAnnotation(In.class);
             Optional<Object> standard = form.required().contains(part.getName())
                     ? Optional.empty()

@@ -129,7 +129,7 @@ class TileTraversalTest {
         tiles.setPicture(
                 new double[3], new double[] {1, -0.032, 0.032}, new double[] {0, 0.001, 0}, new double[] {0, 0, -0.001
                 });
-        assertTimeoutPreemptively(Duration.ofSeconds(20), () -> tiles.trace(0, 0, 57, 37));
+        assertTimeoutPreemptively(Duration.ofMinutes(1), () -> tiles.trace(0, 0, 57, 37));
         for (int pixel = 0; pixel < 57 * 37; pixel++) {
             assertThat(tiles.hits(pixel % 57, pixel / 57) && tiles.triangle(pixel % 57, pixel / 57) == 0)
                     .as("pixel %d", pixel)

@@ -62,7 +62,7 @@ class WorkersTest {
     @ValueSource(ints = {1, 3})
     void aFailureReachesTheCallerAndEndsTheLoop(int threads) {
         AtomicInteger begun = new AtomicInteger();
-        Assertions.assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
+        Assertions.assertTimeoutPreemptively(Duration.ofMinutes(1), () -> {
             try (Workers workers = new Workers(threads)) {
                 assertThatThrownBy(() -> workers.call(() -> {
                             Workers.forEach(1_000_000, i -> {

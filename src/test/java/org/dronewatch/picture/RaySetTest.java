@@ -12,7 +12,7 @@ class RaySetTest {
 
     @Test
     void aPathThatReachedTheSensorIsHeardFromItsBeginningOn() {
-        RayCollector collector = new RayCollector("microphone", "drone");
+        RayCollector collector = new RayCollector("microphone", "drone", 8.0);
         collector.record(0, 0, 0, 10, 0, 0, 50, 0, false);
         collector.record(0, 0, 0, 0, 10, 0, 50, 0, false);
         collector.record(10, 0, 0, 10, 10, 0, 45, 1, false);
@@ -38,7 +38,7 @@ class RaySetTest {
     void everyHeardPathOfTheLevelModelLeadsBackToTheDrone() {
         Yard yard = new Yard(directory);
         var stage = yard.stage();
-        RayCollector collector = new RayCollector("microphone", "quadrotor");
+        RayCollector collector = new RayCollector("microphone", "quadrotor", 8.0);
         assertThat(stage.traceRays(8.0, "microphone", "quadrotor", collector)).isTrue();
         assertThat(stage.traceRays(8.0, "camera", "quadrotor", collector)).isFalse();
         assertThat(stage.traceRays(8.0, "microphone", "nobody", collector)).isFalse();
@@ -61,7 +61,7 @@ class RaySetTest {
 
     @Test
     void moreThanCanBeKeptIsCounted() {
-        RayCollector collector = new RayCollector("microphone", "drone");
+        RayCollector collector = new RayCollector("microphone", "drone", 8.0);
         for (int i = 0; i < RayCollector.MOST + 5; i++) {
             collector.record(0, 0, 0, 1, 1, i, 50, 0, false);
         }
@@ -72,14 +72,14 @@ class RaySetTest {
 
     @Test
     void aScaleHoldsAllLevelsAndItsEndsDiffer() {
-        RayCollector one = new RayCollector("microphone", "drone");
+        RayCollector one = new RayCollector("microphone", "drone", 8.0);
         one.record(0, 0, 0, 1, 0, 0, 40.0, 0, true);
         LevelScale scale = one.toRays().scale();
         assertThat(scale.low()).isLessThan(scale.high());
         assertThat(scale.high()).isGreaterThanOrEqualTo(40.0);
-        assertThat(new RayCollector("a", "b").toRays().scale().high()).isEqualTo(60.0);
+        assertThat(new RayCollector("a", "b", 8.0).toRays().scale().high()).isEqualTo(60.0);
 
-        RayCollector wide = new RayCollector("microphone", "drone");
+        RayCollector wide = new RayCollector("microphone", "drone", 8.0);
         wide.record(0, 0, 0, 1, 0, 0, 61.0, 0, true);
         wide.record(0, 0, 0, 1, 0, 0, -80.0, 0, true);
         wide.record(0, 0, 0, 1, 0, 0, Double.NEGATIVE_INFINITY, 0, true);

@@ -236,7 +236,7 @@ class SitePictureTest {
 
     @Test
     void aRayOfSoundCrossesWhereItMustInTheColourOfTheLegend() {
-        RayCollector collector = new RayCollector("microphone", "quadrotor");
+        RayCollector collector = new RayCollector("microphone", "quadrotor", 8.0);
         Position from = new Position(-8, -6, 1);
         Position to = new Position(8, -6, 6);
         collector.record(from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), 42.0, 0, true);

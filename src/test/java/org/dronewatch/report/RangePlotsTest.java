@@ -3,6 +3,8 @@ package org.dronewatch.report;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +12,7 @@ import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.knowm.xchart.XYChart;
@@ -19,6 +22,9 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** The plots of what sensors measured over the range, by their series. */
 class RangePlotsTest {
+    @TempDir
+    private Path directory;
+
     private static XYChart chart(String scene, String sensor) {
         return chart(scene, sensor, Map.of());
     }
@@ -74,6 +80,40 @@ class RangePlotsTest {
                 .doesNotHaveDuplicates()
                 .endsWith(Color.GRAY);
         assertThat(chart.getYAxisTitle()).isEqualTo("pixels of the drone [px], cut at 120");
+    }
+
+    /** The plotting library refuses two series of a name, and the whole run would be lost. */
+    @Test
+    void groupsOfRunsThatAreAlikeHaveDifferentNames() throws IOException {
+        assertThat(names(chartOfSweep("[30 dB, 20 dB, 30 dB, 20 dB]", "soundLevel")))
+                .contains("quadrotor, soundLevel 30 dB")
+                .contains("quadrotor, soundLevel 20 dB")
+                .doesNotHaveDuplicates();
+        assertThat(names(chartOfSweep("[40 dB, 40 dB, 40 dB, 30 dB, 30 dB, 30 dB]", "soundLevel")))
+                .contains("quadrotor, 3 runs alike", "quadrotor, 3 runs alike (2)");
+        assertThat(names(chartOfSweep("[50.00001 dB, 50.00002 dB]", "soundLevel")))
+                .contains("quadrotor, soundLevel 50 dB", "quadrotor, soundLevel 50 dB (2)");
+    }
+
+    private XYChart chartOfSweep(String values, String setting) throws IOException {
+        Path file = directory.resolve("sweep.yaml");
+        Files.writeString(
+                file,
+                """
+                world: {models: [packaged:hill.obj]}
+                drones:
+                  quadrotor:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: approach, from: [0, 60, 160], to: [0, 10, 150]}
+                sensors: {microphone: {kind: acoustic, position: [0, 0, 145]}}
+                run: {duration: 2 s}
+                sweep: {parameter: drones.quadrotor.SETTING, values: VALUES}
+                """
+                        .replace("SETTING", setting)
+                        .replace("VALUES", values));
+        RangePlots plots = new RangePlots();
+        SceneRunner runner = new SceneRunner(new SceneFile(file)).threads(1).onFrame(plots::add);
+        return plots.plot(runner.run(), "microphone").chart();
     }
 
     /** A line of no length would not be seen. */

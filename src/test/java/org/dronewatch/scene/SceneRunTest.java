@@ -2,9 +2,13 @@ package org.dronewatch.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
@@ -17,13 +21,17 @@ import nl.tudelft.simulation.dsol.simulators.DevsSimulator;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.djutils.event.EventListener;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.scenes.CameraRange;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class SceneRunTest {
+    @TempDir
+    private Path directory;
 
     private static List<Observation> observations(SceneRunner runner) {
         List<Observation> all = new ArrayList<>();
@@ -50,6 +58,57 @@ class SceneRunTest {
                 .filter(o -> o.sensor().equals(sensor) && o.drone().equals("comer"))
                 .map(Observation::time)
                 .toList();
+    }
+
+    @Test
+    void aRunThatEndsEarlyIsTheBeginningOfTheWholeRun() {
+        List<Observation> whole = plainRun();
+
+        for (double until : new double[] {0.0, 0.25, 1.0, 3.05, HillScene.DURATION, 100.0}) {
+            List<Observation> begun =
+                    observations(new SceneRunner(new HillScene()).threads(2).until(until));
+            assertThat(begun)
+                    .as("until %s s", until)
+                    .isNotEmpty()
+                    .isEqualTo(whole.stream().filter(o -> o.time() <= until).toList());
+        }
+        SceneResult result = new SceneRunner(new HillScene()).until(1.0).run();
+        assertThat(result.complete()).isFalse();
+        assertThat(result.simulated()).isEqualTo(1.0);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new SceneRunner(new HillScene()).until(-1.0))
+                .withMessageContaining("-1.0");
+    }
+
+    /** Each run against its own duration: the scene's lasts for neither of them. */
+    @Test
+    void aSweepOfTheDurationIsCompleteWhenTheLongestRunIs() throws IOException {
+        Path file = Files.writeString(
+                directory.resolve("durations.yaml"),
+                """
+                world: {models: [packaged:hill.obj]}
+                run: {duration: 5}
+                sweep: {parameter: run.duration, values: [0.5, 2]}
+                """);
+        for (double until : new double[] {0.4, 0.5, 1.9, 2.0, 5.0, Double.POSITIVE_INFINITY}) {
+            assertThat(new SceneRunner(new SceneFile(file)).until(until).run().complete())
+                    .as("until %s s", until)
+                    .isEqualTo(until >= 2.0);
+        }
+        assertThat(new SceneRunner(new SceneFile(file)).only(0).until(0.5).run().complete())
+                .isTrue();
+    }
+
+    @Test
+    void oneRunOfASweepAloneIsAsAmongTheOthers() {
+        SceneRunner all = new SceneRunner(new CameraRange()).set("run.duration", "1");
+        SceneRunner fourth =
+                new SceneRunner(new CameraRange()).set("run.duration", "1").only(3);
+
+        assertThat(fourth.run().runs()).isEqualTo(all.run().runs().subList(3, 4));
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new SceneRunner(new CameraRange()).only(5).run())
+                .withMessageContaining("run 5 must be 0 to 4");
     }
 
     @Test

@@ -108,8 +108,8 @@ class SettingsPathTest {
                 "world.noise                    | 3       | no 'noise'    | backgroundNoise",
                 "sensors.tall.fov               | 3       | no 'tall'     | wide, narrow, dice, more-dice",
                 "sensors.wide.fov.deg           | 3       | no 'deg'      | single value",
-                "sensors.wide.fov               | 0       | fov 0 deg   | above 0 and below 180 deg",
-                "sensors.wide.fov               | 180 deg | fov 180 deg | above 0 and below 180 deg",
+                "sensors.wide.fov               | 0       | fov 0 deg   | 0.01 to 179 deg",
+                "sensors.wide.fov               | 180 deg | fov 180 deg | 0.01 to 179 deg",
                 "sensors.wide.fov               | 3 m     | '3 m'         | rad",
                 "sensors.wide.width             | 0       | width 0 px    | 1 to 16384",
                 "sensors.wide.width             | 12.5    | 12.5          | whole number",
@@ -118,12 +118,12 @@ class SettingsPathTest {
                 "world.noiseShape               | 40, 38  | 40, 38        | must have 8: hz63",
                 "world.noiseShape.hz125         | loud    | loud          | dB",
                 "sensors.wide                   | 1       | sensors.wide  | parts",
-                "drones.comer.speed             | -5      | speed -5 m/s | above 0",
+                "drones.comer.speed             | -5      | speed -5 m/s | 0.001 to 400",
                 "drones.comer.speed             | NaN     | NaN           | number",
                 "drones.crosser.flight.points.9.x | 1     | no '9'        | 0 to 1",
                 "drones.crosser.flight.points.-1.x | 1    | no '-1'       | 0 to 1",
                 "run.seed                       | x       | 'x'           | whole number",
-                "world.models.0.scale           | -1      | scale -1    | above 0",
+                "world.models.0.scale           | -1      | scale -1    | 0.000001 to 1000000",
                 "nothing                        | 1       | no 'nothing'  | world, drones, sensors, alert, prices, run, sweep",
                 "''                             | 1       | no ''         | world",
                 "sweep.parameter                | 1       | parameter     | not set",
@@ -165,7 +165,7 @@ class SettingsPathTest {
             optional.ifPresent(inner -> collect(inner, path, paths));
         } else if (value instanceof Record settings) {
             String before = path.isEmpty() ? "" : path + ".";
-            for (RecordComponent part : settings.getClass().getRecordComponents()) {
+            for (RecordComponent part : SettingsForm.of(settings.getClass()).parts()) {
                 collect(SettingsForm.get(settings, part), before + part.getName(), paths);
             }
         } else if (value instanceof Map<?, ?> map) {

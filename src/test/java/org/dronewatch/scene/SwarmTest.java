@@ -41,7 +41,14 @@ class SwarmTest {
     private static SceneSettings scene(Map<String, DroneSettings> drones) {
         SceneSettings empty = SceneSettings.of(WorldSettings.of(ModelSettings.packaged("hill.obj")));
         return new SceneSettings(
-                empty.world(), drones, empty.sensors(), empty.alert(), empty.prices(), empty.run(), empty.sweep());
+                empty.world(),
+                drones,
+                empty.sensors(),
+                empty.disabled(),
+                empty.alert(),
+                empty.prices(),
+                empty.run(),
+                empty.sweep());
     }
 
     private SceneRunner runner() throws IOException {

@@ -1,21 +1,28 @@
 package org.dronewatch.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.image.BufferedImage;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.FutureTask;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
+import org.dronewatch.picture.Film;
+import org.dronewatch.picture.FilmMaker;
+import org.dronewatch.picture.Films;
 import org.dronewatch.picture.Yard;
 import org.dronewatch.scene.DetectionEvent;
 import org.dronewatch.scene.Scene;
@@ -175,16 +182,94 @@ class ViewerPaneTest {
         });
         settle(() -> pane.rays().isPresent());
         int all = pane.rays().orElseThrow().count();
-        assertThat(pane.rayPanel().count()).startsWith(String.format("%,d of %,d pieces", all, all));
-        assertThat(different(before, onEventThread(() -> pane.world().image()))).isGreaterThan(2000);
+        String heard = pane.rayPanel().count();
+        assertThat(heard)
+                .startsWith("Traced at 8.00 s: ")
+                .contains(String.format(" of %,d ray segments drawn", all))
+                .doesNotContain(String.format("%,d of %,d", all, all))
+                .doesNotContain("now");
+        BufferedImage only = onEventThread(() -> pane.world().image());
+        assertThat(different(before, only)).as("the paths that are heard").isGreaterThan(200);
 
         onEventThread(() -> {
-            pane.rayPanel().setHeardOnly(true);
+            pane.rayPanel().setHeardOnly(false);
             return null;
         });
         settle(() -> true);
-        assertThat(pane.rayPanel().count()).doesNotStartWith(String.format("%,d of", all));
+        assertThat(pane.rayPanel().count()).contains(String.format("%,d of %,d ray segments drawn", all, all));
+        assertThat(different(only, onEventThread(() -> pane.world().image()))).isGreaterThan(2000);
         picture("rays");
+    }
+
+    @Test
+    void raysSayForWhichTimeTheyWereTracedOnceTimeHasMovedOn() throws Exception {
+        open(new Yard(directory));
+        at(2.0);
+        onEventThread(() -> {
+            pane.rayPanel().trace();
+            return null;
+        });
+        settle(() -> pane.rays().isPresent());
+        assertThat(pane.rays().orElseThrow().time()).isEqualTo(2.0);
+
+        at(8.5);
+        assertThat(pane.rayPanel().count()).startsWith("Traced at 2.00 s: ").endsWith("The time shown is now 8.50 s.");
+        picture("rays-old");
+        at(2.0);
+        assertThat(pane.rayPanel().count()).doesNotContain("now");
+    }
+
+    @Test
+    void filmsOfSiteAndCameraPlayBack() throws Exception {
+        open(new Yard(directory));
+        at(0.0);
+        ViewedRun viewed = pane.viewed().orElseThrow();
+        FilmExport films = new FilmExport(pane, new Exports(pane, pane::tell), pane::tell);
+        Film film = FilmExport.film(viewed, "7", "9", "2", "1");
+        FilmMaker site = onEventThread(() -> films.site(viewed, film));
+        Path file = directory.resolve("site.mp4");
+        FilmExport.write(site, file.toString(), done -> {}, () -> false);
+        at(9.0);
+        List<BufferedImage> frames = Films.frames(file);
+        assertThat(frames).hasSize(5);
+        BufferedImage last = onEventThread(() -> pane.world().image());
+        assertThat(Films.difference(last, frames.get(4))).isLessThan(6.0);
+
+        Path camera = directory.resolve("camera.mp4");
+        FilmExport.write(FilmExport.camera(viewed, "camera", film), camera.toString(), done -> {}, () -> false);
+        List<BufferedImage> looks = Films.frames(camera);
+        assertThat(looks).hasSize(5);
+        assertThat(looks.get(0).getWidth()).isEqualTo(320);
+        assertThat(Films.difference(looks.get(0), looks.get(4)))
+                .as("the drone comes")
+                .isGreaterThan(0.2);
+    }
+
+    @Test
+    void aFilmThatIsCancelledLeavesNothingAndItsThreadEnds() throws Exception {
+        open(new Yard(directory));
+        ViewedRun viewed = pane.viewed().orElseThrow();
+        List<Path> before = files();
+        FilmMaker film = FilmExport.camera(viewed, "camera", new Film(0.0, 9.0, 60, 0.1));
+        int[] frames = {0};
+        assertThatExceptionOfType(CancellationException.class)
+                .isThrownBy(() -> FilmExport.write(
+                        film,
+                        directory.resolve("half.mp4").toString(),
+                        done -> frames[0] = done,
+                        () -> frames[0] == 4));
+        assertThat(files()).isEqualTo(before);
+
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> FilmExport.film(viewed, "0", "9.5", "25", "1"))
+                .withMessageContaining("simulated to 9.00 s only");
+        assertThatIllegalArgumentException().isThrownBy(() -> FilmExport.film(viewed, "0", "soon", "25", "1"));
+    }
+
+    private List<Path> files() throws IOException {
+        try (Stream<Path> all = Files.list(directory)) {
+            return all.sorted().toList();
+        }
     }
 
     private static int different(BufferedImage one, BufferedImage other) {

@@ -14,6 +14,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
@@ -28,6 +29,7 @@ import javax.swing.JMenuItem;
 import javax.swing.SwingUtilities;
 import org.dronewatch.picture.Orbit;
 import org.dronewatch.picture.Yard;
+import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.BeforeEach;
@@ -191,11 +193,7 @@ class ViewerWindowTest {
 
         viewer.close();
         assertThat(viewer.isClosed()).isTrue();
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(10);
-        while (!ownThreads().isEmpty() && System.nanoTime() < end) {
-            Thread.sleep(20);
-        }
-        assertThat(ownThreads()).as("threads left behind").isEmpty();
+        assertNoThreadsLeft();
         assertThat(JFrame.getFrames()).noneMatch(java.awt.Frame::isDisplayable);
         assertThat(Files.readString(layout)).contains("theme=dark").contains("divider.across=");
     }
@@ -233,6 +231,126 @@ class ViewerWindowTest {
         } finally {
             viewer.close();
         }
+    }
+
+    @Test
+    void thePageOfKeysHoldsEveryKeyOfTheMenusAndTheMouse() throws Exception {
+        Yard yard = new Yard(directory);
+        viewer = Viewer.open(yard, new SceneRunner(yard), 1, directory.resolve("viewer.properties"));
+        try {
+            JMenuBar bar = viewer.window().frame().getJMenuBar();
+            String page = onEventThread(() -> KeysPage.html(bar));
+            List<JMenuItem> keyed = Stream.of(bar.getComponents())
+                    .map(javax.swing.JMenu.class::cast)
+                    .flatMap(menu -> Stream.of(menu.getMenuComponents()))
+                    .filter(JMenuItem.class::isInstance)
+                    .map(JMenuItem.class::cast)
+                    .filter(entry -> entry.getAccelerator() != null)
+                    .toList();
+            assertThat(KeysPage.entries(bar)).hasSameSizeAs(keyed);
+            assertThat(keyed).allSatisfy(entry -> assertThat(page)
+                    .contains("<td>" + KeysPage.text(entry.getAccelerator()) + "</td><td>" + entry.getText()));
+            assertThat(page).contains("Right-drag").contains("Wheel").contains("<td>F1</td><td>Keys and mouse</td>");
+            onEventThread(() -> {
+                item(bar, "Keys and mouse").doClick();
+                return null;
+            });
+            Thread.sleep(400);
+            keep("keys");
+        } finally {
+            viewer.close();
+        }
+        await("its window and the page are gone", () -> Stream.of(java.awt.Window.getWindows())
+                .noneMatch(java.awt.Window::isDisplayable));
+    }
+
+    @Test
+    void anotherSceneTakesThePlaceOfTheFirstAndBadOnesLeaveItAsItIs() throws Exception {
+        Path scene = directory.resolve("second.yaml");
+        Files.writeString(
+                scene, Files.readString(Path.of("scenes/hill-radar.yaml")).replaceAll("duration: .*", "duration: 2 s"));
+        Path bad = directory.resolve("bad.yaml");
+        Files.writeString(bad, "world: {models: [packaged:hill.obj], nose: 3}\n");
+        Path gone = directory.resolve("gone.yaml");
+        RecentScenes recent = new RecentScenes(directory.resolve("recent-scenes.txt"));
+        recent.add(gone);
+        Yard yard = new Yard(directory);
+        Viewer.Subject first = new Viewer.Subject(yard, new SceneRunner(yard), Optional.empty());
+        Thread watching = new Thread(
+                () -> {
+                    viewer = Viewer.open(
+                            first, 1, directory.resolve("viewer.properties"), Optional.of(ViewerWindowTest::read));
+                    Optional<Viewer.Subject> shown = Optional.of(first);
+                    while (shown.isPresent()) {
+                        try {
+                            viewer.finished(shown.get()
+                                    .runner()
+                                    .listener(viewer.listener())
+                                    .cancelWhen(viewer::isLeft)
+                                    .run()
+                                    .complete());
+                        } catch (java.util.concurrent.CancellationException e) {
+                            assertThat(viewer.isLeft()).isTrue();
+                        }
+                        shown = viewer.awaitNext();
+                    }
+                },
+                "watching");
+        watching.start();
+        while (viewer == null || viewer.window() == null) {
+            Thread.sleep(10);
+        }
+        try {
+            await("the first is there", () -> viewer.pane().viewed().isPresent());
+            ViewerPane yardPane = viewer.pane();
+            SceneOpening opening = new SceneOpening(recent, ViewerWindowTest::read, subject -> {}, yardPane::tell);
+            opening.open(bad);
+            await("the mistake is told", () -> yardPane.notice().isVisible());
+            assertThat(yardPane.notice().text()).contains("bad.yaml:1:").contains("nose");
+            opening.open(gone);
+            await("the gap is told", () -> yardPane.notice().text().contains("gone.yaml: does not exist"));
+            opening.close();
+            assertThat(recent.list()).as("what is gone is not offered again").isEmpty();
+            assertThat(viewer.pane()).isSameAs(yardPane);
+
+            onEventThread(() -> {
+                viewer.opening().orElseThrow().open(scene);
+                return null;
+            });
+            await(
+                    "the second is there",
+                    () -> viewer.pane() != yardPane
+                            && viewer.pane().viewed().isPresent()
+                            && viewer.pane().world().image() != null);
+            assertThat(viewer.window().frame().getTitle()).isEqualTo("second - dronewatch");
+            assertThat(recent.list()).containsExactly(scene.toAbsolutePath());
+            assertThat(viewer.pane().viewed().orElseThrow().settings().sensors())
+                    .containsOnlyKeys("radar");
+            // Those of one pane: site, picture, cameras, stage, rays, and the one that opens.
+            assertThat(ownThreads().stream().filter(name -> !name.contains("worker")))
+                    .doesNotHaveDuplicates();
+            keep("opened");
+        } finally {
+            viewer.close();
+        }
+        watching.join(TimeUnit.SECONDS.toMillis(20));
+        assertThat(watching.isAlive()).isFalse();
+        assertNoThreadsLeft();
+    }
+
+    private static void assertNoThreadsLeft() throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(10);
+        while (!ownThreads().isEmpty() && System.nanoTime() < end) {
+            Thread.sleep(20);
+        }
+        assertThat(ownThreads()).as("threads left behind").isEmpty();
+    }
+
+    private static Viewer.Subject read(Path file) {
+        SceneFile scene = new SceneFile(file);
+        SceneRunner runner = new SceneRunner(scene).threads(1);
+        runner.settings();
+        return new Viewer.Subject(scene, runner, Optional.of(file));
     }
 
     private static List<JButton> buttons(Container container) {

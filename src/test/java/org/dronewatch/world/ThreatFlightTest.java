@@ -255,7 +255,7 @@ class ThreatFlightTest {
         assertThat(north(100, 10, "5 deg").steepest()).isPositive();
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new LowApproach(here, 0, 100, 5, 100))
-                .withMessage("nearest 100.0 m must be less than distance 100.0 m");
+                .withMessage("nearest 100.0 m must be less than distance 100.0 m by 0.001 m or more");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Dive(new Position(0, 0, 0), 0, 90, 100, Math.PI / 4))
                 .withMessage("distance 90.0 m must be above 100.0 m, at which the dive from height 100.0 m begins");
@@ -264,6 +264,6 @@ class ThreatFlightTest {
                 .withMessageContaining("angle 5.729578 deg (0.1 rad) must be 10 to 90 deg");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new PopUp(new Position(0, 0, 0), -1, 10))
-                .withMessage("hidden -1 s must be 0 or more");
+                .withMessage("hidden -1 s must be 0 to 1000000");
     }
 }

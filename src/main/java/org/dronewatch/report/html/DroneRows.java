@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.ThreatLabel;
@@ -17,17 +18,23 @@ final class DroneRows {
 
     private DroneRows() {}
 
-    static String table(Map<String, DroneSettings> fliers) {
+    static String table(SceneSettings scene) {
         List<List<String>> rows = new ArrayList<>();
-        fliers.forEach((id, drone) -> rows.add(List.of(
-                id,
-                drone.model().file(),
-                Numbers.number(drone.speed()) + " m/s",
-                sound(drone),
-                drone.radar().crossSection() + " m2",
-                Numbers.number(drone.heat().excess()) + " K",
-                drone.radio().control().toString().toLowerCase(Locale.ROOT),
-                label(drone.label()))));
+        Map<String, DroneSettings> fliers = scene.fliers();
+        for (DroneGroup group : DroneGroup.of(scene)) {
+            DroneSettings drone = fliers.get(group.members().get(0));
+            rows.add(List.of(
+                    group.isSwarm()
+                            ? group.name() + " (swarm of " + group.members().size() + ")"
+                            : group.name(),
+                    drone.model().file(),
+                    Numbers.number(drone.speed()) + " m/s",
+                    sound(drone),
+                    drone.radar().crossSection() + " m\u00b2",
+                    Numbers.number(drone.heat().excess()) + " K",
+                    drone.radio().control().toString().toLowerCase(Locale.ROOT),
+                    label(drone.label())));
+        }
         return Html.table(HEAD, rows);
     }
 

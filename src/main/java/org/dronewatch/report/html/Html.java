@@ -2,11 +2,13 @@ package org.dronewatch.report.html;
 
 import java.util.Base64;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Pieces of a page as well-formed text; what comes from outside is escaped. */
 final class Html {
-    private static final int LONGEST_NAME = 24;
+    private static final int LONGEST_NAME = 16;
 
     private Html() {}
 
@@ -35,10 +37,29 @@ final class Html {
         return "<div class=\"wide\">" + table + "</div>\n";
     }
 
+    /** A table of two columns without a head: names and what they stand for. */
+    static String definitions(Map<String, String> texts) {
+        StringBuilder rows = new StringBuilder();
+        texts.forEach((name, text) ->
+                rows.append(element("tr", "<td>" + text(name) + "</td><td class=\"hash\">" + text(text) + "</td>")));
+        return "<div class=\"wide\">" + element("table", element("tbody", rows.toString())) + "</div>\n";
+    }
+
+    /** What a reader may open, and what print shows in any case. */
+    static String fold(String summary, String inside, boolean open) {
+        return "<details" + (open ? " open=\"open\"" : "") + ">\n<summary>" + text(summary) + "</summary>\n" + inside
+                + "</details>\n";
+    }
+
     private static String cells(String name, List<String> texts) {
         return texts.stream()
-                .map(text -> "<" + name + (isName(text) ? " class=\"n\">" : ">") + text(text) + "</" + name + ">")
+                .map(text -> "<" + name + styled(text) + ">" + text(text) + "</" + name + ">")
                 .collect(Collectors.joining());
+    }
+
+    private static String styled(String text) {
+        boolean longWord = Stream.of(text.split("[ -]")).anyMatch(word -> word.length() > LONGEST_NAME);
+        return isName(text) ? " class=\"n\"" : longWord ? " class=\"long\"" : "";
     }
 
     /** Whether a text is to stay in one line: its hyphens would break it. */

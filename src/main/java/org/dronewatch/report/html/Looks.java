@@ -1,56 +1,66 @@
 package org.dronewatch.report.html;
 
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import org.dronewatch.scene.Frame;
-import org.dronewatch.scene.Pointings;
+import org.dronewatch.scene.RunInfo;
+import org.dronewatch.scene.RunResult;
 import org.dronewatch.scene.SceneListener;
 import org.dronewatch.sensor.Observation;
 
-/** Keeps of all looks of a sensor at a drone the best, how many of them detected it, and where mounts pointed. */
+/**
+ * Keeps the looks of the runs that a report shows in full: of all runs where there are at most {@value #MOST_RUNS}, else of the
+ * first and of the {@value #WORST_OF_MANY} worst, so that memory does not grow with the number of runs.
+ */
 public final class Looks implements SceneListener {
-    private final Map<List<Object>, Look> best = new HashMap<>();
-    private final Map<List<Object>, long[]> counts = new HashMap<>();
-    private final Pointings pointings = new Pointings();
+    /** Up to this number all runs are shown in full. */
+    static final int MOST_RUNS = 24;
+
+    /** How many of more runs are shown in full besides the first. */
+    static final int WORST_OF_MANY = 8;
+
+    private final TreeMap<Integer, RunLooks> kept = new TreeMap<>();
+    private final TreeSet<RunRank.Ranked> ranked = new TreeSet<>(RunRank.WORST_FIRST);
+    private final Set<String> withReadings = new HashSet<>();
+    private int runs = 1;
+
+    @Override
+    public void runStarted(RunInfo info) {
+        runs = info.runs();
+        kept.put(info.run(), new RunLooks(info.settings().run().duration()));
+    }
 
     @Override
     public void observed(Frame frame) {
-        if (frame.run() == 0) {
-            pointings.add(frame);
-        }
+        kept.get(frame.run()).add(frame);
         for (Observation o : frame.observations()) {
-            List<Object> pair = List.of(frame.run(), o.sensor(), o.drone());
-            Look look = new Look(o.arrival(), o.range(), o.value(), o.threshold(), o.unit());
-            best.merge(pair, look, (old, now) -> now.margin() > old.margin() ? now : old);
-            long[] count = counts.computeIfAbsent(pair, key -> new long[2]);
-            count[0]++;
-            count[1] += o.isDetected() ? 1 : 0;
+            if (Double.isFinite(o.value()) && o.value() != 0.0) {
+                withReadings.add(o.sensor());
+            }
         }
     }
 
-    /** Where the mounts of the first run's sensors pointed. */
-    public Pointings pointings() {
-        return pointings;
+    @Override
+    public void runEnded(RunResult result) {
+        if (runs <= MOST_RUNS || result.run() == 0) {
+            return;
+        }
+        ranked.add(new RunRank.Ranked(result));
+        if (ranked.size() > WORST_OF_MANY) {
+            kept.remove(ranked.pollLast().run().run());
+        }
     }
 
-    /** The best look of a sensor at a drone in a run. */
-    Optional<Look> best(int run, String sensor, String drone) {
-        return Optional.ofNullable(best.get(List.of(run, sensor, drone)));
+    /** The looks of a run; empty for one that is not shown in full. */
+    public Optional<RunLooks> ofRun(int run) {
+        return Optional.ofNullable(kept.get(run));
     }
 
     /** Whether a sensor ever had a reading of any drone: not nothing, and not zero. */
     public boolean hasReadings(String sensor) {
-        return best.entrySet().stream()
-                .anyMatch(look -> look.getKey().get(1).equals(sensor)
-                        && Double.isFinite(look.getValue().value())
-                        && look.getValue().value() != 0.0);
-    }
-
-    /** Which share of its looks detected the drone, 0 to 1. */
-    double share(int run, String sensor, String drone) {
-        long[] count = counts.getOrDefault(List.of(run, sensor, drone), new long[] {1, 0});
-        return (double) count[1] / count[0];
+        return withReadings.contains(sensor);
     }
 }

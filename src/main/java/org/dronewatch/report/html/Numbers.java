@@ -1,10 +1,15 @@
 package org.dronewatch.report.html;
 
+import java.util.DoubleSummaryStatistics;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
 
 /** Numbers for people. */
 final class Numbers {
+    /** What tables show where there is no value. */
+    static final String NONE = "-";
+
     private Numbers() {}
 
     /** Three digits at most, or all before the point. */
@@ -24,6 +29,17 @@ final class Numbers {
     /** With one decimal, or a word where there is none. */
     static String orElse(OptionalDouble value, String none) {
         return value.isPresent() ? format("%.1f", value.getAsDouble()) : none;
+    }
+
+    /** The least and the greatest of some values with one decimal, {@code 3.0 to 7.5}; a dash where there is none. */
+    static String range(DoubleStream values) {
+        DoubleSummaryStatistics all = values.summaryStatistics();
+        if (all.getCount() == 0) {
+            return NONE;
+        }
+        String least = format("%.1f", all.getMin());
+        String greatest = format("%.1f", all.getMax());
+        return least.equals(greatest) ? least : least + " to " + greatest;
     }
 
     static String format(String pattern, Object... values) {

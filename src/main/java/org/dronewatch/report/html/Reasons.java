@@ -22,18 +22,18 @@ import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.world.Drone;
 
 /**
- * Says why a sensor did not detect a drone, and for which share of the time: out of range, out of its field of view, hidden
+ * Says why a sensor did not detect a drone, and for which fraction of the time: out of range, out of its field of view, hidden
  * and by what, of a kind that it cannot notice, or too weak.
  */
 final class Reasons {
-    /** So many moments of a run are looked at. */
-    private static final int MOMENTS = 400;
+    /** How many moments of a run are looked at, besides its start. */
+    static final int MOMENTS = 400;
 
     private final SceneSettings settings;
     private final Stage stage;
     private final Pointings pointings;
     private final Sightline sightline;
-    private final List<List<Drone>> moments = new ArrayList<>();
+    private final List<Map<String, Drone>> moments = new ArrayList<>();
     private final double step;
 
     /**
@@ -48,44 +48,55 @@ final class Reasons {
         this.sightline = new Sightline(stage.world());
         this.step = simulated / MOMENTS;
         for (int i = 0; i <= MOMENTS; i++) {
-            moments.add(stage.dronesAt(i * step));
+            Map<String, Drone> drones = new HashMap<>();
+            stage.dronesAt(i * step).forEach(drone -> drones.put(drone.id(), drone));
+            moments.add(drones);
         }
     }
 
-    /** Why a sensor missed a drone, in words, the reason that held longest first. */
-    String of(String sensor, String drone, Optional<Look> best) {
+    /**
+     * Why a sensor missed some drones, in words, the reason that held longest first.
+     *
+     * @param drones that the sensor did not detect, at least one
+     * @param best the best look at any of them
+     */
+    String of(String sensor, List<String> drones, Optional<Look> best) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
-        Shares shares = shares(sensor, drone, weakness(missing, best), 0.0);
-        boolean told = shares.weak() > 0 && best.filter(Reasons::isReading).isPresent();
-        String distance = told ? "" : format("; it came as near as %.0f m", shares.nearest());
+        Shares shares = shares(sensor, drones, weakness(missing, best), 0.0);
+        boolean measured = shares.weak() > 0 && best.filter(Reasons::isReading).isPresent();
+        String distance = measured ? "" : format("; the closest approach was %.0f m", shares.nearest());
         boolean quiet = !Sightline.looks(missing) && shares.weak() > 0 && shares.gliding() > 0;
         return shares.inWords()
                 + distance
-                + (quiet ? "; its motors are off " + share(shares.gliding(), MOMENTS + 1) + " of the time" : "");
+                + (quiet ? "; motors off " + share(shares.gliding(), shares.all()) + " of the time" : "");
     }
 
-    /** Why a sensor does not detect a drone again that it has lost, in words. */
-    String afterLoss(String sensor, String drone, double time) {
-        return shares(sensor, drone, settings.sensors().get(sensor).weakness(), time)
+    /** Why a sensor does not detect some drones again that it has lost, in words. */
+    String afterLoss(String sensor, List<String> drones, double time) {
+        return shares(sensor, drones, settings.sensors().get(sensor).weakness(), time)
                 .inWords();
     }
 
     /** How many moments of a run each reason held. */
     private record Shares(Map<String, Integer> counts, int weak, double nearest, int gliding) {
+        int all() {
+            return counts.values().stream().mapToInt(Integer::intValue).sum();
+        }
+
         String inWords() {
             List<Map.Entry<String, Integer>> sorted = new ArrayList<>(counts.entrySet());
             sorted.sort(Map.Entry.comparingByValue(Comparator.reverseOrder()));
             if (sorted.size() == 1) {
                 return "always " + sorted.get(0).getKey();
             }
-            int all = counts.values().stream().mapToInt(Integer::intValue).sum();
+            int all = all();
             return sorted.stream()
                     .map(one -> share(one.getValue(), all) + " of the time " + one.getKey())
                     .collect(Collectors.joining("; "));
         }
     }
 
-    private Shares shares(String sensor, String drone, String weak, double from) {
+    private Shares shares(String sensor, List<String> drones, String weak, double from) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
         Map<String, Integer> counts = new LinkedHashMap<>();
         Map<String, Set<String>> materials = new HashMap<>();
@@ -93,21 +104,16 @@ final class Reasons {
         int gliding = 0;
         int first = (int) Math.min(MOMENTS, Math.ceil(from / step));
         for (int i = first; i <= MOMENTS; i++) {
-            Drone flying = find(moments.get(i), drone);
-            Position place = Position.of(flying.position());
-            nearest = Math.min(nearest, place.distance(missing.position()));
-            gliding += flying.isPowered() ? 0 : 1;
             Optional<Pointing> pointing = pointings.at(sensor, i * step);
-            counts.merge(reason(missing, pointing, flying, place, materials).orElse(weak), 1, Integer::sum);
+            for (String drone : drones) {
+                Drone flying = moments.get(i).get(drone);
+                Position place = Position.of(flying.position());
+                nearest = Math.min(nearest, place.distance(missing.position()));
+                gliding += flying.isPowered() ? 0 : 1;
+                counts.merge(reason(missing, pointing, flying, place, materials).orElse(weak), 1, Integer::sum);
+            }
         }
         return new Shares(named(counts, materials), counts.getOrDefault(weak, 0), nearest, gliding);
-    }
-
-    private static Drone find(List<Drone> drones, String id) {
-        return drones.stream()
-                .filter(drone -> drone.id().equals(id))
-                .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("no drone '" + id + "'"));
     }
 
     /** Why it cannot notice the drone now, if there is a reason besides weakness. */
@@ -137,7 +143,7 @@ final class Reasons {
         return sensor.blindTo(drone);
     }
 
-    /** Models that hide are told with what of them does. */
+    /** Models that hide, with the materials that do. */
     private static Map<String, Integer> named(Map<String, Integer> counts, Map<String, Set<String>> materials) {
         Map<String, Integer> named = new LinkedHashMap<>();
         counts.forEach((reason, count) -> named.put(

@@ -22,7 +22,7 @@ final class TimelineSvg {
 
     TimelineSvg(RunResult run) {
         this.run = run;
-        this.colours = KindColours.of(run.settings().sensors().values());
+        this.colours = KindColours.of(run.settings().enabledSensors().values());
         this.duration = run.settings().run().duration();
     }
 
@@ -32,18 +32,18 @@ final class TimelineSvg {
 
     /** The drawing. */
     String draw() {
-        List<String> sensors = new ArrayList<>(run.settings().sensors().keySet());
+        List<String> sensors = new ArrayList<>(run.settings().enabledSensors().keySet());
         int height = ROW * sensors.size() + AXIS;
         StringBuilder svg = new StringBuilder();
         svg.append(format(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"time line of"
+                "<div class=\"wide\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"time line of"
                         + " detections\">%n",
                 WIDTH, height));
         for (int row = 0; row < sensors.size(); row++) {
             row(svg, row, sensors.get(row));
         }
         axis(svg, ROW * sensors.size());
-        return svg.append("</svg>\n").toString();
+        return svg.append("</svg></div>\n").toString();
     }
 
     private void row(StringBuilder svg, int row, String sensor) {

@@ -5,6 +5,7 @@ import static org.dronewatch.report.html.Numbers.number;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.fusion.AlertSettings;
@@ -13,10 +14,10 @@ import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.RunResult;
 import org.dronewatch.world.ThreatLabel;
 
-/** What a run comes to, a few sentences for each drone. */
+/** What one run comes to: a few sentences for each drone and each swarm. */
 final class Verdict {
-    /** Of more drones than these each only those are told of to which there is no alert in time. */
-    private static final int MOST_DRONES = 4;
+    /** Of more drones and swarms only those are described to which there is no alert in time. */
+    private static final int MOST_GROUPS = 4;
 
     private final RunResult run;
 
@@ -25,111 +26,150 @@ final class Verdict {
     }
 
     String inWords() {
-        List<AlertResult> alerts = run.alerts();
-        if (alerts.size() <= MOST_DRONES) {
-            return alerts.stream().map(this::sentences).collect(Collectors.joining(" "));
+        List<DroneGroup> groups = DroneGroup.of(run.settings());
+        if (groups.size() <= MOST_GROUPS) {
+            return groups.stream().map(this::sentences).collect(Collectors.joining(" "));
         }
-        List<AlertResult> bad = alerts.stream().filter(this::isBad).toList();
-        String all = summary(alerts);
-        if (bad.isEmpty()) {
-            return all;
-        }
-        String worst = bad.stream().limit(MOST_DRONES).map(this::sentences).collect(Collectors.joining(" "));
-        int more = bad.size() - MOST_DRONES;
-        return all + " " + worst + (more > 0 ? " The table tells of " + more + " more like these." : "");
+        List<DroneGroup> bad = groups.stream().filter(this::isBad).toList();
+        String worst = bad.stream()
+                .limit(MOST_GROUPS)
+                .map(group -> " " + sentences(group))
+                .collect(Collectors.joining());
+        int more = bad.size() - MOST_GROUPS;
+        return summary() + worst + (more > 0 ? " " + more + " more fared like these: see the table." : "");
     }
 
-    /** An attack to which there is no alert, or none in time. */
-    private boolean isBad(AlertResult alert) {
-        boolean late = alert.inTime().filter(enough -> !enough).isPresent();
-        return role(alert) == ThreatLabel.Role.ATTACK && (alert.time().isEmpty() || late);
+    private boolean isBad(DroneGroup group) {
+        return group.role() == ThreatLabel.Role.ATTACK
+                && alerts(group).stream().anyMatch(alert -> alert.time().isEmpty() || RunRank.isLate(alert));
     }
 
-    private String sentences(AlertResult alert) {
-        return run.settings().alert().equals(AlertSettings.DEFAULT)
-                ? detection(alert.drone())
-                : detection(alert.drone()) + " " + alert(alert);
+    private List<AlertResult> alerts(DroneGroup group) {
+        return run.alerts().stream()
+                .filter(alert -> group.members().contains(alert.drone()))
+                .toList();
     }
 
     /** How many of many drones there was an alert to, and whether in time. */
-    private String summary(List<AlertResult> alerts) {
+    private String summary() {
+        List<AlertResult> alerts = run.alerts();
+        long attackers = run.settings().fliers().values().stream()
+                .filter(drone -> drone.label().role() == ThreatLabel.Role.ATTACK)
+                .count();
+        String role = attackers == alerts.size() ? "" : format(" (%d of them attacking)", attackers);
+        return alerted(alerts, alerts.size() + " drones" + role);
+    }
+
+    /** {@code There is an alert for 20 of 25 drones, in time for 18.} */
+    private String alerted(List<AlertResult> alerts, String of) {
         long alerted = alerts.stream().filter(alert -> alert.time().isPresent()).count();
-        String attackers = alerts.stream().allMatch(alert -> role(alert) == ThreatLabel.Role.ATTACK)
-                ? ""
-                : format(
-                        " (%d of them attack)",
-                        alerts.stream()
-                                .filter(alert -> role(alert) == ThreatLabel.Role.ATTACK)
-                                .count());
-        String all = format(
-                "Of %d drones%s there is an alert to %s", alerts.size(), attackers, share(alerted, alerts.size()));
+        String all = "There is an alert for " + count(alerted, alerts.size()) + " of " + of;
         if (alerts.stream().noneMatch(alert -> alert.inTime().isPresent())) {
             return all + ".";
         }
         long inTime =
                 alerts.stream().filter(alert -> alert.inTime().orElse(false)).count();
-        return all
-                + format(
-                        "; to %s it comes in time, %s s before they can be at what is protected.",
-                        share(inTime, alerts.size()),
-                        number(run.settings().alert().response()));
+        return all + format(", in time for %s; %s s are needed.", count(inTime, alerts.size()), response());
     }
 
-    private ThreatLabel.Role role(AlertResult alert) {
-        return run.settings().fliers().get(alert.drone()).label().role();
+    private static String count(long count, int of) {
+        return count == 0 ? "none" : count == of ? "all" : Long.toString(count);
     }
 
-    private static String share(long count, int of) {
-        return count == of ? "all" : count == 0 ? "none" : Long.toString(count);
+    private String response() {
+        return number(run.settings().alert().response());
+    }
+
+    private String sentences(DroneGroup group) {
+        String detected = group.isSwarm() ? ofSwarm(group) : ofDrone(group.name());
+        if (run.settings().alert().equals(AlertSettings.DEFAULT)) {
+            return detected;
+        }
+        List<AlertResult> alerts = alerts(group);
+        if (!group.isSwarm()) {
+            return detected + " " + alerts.stream().map(this::alert).collect(Collectors.joining(" "));
+        }
+        AlertResult worst = alerts.stream().min(RunRank.WORST_ALERT_FIRST).orElseThrow();
+        String which = alerts.size() == 1 || worst.time().isEmpty()
+                ? ""
+                : " The worst case is '" + worst.drone() + "': " + uncapitalised(alert(worst));
+        return detected + " " + alerted(alerts, "the swarm's " + alerts.size() + " drones") + which;
+    }
+
+    private static String uncapitalised(String sentence) {
+        return sentence.substring(0, 1).toLowerCase(Locale.ROOT) + sentence.substring(1);
+    }
+
+    private Optional<PairResult> first(DroneGroup group) {
+        return run.pairs().stream()
+                .filter(pair -> group.members().contains(pair.drone())
+                        && pair.firstDetected().isPresent())
+                .min(Comparator.comparingDouble(pair -> pair.firstDetected().getAsDouble()));
+    }
+
+    /** How many drones of a swarm are detected, which first, how far away, how early. */
+    private String ofSwarm(DroneGroup swarm) {
+        int all = swarm.members().size();
+        long detected = run.pairs().stream()
+                .filter(pair -> swarm.members().contains(pair.drone())
+                        && pair.firstDetected().isPresent())
+                .map(PairResult::drone)
+                .distinct()
+                .count();
+        return first(swarm)
+                .map(pair -> format(
+                        "%s of the %d drones of swarm '%s' %s detected; the first is '%s', %s.",
+                        detected == all ? "All" : Long.toString(detected),
+                        all,
+                        swarm.name(),
+                        detected == 1 ? "is" : "are",
+                        pair.drone(),
+                        where(pair)))
+                .orElseGet(() -> format("None of the %d drones of swarm '%s' is detected.", all, swarm.name()));
     }
 
     /** Who detects a drone first, how far away, how early. */
-    private String detection(String drone) {
+    private String ofDrone(String drone) {
         List<PairResult> pairs =
                 run.pairs().stream().filter(pair -> pair.drone().equals(drone)).toList();
-        Optional<PairResult> first = pairs.stream()
-                .filter(pair -> pair.firstDetected().isPresent())
-                .min(Comparator.comparingDouble(pair -> pair.firstDetected().getAsDouble()));
         long missing =
                 pairs.stream().filter(pair -> pair.firstDetected().isEmpty()).count();
-        return first.map(pair -> format(
-                        "'%s' is first detected by '%s' (%s), %s m away, %s s after the start; %s.",
-                        drone,
-                        pair.sensor(),
-                        pair.kind(),
-                        number(pair.range().orElseThrow()),
-                        number(pair.firstDetected().getAsDouble()),
-                        missing == 0
-                                ? "all sensors detect it"
-                                : missing + " of " + pairs.size() + " sensors never "
-                                        + (missing == 1 ? "detects it" : "detect it")))
+        String others = missing == 0
+                ? "all sensors detect it"
+                : missing + " of " + pairs.size() + " sensors never " + (missing == 1 ? "detects it" : "detect it");
+        return first(new DroneGroup(drone, false, List.of(drone), ThreatLabel.Role.ATTACK))
+                .map(pair -> "'" + drone + "' is first detected " + where(pair) + "; " + others + ".")
                 .orElse("'" + drone + "' is not detected by any sensor.");
+    }
+
+    private static String where(PairResult pair) {
+        return format(
+                "by '%s' (%s), %s m away, %s s after the start",
+                pair.sensor(),
+                pair.kind(),
+                number(pair.range().orElseThrow()),
+                number(pair.firstDetected().getAsDouble()));
     }
 
     /** When the alert comes, and what time it leaves. */
     private String alert(AlertResult alert) {
-        double needed = run.settings().alert().response();
         if (alert.time().isEmpty()) {
             return "There is no alert.";
         }
-        String when =
-                format("The alert comes after %s s, by %s", number(alert.time().getAsDouble()), names(alert.sensors()));
+        String when = format(
+                "The alert comes %s s after the start, from %s",
+                number(alert.time().getAsDouble()), "'" + String.join("', '", alert.sensors()) + "'");
         if (alert.warning().isEmpty()) {
             return when + ".";
         }
         String left = format(
-                ", %s m and %s s of flight before what is protected",
+                ", when the drone is %s m and %s s of flight away from the protected zone",
                 number(alert.zoneDistance().getAsDouble()),
                 number(alert.warning().getAsDouble()));
         return when
                 + left
                 + alert.inTime()
-                        .map(enough ->
-                                format("; %s s are needed: %s.", number(needed), enough ? "in time" : "too late"))
+                        .map(enough -> format("; %s s are needed: %s.", response(), enough ? "in time" : "too late"))
                         .orElse(".");
-    }
-
-    private static String names(List<String> sensors) {
-        return "'" + String.join("', '", sensors) + "'";
     }
 }

@@ -11,7 +11,7 @@ final class Footprint {
     /** A camera has no range of its own: one that detects nothing is drawn this far, m. */
     static final double UNKNOWN_REACH = 100.0;
 
-    /** A radar without a limit worth the name is drawn this far, m. */
+    /** A radar without a practical limit of range is drawn this far, m. */
     static final double MOST = 200_000.0;
 
     /** A full turn is drawn with so many straight lines. */

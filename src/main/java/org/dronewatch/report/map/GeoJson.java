@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import tools.jackson.core.StreamWriteFeature;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
@@ -71,7 +72,7 @@ final class GeoJson {
     }
 
     private static void addStyle(ObjectNode properties, MapFeature feature) {
-        String colour = String.format("#%06x", feature.colour().getRGB() & 0xffffff);
+        String colour = String.format(Locale.ROOT, "#%06x", feature.colour().getRGB() & 0xffffff);
         if (feature.shape() instanceof Shape.Point) {
             properties.put("marker-color", colour);
             properties.put("marker-size", feature.role().size().word());

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -114,7 +115,12 @@ final class Kml {
     /** KML's order is opacity, blue, green, red. */
     private static String colour(Color colour, double opacity) {
         return String.format(
-                "%02x%02x%02x%02x", Math.round(255.0 * opacity), colour.getBlue(), colour.getGreen(), colour.getRed());
+                Locale.ROOT,
+                "%02x%02x%02x%02x",
+                Math.round(255.0 * opacity),
+                colour.getBlue(),
+                colour.getGreen(),
+                colour.getRed());
     }
 
     private void writeShape(Elements kml, Shape shape) throws XMLStreamException {

@@ -41,7 +41,7 @@ final class MapContent {
         this.settings = run.settings();
         this.origin = origin;
         this.geodesy = new Geodesy(origin);
-        this.colours = KindColours.of(settings.sensors().values());
+        this.colours = KindColours.of(settings.enabledSensors().values());
     }
 
     /** The scene's name. */
@@ -73,8 +73,8 @@ final class MapContent {
     /** All features, in the order of their folders and of the scene. */
     List<MapFeature> features() {
         List<MapFeature> features = new ArrayList<>();
-        settings.sensors().forEach((id, sensor) -> features.add(sensor(id, sensor)));
-        settings.sensors().forEach((id, sensor) -> sensor.outline()
+        settings.enabledSensors().forEach((id, sensor) -> features.add(sensor(id, sensor)));
+        settings.enabledSensors().forEach((id, sensor) -> sensor.outline()
                 .map(outline -> Footprint.of(sensor.position(), outline, run.firstDetectionRange(id)))
                 .ifPresent(rings -> features.add(field(id, sensor, rings))));
         settings.alert().protect().ifPresent(zone -> features.add(zone(zone)));

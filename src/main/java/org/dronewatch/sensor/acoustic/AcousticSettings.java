@@ -1,8 +1,10 @@
 package org.dronewatch.sensor.acoustic;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
@@ -92,6 +94,14 @@ public record AcousticSettings(
     public List<String> leavesOut() {
         return List.of(
                 "Sound by the level model is calibrated, not physical; by either model wind and interference are left out.");
+    }
+
+    @Override
+    public Map<Condition, String> ignoredConditions() {
+        String rain = "raise world.backgroundNoise by the noise of the rain";
+        return propagation instanceof EnergyModel
+                ? Map.of(Condition.RAIN, rain)
+                : Map.of(Condition.RAIN, rain, Condition.AIR, "'propagation: energy-model' takes it into account");
     }
 
     @Override

@@ -1,9 +1,11 @@
 package org.dronewatch.sensor.camera;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.sensor.positioner.Pointing;
@@ -19,9 +21,9 @@ import org.dronewatch.world.Light;
  *
  * @param position where its centre of projection is, m
  * @param aim where its axis points; the horizon is level
- * @param width pixels in a row, 1 to 16384
+ * @param width pixels in a row, 1 to 16384; the picture has at most 67,108,864
  * @param height rows, 1 to 16384
- * @param fov field of view, above 0 and below pi, rad
+ * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the side of the picture that the field of view spans
  * @param rate frames a second, above 0, Hz
  * @param detection decides whether the drone's pixels are enough
@@ -32,7 +34,7 @@ public record CameraSettings(
         Aim aim,
         @In(value = Quantity.PIXELS, from = 1, to = 16_384) int width,
         @In(value = Quantity.PIXELS, from = 1, to = 16_384) int height,
-        @In(value = Quantity.ANGLE, above = 0, below = Math.PI) double fov,
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double fov,
         FieldOfView fovAxis,
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         DetectionFunction detection,
@@ -46,6 +48,7 @@ public record CameraSettings(
     public CameraSettings {
         Limits.check(CameraSettings.class, position, aim, width, height, fov, fovAxis, rate, detection, positioner);
         aim.from(position);
+        PictureSensorSettings.checkPixels(width, height);
         PictureSensorSettings.checkZoom(fov, positioner);
     }
 
@@ -134,6 +137,11 @@ public record CameraSettings(
                         + " out."
                 : "A camera that counts pixels knows no contrast, haze, light or compression.";
         return positioner.isPresent() ? List.of(decision, PositionerSettings.LEFT_OUT) : List.of(decision);
+    }
+
+    @Override
+    public Map<Condition, String> ignoredConditions() {
+        return detection.ignoredConditions();
     }
 
     @Override

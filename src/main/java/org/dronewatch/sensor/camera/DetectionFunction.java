@@ -1,7 +1,9 @@
 package org.dronewatch.sensor.camera;
 
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
+import org.dronewatch.sensor.Condition;
 
 /** Decides whether a camera detects a drone: a value from the drone's view, and what it must reach. */
 public interface DetectionFunction {
@@ -24,6 +26,16 @@ public interface DetectionFunction {
     /** How likely one frame is to detect the drone, 0 to 1; empty when that is not known. */
     default OptionalDouble probability(DroneView view) {
         return OptionalDouble.empty();
+    }
+
+    /**
+     * Conditions of the site that would matter to a real camera but not to this decision; none unless a function knows
+     * better.
+     *
+     * @return by condition what to do instead, in words
+     */
+    default Map<Condition, String> ignoredConditions() {
+        return Map.of();
     }
 
     /** Unit of value and threshold. */

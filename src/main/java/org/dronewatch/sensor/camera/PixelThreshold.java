@@ -1,5 +1,7 @@
 package org.dronewatch.sensor.camera;
 
+import java.util.Map;
+import org.dronewatch.sensor.Condition;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -8,9 +10,10 @@ import org.dronewatch.setting.Quantity;
 /**
  * Detects a drone that fills enough pixels.
  *
- * @param pixels how many, above 0
+ * @param pixels how many, above 0 and at most 1e9
  */
-public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0) double pixels) implements DetectionFunction {
+public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) double pixels)
+        implements DetectionFunction {
     /** Calibrated in the thesis that this project began with: 12 pixels. */
     @Defaults
     public static final PixelThreshold DEFAULT = new PixelThreshold(12.0);
@@ -28,6 +31,17 @@ public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0) double pixe
     @Override
     public double threshold() {
         return pixels;
+    }
+
+    /** A count of pixels knows neither weather nor light. */
+    @Override
+    public Map<Condition, String> ignoredConditions() {
+        String other = "cameras with 'detection: {kind: target-task}' take it into account";
+        return Map.of(
+                Condition.VISIBILITY, other,
+                Condition.ILLUMINANCE, other,
+                Condition.SUN, other,
+                Condition.RAIN, "use 'detection: {kind: target-task}' and lower world.light.visibility");
     }
 
     @Override

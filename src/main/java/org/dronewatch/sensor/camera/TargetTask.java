@@ -1,7 +1,9 @@
 package org.dronewatch.sensor.camera;
 
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
+import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -113,6 +115,11 @@ public record TargetTask(
     @Override
     public OptionalDouble probability(DroneView view) {
         return OptionalDouble.of(value(view));
+    }
+
+    @Override
+    public Map<Condition, String> ignoredConditions() {
+        return Map.of(Condition.RAIN, "lower world.light.visibility for the rain");
     }
 
     @Override

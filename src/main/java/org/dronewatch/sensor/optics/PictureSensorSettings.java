@@ -25,6 +25,11 @@ public interface PictureSensorSettings<S extends Sensor> extends SensorSettings<
     }
 
     @Override
+    default long pixels() {
+        return (long) width() * height();
+    }
+
+    @Override
     default boolean tellsDirection() {
         return true;
     }
@@ -39,6 +44,22 @@ public interface PictureSensorSettings<S extends Sensor> extends SensorSettings<
     @Override
     default Optional<Pointing> turnedTo(Position place) {
         return positioner().map(mount -> mount.turnedTo(position(), place, fov()));
+    }
+
+    /** The most pixels of a picture: 8192 x 8192. */
+    int MOST_PIXELS = 1 << 26;
+
+    /**
+     * Checks that a picture is not larger than {@link #MOST_PIXELS}.
+     *
+     * @throws IllegalArgumentException when it is
+     */
+    static void checkPixels(int width, int height) {
+        long pixels = (long) width * height;
+        if (pixels > MOST_PIXELS) {
+            throw new IllegalArgumentException("width " + width + " px x height " + height + " px = " + pixels
+                    + " px must be at most " + MOST_PIXELS + " px");
+        }
     }
 
     /**

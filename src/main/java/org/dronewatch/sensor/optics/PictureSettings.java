@@ -18,7 +18,7 @@ public interface PictureSettings {
     /** Rows of the picture. */
     int height();
 
-    /** Field of view, above 0 and below pi, rad. */
+    /** Field of view, 0.01 to 179 degrees, rad. */
     double fov();
 
     /** The side of the picture that the field of view spans. */

@@ -8,14 +8,14 @@ import org.dronewatch.setting.Quantity;
 /**
  * A lens that zooms in on what it follows. While it searches, it shows the sensor's own field of view.
  *
- * @param cued field of view while another sensor tells where to look: wide enough for that sensor's errors, 0.01 degrees or
- *     more and below pi, rad
- * @param tracked field of view while the sensor itself holds the drone, 0.01 degrees to below pi, rad
+ * @param cued field of view while another sensor tells where to look: wide enough for that sensor's errors, 0.01 to 179
+ *     degrees, rad
+ * @param tracked field of view while the sensor itself holds the drone, 0.01 to 179 degrees, rad
  * @param time that it takes from the sensor's own field of view to the narrowest, 0 to 60 s
  */
 public record ZoomSettings(
-        @In(value = Quantity.ANGLE, from = Math.PI / 18_000, below = Math.PI) double cued,
-        @In(value = Quantity.ANGLE, from = Math.PI / 18_000, below = Math.PI) double tracked,
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double cued,
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double tracked,
         @In(value = Quantity.DURATION, from = 0, to = 60) double time) {
     /** Checks the limits. */
     public ZoomSettings {

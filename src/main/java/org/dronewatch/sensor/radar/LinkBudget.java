@@ -31,18 +31,18 @@ public sealed interface LinkBudget {
      * Handbook). B is the noise bandwidth after coherent processing, one over the integration time, not that of the
      * sweep. A radar with a known system temperature T instead of a noise figure has the figure 10 lg(T / 290 K).
      *
-     * @param power transmitted power, above 0, W
+     * @param power transmitted power, 1e-9 to 1e9 W
      * @param gain of the antenna for both ways, -20 to 80 dBi
-     * @param integrationTime how long an echo is summed up coherently, above 0 and at most 10 s
-     * @param sweepBandwidth of the transmitted signal, above 0, Hz
+     * @param integrationTime how long an echo is summed up coherently, 1e-9 to 10 s
+     * @param sweepBandwidth of the transmitted signal, 1 to 1e12 Hz
      * @param noiseFigure of the receiver, -20 to 60 dB
      * @param losses all losses of the system together, 0 to 60 dB
      */
     record Hardware(
-            @In(value = Quantity.POWER, above = 0) double power,
+            @In(value = Quantity.POWER, from = 1e-9, to = 1e9) double power,
             @In(value = Quantity.LEVEL, from = -20, to = 80) double gain,
-            @In(value = Quantity.DURATION, above = 0, to = 10) double integrationTime,
-            @In(value = Quantity.FREQUENCY, above = 0) double sweepBandwidth,
+            @In(value = Quantity.DURATION, from = 1e-9, to = 10) double integrationTime,
+            @In(value = Quantity.FREQUENCY, from = 1, to = 1e12) double sweepBandwidth,
             @In(value = Quantity.LEVEL, from = -20, to = 60) double noiseFigure,
             @In(value = Quantity.LEVEL, from = 0, to = 60) double losses)
             implements LinkBudget {
@@ -82,15 +82,15 @@ public sealed interface LinkBudget {
      * What a data sheet says: at which range which target is detected how surely. It gives the gain of the whole loop; the
      * echo then falls with the fourth power of the range.
      *
-     * @param range at which the target is detected, above 0, m
-     * @param crossSection of that target, above 0, m2
+     * @param range at which the target is detected, 0.1 m to 1000 km, m
+     * @param crossSection of that target, 1e-9 to 1e6 m2
      * @param probability of its detection, 0.1 to 0.99
      * @param falseAlarm probability that noise is taken for a target, 1e-12 to 0.01
      * @param fluctuation of that target
      */
     record DataSheet(
-            @In(value = Quantity.LENGTH, above = 0) double range,
-            @In(value = Quantity.AREA, above = 0) double crossSection,
+            @In(value = Quantity.LENGTH, from = 0.1, to = 1e6) double range,
+            @In(value = Quantity.AREA, from = 1e-9, to = 1e6) double crossSection,
             @In(value = Quantity.RATIO, from = 0.1, to = 0.99) double probability,
             @In(value = Quantity.NUMBER, from = 1e-12, to = 0.01) double falseAlarm,
             Fluctuation fluctuation)

@@ -56,7 +56,7 @@ public sealed interface RadarDetection {
      * By chance: noise and the target's fluctuation make some looks succeed and others fail. A number between 0 and 1 is
      * drawn, and the ratio for which the probability of detection is that number is what this look's echo must reach.
      *
-     * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01
+     * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01; to 0.001 with several pulses
      * @param pulses how many pulses of a look are summed without their phases, 1 to 1000; the signal-to-noise ratio is that
      *     of one of them
      */
@@ -66,6 +66,9 @@ public sealed interface RadarDetection {
             implements RadarDetection {
         /** Noise alone may pass for a target, but not for a drone of which nothing comes back, dB. */
         private static final double FAINTEST = -100.0;
+
+        /** Up to here the approximations for several pulses hold. */
+        private static final double MOST_WITH_PULSES = 1e-3;
 
         /** Enough for a probability to a billionth. */
         private static final int HALVINGS = 30;
@@ -77,6 +80,10 @@ public sealed interface RadarDetection {
         /** Checks the limits. */
         public Chance {
             Limits.check(Chance.class, falseAlarm, pulses);
+            if (pulses > 1 && falseAlarm > MOST_WITH_PULSES) {
+                throw new IllegalArgumentException("falseAlarm " + falseAlarm + " must be at most " + MOST_WITH_PULSES
+                        + " where several pulses are summed, here " + pulses);
+            }
         }
 
         @Override

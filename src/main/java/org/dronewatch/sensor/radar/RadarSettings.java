@@ -20,12 +20,12 @@ import org.dronewatch.world.Drone;
  *
  * @param position where its antenna is, m
  * @param aim the middle of its field of view; the elevation is its tilt
- * @param azimuthWidth how wide its field of view is, above 0 and at most 2 pi, rad
- * @param elevationWidth how high its field of view is, above 0 and at most pi, rad
- * @param minRange nearer drones are lost in its own pulse, 0 or more, m
- * @param maxRange farther drones are not looked for, above 0, m
- * @param minSpeed slower drones are taken for ground: least radial speed, 0 or more, m/s
- * @param maxSpeed faster drones are not looked for: largest radial speed, above 0, m/s
+ * @param azimuthWidth how wide its field of view is, 0.01 to 360 degrees, rad
+ * @param elevationWidth how high its field of view is, 0.01 to 180 degrees, rad
+ * @param minRange nearer drones are lost in its own pulse, 0 to 1000 km, m
+ * @param maxRange farther drones are not looked for, above 0 and at most 1000 km, m
+ * @param minSpeed slower drones are taken for ground: least radial speed, 0 to 10,000 m/s
+ * @param maxSpeed faster drones are not looked for: largest radial speed, above 0 and at most 10,000 m/s
  * @param rate scans a second, above 0, Hz
  * @param frequency carrier, 1 to 1000 GHz, Hz
  * @param polarisation of the wave; matters in rain only
@@ -36,12 +36,12 @@ import org.dronewatch.world.Drone;
 public record RadarSettings(
         Position position,
         Aim aim,
-        @In(value = Quantity.ANGLE, above = 0, to = 2 * Math.PI) double azimuthWidth,
-        @In(value = Quantity.ANGLE, above = 0, to = Math.PI) double elevationWidth,
-        @In(value = Quantity.LENGTH, from = 0) double minRange,
-        @In(value = Quantity.LENGTH, above = 0) double maxRange,
-        @In(value = Quantity.SPEED, from = 0) double minSpeed,
-        @In(value = Quantity.SPEED, above = 0) double maxSpeed,
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = 2 * Math.PI) double azimuthWidth,
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = Math.PI) double elevationWidth,
+        @In(value = Quantity.LENGTH, from = 0, to = 1e6) double minRange,
+        @In(value = Quantity.LENGTH, above = 0, to = 1e6) double maxRange,
+        @In(value = Quantity.SPEED, from = 0, to = 10_000) double minSpeed,
+        @In(value = Quantity.SPEED, above = 0, to = 10_000) double maxSpeed,
         @In(value = Quantity.FREQUENCY, above = 0, to = 1000) double rate,
         @In(value = Quantity.FREQUENCY, from = 1e9, to = 1e12) double frequency,
         Rain.Polarisation polarisation,

@@ -20,7 +20,7 @@ import org.dronewatch.world.RadioLink;
  * @param lowest frequency that it hears, 1 MHz to 100 GHz, Hz
  * @param highest frequency that it hears, Hz
  * @param gain of its antenna, -50 to 60 dBi
- * @param bandwidth of the noise in it, above 0, Hz
+ * @param bandwidth of the noise in it, 1 to 1e10 Hz
  * @param noiseFigure what its own electronics add to the noise, 0 to 50 dB
  * @param clutter what ground and buildings take on average besides the one edge that counts, and noise of the place adds,
  *     0 to 100 dB
@@ -32,7 +32,7 @@ public record RfSettings(
         @In(value = Quantity.FREQUENCY, from = 1e6, to = 1e11) double lowest,
         @In(value = Quantity.FREQUENCY, from = 1e6, to = 1e11) double highest,
         @In(value = Quantity.LEVEL, from = -50, to = 60) double gain,
-        @In(value = Quantity.FREQUENCY, above = 0, to = 1e10) double bandwidth,
+        @In(value = Quantity.FREQUENCY, from = 1, to = 1e10) double bandwidth,
         @In(value = Quantity.LEVEL, from = 0, to = 50) double noiseFigure,
         @In(value = Quantity.LEVEL, from = 0, to = 100) double clutter,
         @In(value = Quantity.LEVEL, from = -50, to = 100) double threshold)

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
@@ -21,14 +22,14 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param position where its centre of projection is, m
  * @param aim where its axis points; the horizon is level
- * @param width pixels in a row, 1 to 16384
+ * @param width pixels in a row, 1 to 16384; the picture has at most 67,108,864
  * @param height rows, 1 to 16384
- * @param fov field of view, above 0 and below pi, rad
+ * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the side of the picture that the field of view spans
  * @param rate frames a second, above 0, Hz
- * @param noise difference of temperature that stands out of the noise as much as the noise itself (NETD), above 0 and at most
+ * @param noise difference of temperature that stands out of the noise as much as the noise itself (NETD), 1e-6 to
  *     100 K
- * @param transmission what a kilometre of air leaves in its band and the weather meant, above 0 and at most 1
+ * @param transmission what a kilometre of air leaves in its band and the weather meant, 1e-6 to 1
  * @param leastSignal ratio of signal to noise below which nothing is resolved, above 0 and at most 1000
  * @param task what is to be done with the picture
  * @param probability from which on that counts as done, above 0 and below 1; without meaning by chance
@@ -40,11 +41,11 @@ public record ThermalSettings(
         Aim aim,
         @In(value = Quantity.PIXELS, from = 1, to = 16_384) int width,
         @In(value = Quantity.PIXELS, from = 1, to = 16_384) int height,
-        @In(value = Quantity.ANGLE, above = 0, below = Math.PI) double fov,
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double fov,
         FieldOfView fovAxis,
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
-        @In(value = Quantity.TEMPERATURE_DIFFERENCE, above = 0, to = 100) double noise,
-        @In(value = Quantity.RATIO, above = 0, to = 1) double transmission,
+        @In(value = Quantity.TEMPERATURE_DIFFERENCE, from = 1e-6, to = 100) double noise,
+        @In(value = Quantity.RATIO, from = 1e-6, to = 1) double transmission,
         @In(value = Quantity.NUMBER, above = 0, to = 1000) double leastSignal,
         Discrimination task,
         @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
@@ -74,6 +75,7 @@ public record ThermalSettings(
                 byChance,
                 positioner);
         aim.from(position);
+        PictureSensorSettings.checkPixels(width, height);
         PictureSensorSettings.checkZoom(fov, positioner);
     }
 
@@ -150,6 +152,13 @@ public record ThermalSettings(
         String heat =
                 "A thermal camera here sees one difference of temperature for the whole drone, whatever is behind it.";
         return positioner.isPresent() ? List.of(heat, PositionerSettings.LEFT_OUT) : List.of(heat);
+    }
+
+    /** What the air takes is a setting of the camera, whatever the site's weather. */
+    @Override
+    public Map<Condition, String> ignoredConditions() {
+        String own = "set its 'transmission' for such weather";
+        return Map.of(Condition.VISIBILITY, own, Condition.RAIN, own, Condition.AIR, own);
     }
 
     @Override

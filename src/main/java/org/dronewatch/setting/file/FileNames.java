@@ -23,6 +23,9 @@ final class FileNames {
         if (Path.of(name).isAbsolute() || !file.startsWith(directory)) {
             return "leads out of the directory of this file, " + directory + ": keep models beside or below it";
         }
-        return Files.isRegularFile(file) ? "" : "does not exist in " + file.getParent();
+        if (Files.isRegularFile(file)) {
+            return "";
+        }
+        return Files.exists(file) ? "is not a regular file" : "does not exist in " + file.getParent();
     }
 }

@@ -1,6 +1,7 @@
 package org.dronewatch.setting.file;
 
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -100,6 +101,36 @@ public sealed interface Node {
                 places.put(part, mark);
             });
             return of(nodes, places, mark);
+        }
+
+        /**
+         * Where the value stands whose path a text begins with, as in {@code alert.rule.count 5 must be}; of a value that is
+         * not written, where what should hold it stands.
+         */
+        public Mark markOf(String text) {
+            Node here = this;
+            String rest = text;
+            while (here instanceof Mapping mapping) {
+                String left = rest;
+                Optional<String> name = mapping.values.keySet().stream()
+                        .filter(key -> left.startsWith(key)
+                                && left.substring(key.length()).matches("([.: ='].*)?"))
+                        .max(Comparator.comparingInt(String::length));
+                if (name.isEmpty()) {
+                    break;
+                }
+                here = mapping.values.get(name.get());
+                rest = rest.substring(name.get().length()).replaceFirst("^[.]", "");
+            }
+            if (here instanceof Sequence list && rest.matches("\\d{1,6}\\b.*")) {
+                int index = Integer.parseInt(rest.replaceFirst("\\D.*", ""));
+                String inner = rest.replaceFirst("^\\d+[.]?", "");
+                if (index < list.items.size()) {
+                    Node item = list.items.get(index);
+                    return item instanceof Mapping mapping ? mapping.markOf(inner) : item.mark();
+                }
+            }
+            return here.mark();
         }
 
         /** The text of a single value; empty when there is none of that name. */

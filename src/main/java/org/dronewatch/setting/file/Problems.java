@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
 
 /** Collects what is wrong with a file, so that a person learns all of it at once. */
@@ -23,7 +24,7 @@ final class Problems {
      * @param field path of the setting, empty for the whole document
      */
     void add(Mark mark, String field, String message) {
-        String line = mark + ": " + (field.isEmpty() ? "" : field + ": ") + message;
+        String line = PlainText.line(mark + ": " + (field.isEmpty() ? "" : field + ": ") + message);
         found.add(new Problem(mark, line.length() <= LONGEST ? line : line.substring(0, LONGEST) + "..."));
     }
 

@@ -14,6 +14,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.setting.Switchable;
 
 /**
  * Makes settings records of nodes. What is wrong is collected, and reading goes on, so that everything else is checked, too.
@@ -175,7 +176,11 @@ final class SettingsReader {
                 problems.unknown(mapping.keys().get(name), path, "setting", name, form.names());
                 return;
             }
-            Object value = read(part.get().getGenericType(), SettingText.quantity(part.get()), node, field);
+            Object value = read(
+                    part.get().getGenericType(),
+                    SettingText.quantity(part.get()),
+                    switched(form, part.get(), node, field, values),
+                    field);
             if (value != FAILED && fits(part.get(), node, value, field)) {
                 values.put(name, value);
             }
@@ -196,10 +201,22 @@ final class SettingsReader {
             return form.create(values);
         } catch (IllegalArgumentException e) {
             if (!tellLimits(form, mapping, values, path)) {
-                problems.add(mapping.mark(), path, e.getMessage());
+                problems.add(mapping.markOf(e.getMessage()), path, e.getMessage());
             }
             return FAILED;
         }
+    }
+
+    /** What is written of a part, without the switches in it, which become another part's value. */
+    private Node switched(
+            SettingsForm form, RecordComponent part, Node node, String field, Map<String, Object> values) {
+        if (!part.isAnnotationPresent(Switchable.class) || !(node instanceof Node.Mapping all)) {
+            return node;
+        }
+        SwitchReader switches = new SwitchReader(problems);
+        Node rest = switches.read(all, field);
+        values.put(form.switchOf(part).getName(), switches.off());
+        return rest;
     }
 
     /**
@@ -212,11 +229,7 @@ final class SettingsReader {
         try {
             form.create(needed);
         } catch (IllegalArgumentException e) {
-            // The message begins with the name of the part.
-            String name = e.getMessage().split(" ", 2)[0];
-            Node at = mapping.values().getOrDefault(name, mapping);
-            String field = at == mapping ? path : path.isEmpty() ? name : path + "." + name;
-            problems.add(at.mark(), field, e.getMessage());
+            problems.add(mapping.markOf(e.getMessage()), path, e.getMessage());
             return true;
         }
         int before = problems.count();
@@ -226,7 +239,7 @@ final class SettingsReader {
             try {
                 form.create(one);
             } catch (IllegalArgumentException e) {
-                Node node = mapping.values().get(name);
+                Node node = mapping.values().getOrDefault(name, mapping);
                 problems.add(node.mark(), path.isEmpty() ? name : path + "." + name, e.getMessage());
             }
         });

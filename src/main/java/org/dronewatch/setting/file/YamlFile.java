@@ -5,7 +5,6 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -63,19 +62,10 @@ final class YamlFile {
     /**
      * Reads a file.
      *
-     * @throws InputException when there is no such file, or it is too large, or no text
+     * @throws InputException when there is no such file, or it is a pipe or a device, or too large, or no text
      */
     static String text(Path file) {
-        try (InputStream in = Files.newInputStream(file)) {
-            return text(file.toString(), in);
-        } catch (IOException e) {
-            throw new InputException(
-                    file + ": cannot be read"
-                            + (Files.exists(file)
-                                    ? Files.isDirectory(file) ? ": is a directory" : ""
-                                    : ": no such file"),
-                    e);
-        }
+        return text(file.toString(), BoundedFile.read(file, MAX_BYTES));
     }
 
     /** Reads all that a stream has, as UTF-8. */
@@ -84,6 +74,10 @@ final class YamlFile {
         if (bytes.length > MAX_BYTES) {
             throw new InputException(name + ": larger than " + MAX_BYTES + " bytes, the most for such a file");
         }
+        return text(name, bytes);
+    }
+
+    private static String text(String name, byte[] bytes) {
         try {
             String text = StandardCharsets.UTF_8
                     .newDecoder()

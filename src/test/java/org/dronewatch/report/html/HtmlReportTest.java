@@ -9,13 +9,16 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.picture.Yard;
+import org.dronewatch.scene.AlertResult;
 import org.dronewatch.scene.Pointings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
@@ -29,10 +32,13 @@ import org.dronewatch.sensor.radar.RadarSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
+import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 import org.xml.sax.SAXException;
 
 class HtmlReportTest {
+    private static final List<String> QUADROTOR = List.of("quadrotor");
+
     @TempDir
     private Path directory;
 
@@ -41,7 +47,13 @@ class HtmlReportTest {
         Looks looks = new Looks();
         SceneResult result = runner.listener(looks).run();
         ByteArrayOutputStream page = new ByteArrayOutputStream();
-        new HtmlReport(result, looks, runner.stage(runner.settingsOfRuns().get(0)), figures, List.of()).write(page);
+        new HtmlReport(
+                        result,
+                        looks,
+                        run -> new RunView(runner.stage(run.settings()), figures),
+                        List.of(),
+                        Map.of("program", "dronewatch <1>"))
+                .write(page);
         return page.toString(StandardCharsets.UTF_8);
     }
 
@@ -73,20 +85,21 @@ class HtmlReportTest {
 
         assertThat(texts(document, "p"))
                 .anyMatch(text -> text.equals("'glider' is first detected by 'radar' (radar), 664 m away, 8 s after the"
-                        + " start; 6 of 7 sensors never detect it. The alert comes after 8 s, by 'radar', 609 m and 40.6 s"
-                        + " of flight before what is protected; 30 s are needed: in time."));
+                        + " start; 6 of 7 sensors never detect it. The alert comes 8 s after the start, from 'radar', when"
+                        + " the drone is 609 m and 40.6 s of flight away from the protected zone; 30 s are needed: in"
+                        + " time."));
         assertThat(texts(document, "td"))
                 .anyMatch(text -> text.startsWith("always silent by radio (autonomous)"))
                 .anyMatch(text ->
                         text.matches("81 % of the time out of its field of view; 19 % of the time too small or too"
                                 + " faint: at best 8 px \\(needs 12\\), 159 m away"))
-                .anyMatch(text ->
-                        text.matches("always too quiet: at best [0-9.]+ dB \\(needs 47\\), \\d+ m away; its motors"
-                                + " are off 79 % of the time"));
+                .anyMatch(
+                        text -> text.matches("always too quiet: at best [0-9.]+ dB \\(needs 47\\), \\d+ m away; motors"
+                                + " off 79 % of the time"));
         // The radar loses it at 38 s, when it flies above the radar's field.
         assertThat(texts(document, "td"))
                 .containsSubsequence("radar", "38.0", "327.8", "always out of its field of view");
-        assertThat(texts(document, "th")).contains("from then on");
+        assertThat(texts(document, "th")).contains("why from then on");
         assertThat(texts(document, "figcaption")).containsExactly("a <picture>");
         assertThat(page).contains("data:image/png;base64,AQID");
         // Nothing is asked for from anywhere.
@@ -144,7 +157,7 @@ class HtmlReportTest {
     }
 
     @Test
-    void tellsOfEachDroneOfASwarmWithItsLabel() throws IOException {
+    void aSwarmHasOneRowWithAFoldOfItsDrones() throws IOException {
         Path file = directory.resolve("swarm.yaml");
         Files.writeString(
                 file,
@@ -163,21 +176,61 @@ class HtmlReportTest {
         Document document = parsed(report(new SceneFile(file), List.of()));
 
         assertThat(texts(document, "td").stream().filter("decoy, fixed-wing"::equals))
-                .hasSize(25);
+                .hasSize(1);
+        assertThat(texts(document, "td").stream().filter("x (25 drones, decoy)"::equals))
+                .as("alert, detections and misses")
+                .hasSize(3);
+        assertThat(texts(document, "summary")).contains("Each drone of the swarms");
         assertThat(texts(document, "td")).contains("x-1", "x-25");
-        assertThat(texts(document, "p")).contains("Of 25 drones (0 of them attack) there is an alert to none.");
-        Files.writeString(file, Files.readString(file).replace("role: decoy", "role: attack"));
-        assertThat(texts(parsed(report(new SceneFile(file), List.of())), "p"))
-                .contains("Of 25 drones there is an alert to none. 'x-1' is not detected by any sensor. 'x-2' is not"
-                        + " detected by any sensor. 'x-3' is not detected by any sensor. 'x-4' is not detected by any"
-                        + " sensor. The table tells of 21 more like these.");
+        assertThat(texts(document, "p")).contains("None of the 25 drones of swarm 'x' is detected.");
+    }
+
+    /** The camera looks past the leader. */
+    @Test
+    void theVerdictNamesTheDroneOfASwarmThatIsDetectedFirst() throws IOException {
+        Path file = directory.resolve("column.yaml");
+        Files.writeString(
+                file,
+                """
+                world: {models: [packaged:hill.obj]}
+                drones:
+                  x:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: hover, position: [0, 50, 150]}
+                    swarm: {count: 3, spacing: 40}
+                    speed: 10 m/s
+                sensors: {camera: {kind: camera, position: [0, 0, 145], aim: {azimuth: 40 deg, elevation: 5 deg}}}
+                alert: {protect: {centre: [0, 0, 140], radius: 20 m}, response: 5 s}
+                run: {duration: 2}
+                """);
+        SceneRunner runner = new SceneRunner(new SceneFile(file));
+        SceneResult result = runner.run();
+        String first = result.pairs().stream()
+                .filter(pair -> pair.firstDetected().isPresent())
+                .min(Comparator.comparingDouble(pair -> pair.firstDetected().getAsDouble()))
+                .orElseThrow()
+                .drone();
+        assertThat(first).isNotEqualTo("x-1");
+        String verdict = new Verdict(result.runs().get(0)).inWords();
+
+        assertThat(verdict)
+                .startsWith("1 of the 3 drones of swarm 'x' is detected; the first is '" + first + "', by 'camera'")
+                .contains("There is an alert for 1 of the swarm's 3 drones, in time for none; 5 s are needed.");
+        assertThat(texts(parsed(report(new SceneFile(file), List.of())), "p")).contains(verdict);
     }
 
     @Test
     void tablesOfASiteWithManySensorsAndDronesStayShort() throws IOException {
         Path file = directory.resolve("many.yaml");
-        StringBuilder scene = new StringBuilder("world: {models: [packaged:hill.obj]}\ndrones:\n  x: {model: "
-                + "packaged:quadrotor.obj, flight: {kind: hover, position: [0, 50, 150]}, swarm: 10}\nsensors:\n");
+        StringBuilder scene = new StringBuilder("world: {models: [packaged:hill.obj]}\ndrones:\n");
+        for (int i = 0; i < 10; i++) {
+            scene.append("  x")
+                    .append(i)
+                    .append(": {model: packaged:quadrotor.obj, flight: {kind: hover, position: [")
+                    .append(i)
+                    .append(", 50, 150]}RADIO}\n");
+        }
+        scene.append("sensors:\n");
         for (int i = 0; i < 13; i++) {
             scene.append("  s")
                     .append(i)
@@ -185,18 +238,164 @@ class HtmlReportTest {
                     .append(i)
                     .append(", 0, 147]}\n");
         }
-        Files.writeString(file, scene + "run: {duration: 1}\n");
+        scene.append("run: {duration: 1}\n");
+        Files.writeString(file, scene.toString().replace("RADIO", ""));
         Document all = parsed(report(new SceneFile(file), List.of()));
-        assertThat(texts(all, "td").stream().filter("rf"::equals)).hasSize(130 + 13);
+        assertThat(texts(all, "td").stream().filter("rf"::equals)).hasSize(60 + 13);
+        assertThat(texts(all, "p"))
+                .noneMatch(text -> text.contains("without a detection"))
+                .contains("70 more pairs of sensor and drone are not shown.");
 
-        Files.writeString(
-                file,
-                scene.toString().replace("swarm: 10", "swarm: 10, radio: {control: fibre}") + "run: {duration: 1}\n");
+        Files.writeString(file, scene.toString().replace("RADIO", ", radio: {control: fibre}"));
         Document none = parsed(report(new SceneFile(file), List.of()));
         assertThat(texts(none, "p"))
-                .contains("Without the 130 pairs of sensor and drone that came to no detection.")
-                .contains("And 70 pairs of sensor and drone more.");
-        assertThat(texts(none, "td")).contains("always silent by radio (fibre); it came as near as 50 m");
+                .contains("130 pairs of sensor and drone without a detection are not shown.")
+                .contains("70 more pairs of sensor and drone are not shown.");
+        assertThat(texts(none, "td")).contains("always silent by radio (fibre); the closest approach was 50 m");
+    }
+
+    /** A quadrotor that comes from behind is seen too late; the verdict over the runs says so, and run 0 is not all. */
+    @Test
+    void theVerdictCoversAllRunsOfASweep() throws IOException {
+        Document document = parsed(report(sweep(12), List.of(new Figure("site", new byte[] {1}))));
+
+        String verdict = texts(document, "p").get(0);
+        List<AlertResult> alerts = new SceneRunner(sweep(12)).run().alerts();
+        long alerted = alerts.stream().filter(alert -> alert.time().isPresent()).count();
+        long inTime =
+                alerts.stream().filter(alert -> alert.inTime().orElse(false)).count();
+        assertThat(inTime).isPositive().isLessThan(alerted);
+        assertThat(alerted).isLessThan(12);
+        assertThat(alerts.get(0).inTime()).as("run 0 alone looks well").contains(true);
+        assertThat(verdict)
+                .startsWith("In " + alerted
+                        + " of 12 runs there is an alert for every drone, but not with bearing 30 deg, 60 deg")
+                .contains("In " + inTime
+                        + " of 12 runs the alert comes in time, at least 4.5 s before the drone can reach the"
+                        + " protected zone, but not with bearing 30 deg")
+                .endsWith("The worst is run 1 (bearing 30 deg): 'quadrotor' is not detected by any sensor. There is no"
+                        + " alert.");
+        NodeList folds = document.getElementsByTagName("details");
+        assertThat(folds.getLength()).isEqualTo(12);
+        for (int i = 0; i < folds.getLength(); i++) {
+            Element fold = (Element) folds.item(i);
+            assertThat(fold.hasAttribute("open")).as("fold %d", i).isEqualTo(i == 1);
+            assertThat(fold.getElementsByTagName("summary").item(0).getTextContent())
+                    .isEqualTo("Run " + i + " (bearing " + 30 * i + " deg)");
+            assertThat(fold.getElementsByTagName("img").getLength()).isEqualTo(1);
+            assertThat(fold.getElementsByTagName("svg").getLength()).isEqualTo(1);
+            assertThat(fold.getElementsByTagName("table").getLength()).isGreaterThanOrEqualTo(2);
+        }
+        assertThat(texts(document, "p")).anyMatch(text -> text.endsWith("are measured clockwise from north."));
+        assertThat(texts(document, "td")).as("no radians").noneMatch(text -> text.matches("bearing [0-9]\\.[0-9]+"));
+    }
+
+    /** A decoy that hovers in view all the time must make no run look better, and not worse either. */
+    @Test
+    void dronesThatDoNotAttackAreNotCountedOverRuns() throws IOException {
+        sweep(12);
+        Path file = directory.resolve("sweep.yaml");
+        String decoy =
+                """
+                drones:
+                  decoy:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: hover, position: [-30, 30, 150]}
+                    label: {role: decoy}
+                """;
+        Files.writeString(file, Files.readString(file).replaceFirst("drones:\n", decoy));
+        Document document = parsed(report(new SceneFile(file), List.of()));
+
+        assertThat(texts(document, "p").get(0))
+                .contains("of 12 runs there is an alert for every attacking drone, but not with bearing 30 deg")
+                .contains("Drones that do not attack are not counted. The worst is run 1 (bearing 30 deg)");
+        List<String> cells = texts(document, "td");
+        int row = cells.indexOf("bearing 30 deg");
+        assertThat(cells.subList(row + 1, row + 7)).containsExactly("0 of 1", "-", "never", "-", "0 of 1", "never");
+    }
+
+    /** Memory and file stay in bounds: the first run and the worst are shown in full, each run has a row. */
+    @Test
+    void ofVeryManyRunsOnlyTheWorstAreShownInFull() throws IOException {
+        Document document = parsed(report(sweep(36), List.of()));
+
+        assertThat(texts(document, "summary")).hasSize(9).contains("Run 0 (bearing 0 deg)", "Run 9 (bearing 90 deg)");
+        assertThat(texts(document, "p"))
+                .anyMatch(text -> text.startsWith("The first run and the 8 worst of all 36 are shown in full below"));
+        assertThat(texts(document, "td").stream().filter(text -> text.matches("bearing \\d+ deg")))
+                .hasSize(36);
+    }
+
+    /** A camera that looks north, with a drone that comes from all sides. */
+    private Scene sweep(int count) throws IOException {
+        Path file = directory.resolve("sweep.yaml");
+        Files.writeString(
+                file,
+                """
+                world: {models: [packaged:hill.obj]}
+                drones:
+                  quadrotor:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: inbound, target: [0, 0, 145], bearing: 0 deg, distance: 100 m, nearest: 15 m}
+                    speed: 10 m/s
+                sensors:
+                  west: {kind: camera, position: [0, 0, 145], aim: {azimuth: -50 deg, elevation: 5 deg}, fov: 120 deg, fovAxis: horizontal, rate: 2}
+                alert: {protect: {centre: [0, 0, 145], radius: 10 m}, response: 4.5 s}
+                run: {duration: 9}
+                sweep: {parameter: drones.quadrotor.flight.bearing, from: 0 deg, to: LAST deg, count: COUNT}
+                """
+                        .replace("LAST", Integer.toString(360 - 360 / count))
+                        .replace("COUNT", Integer.toString(count)));
+        return new SceneFile(file);
+    }
+
+    /** Sound that is heard long before the drone comes into view is not late by 0 s. */
+    @Test
+    void anAlertFromSoundHasNoDelayFromView() throws IOException {
+        Path file = directory.resolve("sound.yaml");
+        Files.writeString(
+                file,
+                """
+                world: {models: [packaged:hill.obj], origin: {latitude: -33.9 deg, longitude: -18.4 deg, height: 212.5 m}}
+                drones:
+                  quadrotor:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: approach, from: [0, 40, 150], to: [0, -200, 150]}
+                    speed: 10 m/s
+                sensors:
+                  microphone: {kind: acoustic, position: [0, 0, 145]}
+                  camera: {kind: camera, position: [0, 0, 145], aim: {azimuth: 180 deg, elevation: 0 deg}}
+                run: {duration: 10}
+                """);
+        Document document = parsed(report(new SceneFile(file), List.of()));
+
+        assertThat(texts(document, "th")).contains("first in view of any sensor [s]", "from view to alert [s]");
+        List<String> cells = texts(document, "td");
+        int row = cells.indexOf("quadrotor");
+        assertThat(Double.parseDouble(cells.get(row + 1))).isGreaterThan(4.0);
+        assertThat(cells.subList(row + 2, row + 5)).containsExactly("0.0", "-", "microphone");
+        assertThat(cells).contains("33.90000\u00b0 S, 18.40000\u00b0 W, 212.5 m above sea level");
+    }
+
+    @Test
+    void warnsOfWeatherThatHasNoEffectAndEndsWithItsProvenance() throws IOException {
+        SceneRunner runner = new SceneRunner(new Yard(directory)).set("world.light.illuminance", "0.01");
+        Looks looks = new Looks();
+        SceneResult result = runner.listener(looks).run();
+        ByteArrayOutputStream page = new ByteArrayOutputStream();
+        new HtmlReport(
+                        result,
+                        looks,
+                        run -> new RunView(runner.stage(run.settings()), List.of()),
+                        List.of(),
+                        Map.of("program", "dronewatch <1>"))
+                .write(page);
+        Document document = parsed(page.toString(StandardCharsets.UTF_8));
+
+        assertThat(texts(document, "p"))
+                .anyMatch(text -> text.startsWith("Warning: world.light.illuminance 0.01 lx has no effect on camera"));
+        assertThat(texts(document, "h2")).endsWith("Limits of this model", "Provenance");
+        assertThat(texts(document, "td")).endsWith("program", "dronewatch <1>");
     }
 
     @Test
@@ -237,7 +436,8 @@ class HtmlReportTest {
         Looks looks = new Looks();
         SceneResult result = runner.listener(looks).run();
         ByteArrayOutputStream page = new ByteArrayOutputStream();
-        new HtmlReport(result, looks, runner.stage(runner.settings()), List.of(), List.of()).write(page);
+        new HtmlReport(result, looks, run -> new RunView(runner.stage(run.settings()), List.of()), List.of(), Map.of())
+                .write(page);
 
         assertThat(texts(parsed(page.toString(StandardCharsets.UTF_8)), "p"))
                 .contains("'quadrotor' is not detected by any sensor. The run was cut short.");
@@ -259,18 +459,18 @@ class HtmlReportTest {
         Reasons reasons = new Reasons(more, yard.stage(), new Pointings(), 8.0);
         Optional<Look> weak = Optional.of(new Look(1, 30, 7, 12, "px"));
 
-        assertThat(reasons.of("away", "quadrotor", weak))
-                .isEqualTo("always out of its field of view; it came as near as 5 m");
-        assertThat(reasons.of("covered", "quadrotor", weak)).contains("hidden by yard.obj (brick)");
-        assertThat(reasons.of("short", "quadrotor", weak)).isEqualTo("always out of range; it came as near as 5 m");
-        assertThat(reasons.of("camera", "quadrotor", weak))
+        assertThat(reasons.of("away", QUADROTOR, weak))
+                .isEqualTo("always out of its field of view; the closest approach was 5 m");
+        assertThat(reasons.of("covered", QUADROTOR, weak)).contains("hidden by yard.obj (brick)");
+        assertThat(reasons.of("short", QUADROTOR, weak)).isEqualTo("always out of range; the closest approach was 5 m");
+        assertThat(reasons.of("camera", QUADROTOR, weak))
                 .contains("too small or too faint: at best 7 px (needs 12), 30 m away");
-        assertThat(reasons.of("microphone", "quadrotor", Optional.of(new Look(1, 30, 41.26, 45, "dB"))))
+        assertThat(reasons.of("microphone", QUADROTOR, Optional.of(new Look(1, 30, 41.26, 45, "dB"))))
                 .isEqualTo("always too quiet: at best 41.3 dB (needs 45), 30 m away");
         assertThat(reasons.of(
-                        "microphone", "quadrotor", Optional.of(new Look(1, 30, Double.NEGATIVE_INFINITY, 45, "dB"))))
-                .startsWith("always too quiet for any reading; it came as near as");
-        assertThat(reasons.of("camera", "quadrotor", Optional.of(new Look(1, 30, 0.031, 0.5, ""))))
+                        "microphone", QUADROTOR, Optional.of(new Look(1, 30, Double.NEGATIVE_INFINITY, 45, "dB"))))
+                .startsWith("always too quiet for any reading; the closest approach was");
+        assertThat(reasons.of("camera", QUADROTOR, Optional.of(new Look(1, 30, 0.031, 0.5, ""))))
                 .contains("at best 3.1 % (needs 50 %), 30 m away");
     }
 }

@@ -98,7 +98,7 @@ class CameraObjectTest {
         assertThatIllegalArgumentException().isThrownBy(() -> NORTH.withResolution(1920, 20_000));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> NORTH.withVerticalFov(0.0))
-                .withMessageContaining("fov 0 deg must be above 0 and below 180 deg");
+                .withMessageContaining("fov 0 deg must be 0.01 to 179 deg");
         assertThatIllegalArgumentException().isThrownBy(() -> NORTH.withVerticalFov(Math.PI));
         assertThatIllegalArgumentException().isThrownBy(() -> NORTH.withVerticalFov(Double.NaN));
         assertThatIllegalArgumentException().isThrownBy(() -> NORTH.withRate(0.0));

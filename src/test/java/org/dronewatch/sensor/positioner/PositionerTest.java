@@ -216,7 +216,7 @@ class PositionerTest {
         assertThatThrownBy(() -> PositionerSettings.DEFAULT.withSpeed(0, 1))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("panSpeed 0 deg/s must be above 0 and at most 600 deg/s");
-        assertThatThrownBy(() -> ZoomSettings.of(0, 1)).hasMessageStartingWith("cued 0 deg must be 0.01 or more");
+        assertThatThrownBy(() -> ZoomSettings.of(0, 1)).hasMessageStartingWith("cued 0 deg must be 0.01 to 179 deg");
         assertThatThrownBy(() -> ZoomSettings.of(0.1, 0.2))
                 .hasMessage("tracked 11.45916 deg (0.2 rad) must be at most cued 5.729578 deg (0.1 rad): it zooms in");
         assertThatThrownBy(() -> PositionerSettings.DEFAULT.withCues("a", "a"))

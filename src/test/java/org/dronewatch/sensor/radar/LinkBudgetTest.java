@@ -54,7 +54,7 @@ class LinkBudgetTest {
     void settingsHaveLimits() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Hardware.of(0, 30, 0.02))
-                .withMessageContaining("power 0 W must be above 0");
+                .withMessageContaining("power 0 W must be 0.000000001 to 1000000000");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> DataSheet.of(1000, -1))
                 .withMessageContaining("crossSection -1 m2");

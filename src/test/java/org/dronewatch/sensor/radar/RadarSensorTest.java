@@ -210,7 +210,7 @@ class RadarSensorTest {
                 .withMessageContaining("minSpeed");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> RADAR.withFieldOfView(7, 1))
-                .withMessageContaining("azimuthWidth 401.0705 deg (7 rad) must be above 0 and at most 360 deg");
+                .withMessageContaining("azimuthWidth 401.0705 deg (7 rad) must be 0.01 to 360 deg");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> RADAR.withAim(new Aim.Target(new Position(0, 0, 0))))
                 .withMessageContaining("lookAt");

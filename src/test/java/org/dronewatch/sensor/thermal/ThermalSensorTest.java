@@ -201,6 +201,6 @@ class ThermalSensorTest {
     @Test
     void impossibleCamerasAreRefused() {
         assertThatThrownBy(() -> ThermalSettings.at(CAMERA).withNoise(0, 0.85))
-                .hasMessage("noise 0 K must be above 0 and at most 100");
+                .hasMessage("noise 0 K must be 0.000001 to 100");
     }
 }

@@ -11,14 +11,14 @@ import org.dronewatch.setting.Quantity;
  *
  * @param initialRays rays that leave the drone in random directions, besides one straight at the sensor; 1 to 100,000
  * @param reflectionsPerHit rays that leave each surface that is hit, 1 to 10,000
- * @param attenuation loss of level in the air, 0 or more, dB/m
+ * @param attenuation loss of level in the air, 0 to 1000 dB/m
  * @param maxOrder how many surfaces a ray may meet before it ends, 0 to 100
  * @param rayBudget how many straight pieces of rays one look may trace, 1 to 50,000,000
  */
 public record LevelModel(
         @In(value = Quantity.NUMBER, from = 1, to = 100_000) int initialRays,
         @In(value = Quantity.NUMBER, from = 1, to = 10_000) int reflectionsPerHit,
-        @In(value = Quantity.ATTENUATION, from = 0) double attenuation,
+        @In(value = Quantity.ATTENUATION, from = 0, to = 1000) double attenuation,
         @In(value = Quantity.NUMBER, from = 0, to = 100) int maxOrder,
         @In(value = Quantity.NUMBER, from = 1, to = 50_000_000) int rayBudget)
         implements Propagation {

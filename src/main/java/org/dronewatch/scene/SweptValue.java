@@ -1,7 +1,5 @@
-package org.dronewatch.report;
+package org.dronewatch.scene;
 
-import org.dronewatch.scene.SceneSettings;
-import org.dronewatch.scene.SweepSettings;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsPath;
 
@@ -31,8 +29,17 @@ public final class SweptValue {
 
     /** With the setting's own name only: {@code fov 30 deg}. */
     public String shortText() {
-        return (parameter.substring(parameter.lastIndexOf('.') + 1) + " " + number() + " " + quantity.toldUnit())
-                .strip();
+        return name() + " " + value();
+    }
+
+    /** The setting's own name: {@code fov}. */
+    public String name() {
+        return parameter.substring(parameter.lastIndexOf('.') + 1);
+    }
+
+    /** The value with its unit: {@code 30 deg}. */
+    public String value() {
+        return (number() + " " + quantity.toldUnit()).strip();
     }
 
     private String number() {

@@ -1,0 +1,59 @@
+package org.dronewatch.examples;
+
+import java.util.List;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Drone;
+import org.dronewatch.world.World;
+
+/**
+ * A guard who looks around without binoculars: he notices a drone in line of sight once it appears large enough to him.
+ *
+ * @param position his eyes, m
+ * @param rate how often he looks around, Hz
+ * @param acuity the smallest angle under which he notices something in the sky, rad
+ */
+public record GuardSettings(
+        Position position,
+        @In(value = Quantity.FREQUENCY, above = 0.0, to = 10.0) double rate,
+        @In(value = Quantity.ANGLE, from = 0.0003, to = 0.1) double acuity)
+        implements SensorSettings<Sensor> {
+
+    /** Checks the limits above. */
+    public GuardSettings {
+        Limits.check(GuardSettings.class, position, rate, acuity);
+    }
+
+    @Override
+    public String kind() {
+        return "guard";
+    }
+
+    @Override
+    public String measures() {
+        return "apparent size";
+    }
+
+    @Override
+    public Sensor create() {
+        return this::look;
+    }
+
+    private List<Observation> look(World world, List<Drone> drones, Sample sample) {
+        return drones.stream().map(drone -> look(world, drone, sample)).toList();
+    }
+
+    private Observation look(World world, Drone drone, Sample sample) {
+        double distance = drone.distance(position);
+        boolean visible = !world.isOccluded(position.toPoint3d(), drone.position());
+        double size = visible ? 2.0 * Math.atan(drone.reach() / distance) : 0.0;
+        return new Observation(
+                sample.sensor(), kind(), drone.id(), sample.index(), sample.time(), distance, size, acuity, "rad");
+    }
+}

@@ -1,0 +1,69 @@
+package org.dronewatch.fuzz;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** Whole runs of random scenes: what {@code check} takes runs to its end, and the same with any number of threads. */
+final class RunTarget implements FuzzTarget {
+    private static final int LARGE_EVERY = 9;
+
+    @Override
+    public String name() {
+        return "run";
+    }
+
+    @Override
+    public FuzzCase generate(Dice dice, long number) {
+        boolean large = number % LARGE_EVERY == 3;
+        String scene = new SchemaScenes(dice, large).scene();
+        return SampleSite.scene(
+                large ? "scene with a large picture" : "scene by its schema",
+                scene,
+                "run",
+                "{}/" + SampleSite.SCENE,
+                "--observations");
+    }
+
+    @Override
+    public Duration longest() {
+        return Duration.ofSeconds(30);
+    }
+
+    @Override
+    public void judge(FuzzCase input, Path directory) throws IOException {
+        String[] arguments = input.argumentsIn(directory);
+        CommandRun check = Judge.run(directory, "check", arguments[1]);
+        if (check.code() != 0) {
+            return;
+        }
+        for (int threads = 1; threads <= 3; threads += 2) {
+            List<String> command = new ArrayList<>(List.of(arguments));
+            Path out = directory.resolve("threads-" + threads);
+            command.addAll(List.of("--threads", Integer.toString(threads), "--out", out.toString()));
+            CommandRun run = CommandRun.of(command.toArray(String[]::new));
+            if (run.code() != 0 && isTooLarge(run, directory)) {
+                return;
+            }
+            Judge.check(run, directory);
+            if (run.code() != 0) {
+                throw new Failure(
+                        "what check takes, run can do",
+                        "exit code " + run.code() + ": " + Messages.firstLine(run.err()));
+            }
+            ResultFiles.check(out, run.out());
+        }
+        ResultFiles.same(directory.resolve("threads-1"), directory.resolve("threads-3"));
+    }
+
+    /** Whether a run said in one plain line that there is not enough memory for it. */
+    private static boolean isTooLarge(CommandRun run, Path directory) {
+        List<String> mistakes = Messages.mistakes(run.err());
+        return mistakes.size() == 1
+                && mistakes.get(0).toLowerCase(Locale.ROOT).contains("memory")
+                && Messages.fault(run.err(), directory).isEmpty();
+    }
+}

@@ -1,0 +1,109 @@
+package org.dronewatch.fuzz;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.regex.Pattern;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.dataformat.yaml.YAMLMapper;
+
+/** Overrides: what {@code check} takes, {@code run} must be able to do; what it does not take, it says in one line. */
+final class SetTarget implements FuzzTarget {
+    private static final String SET = "--set";
+
+    /** Coordinates and other lengths: few of them have limits by nature. */
+    private static final Pattern LENGTH = Pattern.compile(
+            "\\.([xyz]|height|distance|radius|range|minRange|maxRange|scale|acceleration|crossSection|power)$");
+
+    private final List<String> paths = new ArrayList<>();
+    private List<String> lengths = List.of();
+
+    private void collect(String path, JsonNode node) {
+        if (!path.isEmpty()) {
+            paths.add(path);
+        }
+        node.properties()
+                .forEach(part -> collect(path.isEmpty() ? part.getKey() : path + "." + part.getKey(), part.getValue()));
+        for (int i = 0; node.isArray() && i < node.size(); i++) {
+            collect(path + "." + i, node.get(i));
+        }
+        if (node.isArray() && node.size() == 3) {
+            paths.addAll(List.of(path + ".x", path + ".y", path + ".z"));
+        }
+    }
+
+    @Override
+    public String name() {
+        return "set";
+    }
+
+    @Override
+    public FuzzCase generate(Dice dice, long number) {
+        String scene = SampleSite.part(dice);
+        paths.clear();
+        collect("", YAMLMapper.shared().readTree(scene));
+        lengths = paths.stream().filter(path -> LENGTH.matcher(path).find()).toList();
+        List<String> arguments = new ArrayList<>(List.of("run", "{}/" + SampleSite.SCENE, "--out", "{}/out"));
+        for (int i = dice.between(1, 5); i > 0; i--) {
+            arguments.add(SET);
+            arguments.add(
+                    path(dice) + (dice.oneIn(40) ? dice.pick("", "==", " = ", ":") : "=") + NastyValues.any(dice));
+        }
+        return SampleSite.scene("overrides", scene, arguments.toArray(String[]::new));
+    }
+
+    private String path(Dice dice) {
+        String path = dice.pick(dice.oneIn(3) ? lengths : paths);
+        if (!dice.oneIn(15)) {
+            return path;
+        }
+        return switch (dice.below(5)) {
+            case 0 -> path + "." + NastyValues.name(dice);
+            case 1 -> path.substring(0, dice.below(path.length()));
+            case 2 -> path.replace('.', dice.pick('/', ' ', ':', '-'));
+            case 3 -> path.replaceFirst("[aeiou]", dice.pick("", "x", "e"));
+            default -> path.replaceAll("\\.\\d", dice.pick(".-1", ".99", ".1e9", ".2147483648"));
+        };
+    }
+
+    @Override
+    public void judge(FuzzCase input, Path directory) {
+        List<String> accepted = new ArrayList<>();
+        String[] arguments = input.argumentsIn(directory);
+        for (int i = 4; i < arguments.length; i += 2) {
+            CommandRun check = Judge.run(directory, "check", arguments[1], SET, arguments[i + 1]);
+            if (check.code() == 0) {
+                accepted.addAll(List.of(SET, arguments[i + 1]));
+            } else if (Messages.mistakes(check.err()).size() != 1) {
+                throw new Failure("one line for one override", check.err());
+            }
+        }
+        List<String> command = new ArrayList<>(Arrays.asList(arguments).subList(0, 4));
+        command.addAll(accepted);
+        if (isCheap(accepted) && Judge.run(directory, checkOf(command)).code() == 0) {
+            CommandRun run = Judge.run(directory, command.toArray(String[]::new));
+            if (run.code() != 0) {
+                throw new Failure(
+                        "what check takes, run can do",
+                        "exit code " + run.code() + ": " + Messages.firstLine(run.err()));
+            }
+            ResultFiles.check(directory.resolve("out"), run.out());
+        }
+    }
+
+    private static String[] checkOf(List<String> run) {
+        List<String> check = new ArrayList<>(run);
+        check.set(0, "check");
+        check.subList(2, 4).clear();
+        return check.toArray(String[]::new);
+    }
+
+    /** Whether a run would be short: some settings ask for work without end, and are meant to. */
+    private static boolean isCheap(List<String> overrides) {
+        return overrides.stream()
+                .noneMatch(override -> override.matches(
+                        "run\\.duration=.*|.*\\.rate=.*|.*\\.(rays|initialRays|reflectionsPerHit|rayBudget|maxOrder|pulses|mirrorOrder|accuracy|roulette)=.*"
+                                + "|.*swarm.*|.*\\.(width|height)=\\d{4,}.*|.*propagation=.*|.*\\.kind=.*"));
+    }
+}

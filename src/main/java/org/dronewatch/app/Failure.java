@@ -1,0 +1,69 @@
+package org.dronewatch.app;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.Locale;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+
+/** The message for an error: one line, which says what to do where that is known. */
+final class Failure {
+    private static final String MORE_WITH_VERBOSE = "; --verbose shows where";
+
+    private Failure() {}
+
+    /** The line; for bad input one for each mistake. */
+    static String message(Throwable problem) {
+        if (problem instanceof InputException) {
+            return problem.getMessage();
+        }
+        String message;
+        if (problem instanceof OutOfMemoryError) {
+            message = outOfMemory(String.valueOf(problem.getMessage()));
+        } else if (problem instanceof StackOverflowError) {
+            message = "stack overflow" + place(problem)
+                    + ": if this is code of your own, something calls itself without end;"
+                    + " if not, give Java a larger stack, as in 'java -Xss16m'";
+        } else if (problem instanceof LinkageError) {
+            message = "a class cannot be loaded: " + PlainText.value(problem)
+                    + ": put all jars that the scene needs, in the versions it was compiled for, on the class path of Java";
+        } else if (problem instanceof AssertionError) {
+            message = "assertion failed" + place(problem) + detail(problem);
+        } else {
+            message = "internal error: " + PlainText.value(problem) + place(problem);
+        }
+        return PlainText.line(message) + MORE_WITH_VERBOSE;
+    }
+
+    private static String detail(Throwable problem) {
+        return problem.getMessage() == null ? "" : ": " + PlainText.value(problem.getMessage());
+    }
+
+    private static String place(Throwable problem) {
+        StackTraceElement[] trace = problem.getStackTrace();
+        return trace.length == 0 ? "" : " at " + trace[0];
+    }
+
+    private static String outOfMemory(String reason) {
+        if (reason.contains("native thread")) {
+            return "no more threads can be started: use fewer by --threads, or allow this process more";
+        }
+        String most = String.format(
+                Locale.ROOT, "Java may use %d MB", Runtime.getRuntime().maxMemory() >> 20);
+        if (reason.contains("Metaspace")) {
+            return "out of memory for classes (" + reason + "): give Java more, as in 'java -XX:MaxMetaspaceSize=1g'";
+        }
+        return "out of memory (" + reason + "; " + most
+                + "): give it more, as in 'java -Xmx4g' or MAVEN_OPTS=-Xmx4g, or take"
+                + " smaller pictures (sensors.ID.width and height, --size), fewer --cells, or models of fewer triangles";
+    }
+
+    /** The stack trace, with its causes. */
+    static void printTrace(Throwable problem, PrintWriter target) {
+        StringWriter trace = new StringWriter();
+        problem.printStackTrace(new PrintWriter(trace, true));
+        trace.toString()
+                .lines()
+                .forEach(line -> target.println((line.startsWith("\t") ? "\t" : "") + PlainText.line(line)));
+    }
+}

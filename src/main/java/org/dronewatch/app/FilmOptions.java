@@ -1,0 +1,81 @@
+package org.dronewatch.app;
+
+import java.util.function.BooleanSupplier;
+import me.tongfei.progressbar.ProgressBar;
+import org.dronewatch.picture.Film;
+import org.dronewatch.picture.FilmMaker;
+import org.dronewatch.report.WholeFile;
+import org.dronewatch.setting.InputException;
+import picocli.CommandLine.Option;
+
+/** The options of {@code render} for films. */
+final class FilmOptions {
+    private static final int FPS = 25;
+
+    @Option(names = "--from", paramLabel = "T", description = "Time at which a film begins, s; 0 unless given.")
+    private String from;
+
+    @Option(names = "--to", paramLabel = "T", description = "Time at which a film ends, s; the run's end unless given.")
+    private String to;
+
+    @Option(
+            names = "--fps",
+            paramLabel = "N",
+            description = "Frames a second of a film, " + Film.LEAST_FPS + " to " + Film.MOST_FPS + "; " + FPS
+                    + " unless given.")
+    private Integer fps;
+
+    @Option(
+            names = "--speed",
+            paramLabel = "FACTOR",
+            description = "How many times as fast as real time a film plays, 0.01 to 1000; 1 unless given.")
+    private Double speed;
+
+    /** Refuses options of a film where none is made. */
+    void checkUnused() {
+        String given = from != null
+                ? "--from " + from
+                : to != null ? "--to " + to : fps != null ? "--fps " + fps : speed != null ? "--speed " + speed : null;
+        if (given != null) {
+            throw new InputException(given + ": applies only to films (--out FILE.mp4)");
+        }
+    }
+
+    /** The times that the film shows of a run of some duration, s. */
+    Film film(double duration) {
+        double begin = from == null ? 0.0 : RunTime.parse("--from", from, duration);
+        double end = to == null ? duration : RunTime.parse("--to", to, duration);
+        if (begin > end) {
+            throw new InputException(
+                    "--from " + from + ": must not be after " + (to == null ? "the end of the run" : "--to " + to));
+        }
+        try {
+            return new Film(begin, end, fps == null ? FPS : fps, speed == null ? 1.0 : speed);
+        } catch (IllegalArgumentException e) {
+            throw new InputException("--fps, --speed: " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * Writes a film with a progress bar, whole or not at all.
+     *
+     * @throws java.util.concurrent.CancellationException when it is interrupted
+     */
+    static void write(FilmMaker maker, WholeFile target, BooleanSupplier cancelled) {
+        ProgressBar bar = Progress.barOf("film", maker.film().frames());
+        try {
+            target.writeFile(partial -> maker.write(
+                    partial,
+                    done -> {
+                        if (bar != null) {
+                            bar.stepTo(done);
+                        }
+                    },
+                    cancelled));
+        } finally {
+            if (bar != null) {
+                bar.close();
+            }
+        }
+    }
+}

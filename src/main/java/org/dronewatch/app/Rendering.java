@@ -1,0 +1,62 @@
+package org.dronewatch.app;
+
+import java.util.Locale;
+import java.util.function.BooleanSupplier;
+import org.dronewatch.picture.Film;
+import org.dronewatch.picture.FilmMaker;
+import org.dronewatch.picture.RunHistory;
+import org.dronewatch.report.WholeFile;
+import org.dronewatch.setting.InputException;
+import picocli.CommandLine.Model.CommandSpec;
+
+/** One subject of {@code render}, drawn as a picture or as a film. */
+abstract class Rendering {
+    private final Simulation simulation;
+
+    Rendering(Simulation simulation) {
+        this.simulation = simulation;
+    }
+
+    /** Checks its options before anything is loaded. */
+    abstract void check(String ending);
+
+    /** Draws it at one time; says in words what is drawn. */
+    abstract String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec);
+
+    /** Its pictures over a run of which the history is known up to the film's end. */
+    abstract FilmMaker maker(Film film, RunHistory history);
+
+    Simulation simulation() {
+        return simulation;
+    }
+
+    /**
+     * Makes a film of it; says in words what is drawn.
+     *
+     * @param cancelled asked again and again: once it is true, there is no film
+     * @throws java.util.concurrent.CancellationException when it is given up
+     */
+    final String film(Film film, WholeFile target, ThreadsOption threads, BooleanSupplier cancelled) {
+        RunHistory history = simulation.until(film.to(), cancelled);
+        threads.call(() -> {
+            FilmOptions.write(maker(film, history), target, cancelled);
+            return null;
+        });
+        return String.format(
+                Locale.ROOT,
+                "%d frames, %d a second, from %.2f s to %.2f s",
+                film.frames(),
+                film.fps(),
+                film.from(),
+                film.time(film.frames() - 1));
+    }
+
+    /** Refuses a size that no film has. */
+    static void checkFilm(String option, int width, int height) {
+        try {
+            Film.checkSize(width, height);
+        } catch (IllegalArgumentException e) {
+            throw new InputException(option + ": " + e.getMessage(), e);
+        }
+    }
+}

@@ -1,0 +1,47 @@
+package org.dronewatch.app;
+
+import java.util.function.BooleanSupplier;
+import org.dronewatch.picture.RunHistory;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneRunner;
+
+/** Simulates one run of a scene as far as pictures of it need it, with a progress bar. */
+final class Simulation {
+    private final Scene scene;
+    private final SceneRunner runner;
+    private final int run;
+    private final int threads;
+
+    /**
+     * A simulation that has not begun.
+     *
+     * @param runner with the overrides and the seed of the run
+     * @param run its index in a sweep
+     */
+    Simulation(Scene scene, SceneRunner runner, int run, int threads) {
+        this.scene = scene;
+        this.runner = runner;
+        this.run = run;
+        this.threads = threads;
+    }
+
+    /**
+     * Simulates the run from its start.
+     *
+     * @param until time of the last looks, s
+     * @param cancelled asked before each look: once it is true, the rest is left out
+     */
+    RunHistory until(double until, BooleanSupplier cancelled) {
+        RunHistory history = new RunHistory();
+        try (Progress progress = new Progress("simulating " + scene.name(), run, until)) {
+            runner.only(run)
+                    .until(until)
+                    .threads(threads)
+                    .cancelWhen(cancelled)
+                    .listener(history)
+                    .listener(progress)
+                    .run();
+        }
+        return history;
+    }
+}

@@ -1,0 +1,43 @@
+package org.dronewatch.kdtree;
+
+/**
+ * A part of space while a tree grows.
+ *
+ * @param content the triangles in it
+ * @param voxel its box, as grid numbers
+ * @param level how many splits lie above it
+ */
+record Cell(NodeTriangles content, int[] voxel, int level) {
+
+    int count() {
+        return content.count;
+    }
+
+    /** The two parts of a split cell. */
+    Halves split(Split split, TriangleClipper clipper) {
+        int[] leftVoxel = voxel.clone();
+        leftVoxel[split.axis() + 3] = split.key();
+        int[] rightVoxel = voxel.clone();
+        rightVoxel[split.axis()] = split.key();
+        Cell left = new Cell(content.part(split, true, leftVoxel, clipper), leftVoxel, level + 1);
+        Cell right = new Cell(content.part(split, false, rightVoxel, clipper), rightVoxel, level + 1);
+        return new Halves(split, left, right, Math.max(0, left.count() + right.count() - count()));
+    }
+
+    /**
+     * Two cells that were one.
+     *
+     * @param split what parts them
+     * @param left the cell below the plane
+     * @param right the cell above it
+     * @param duplicates how many references they have more than the cell that they were
+     */
+    record Halves(Split split, Cell left, Cell right, int duplicates) {
+
+        /** The fraction of a number that is due to one of them: in proportion to its references. */
+        long due(long number, Cell half) {
+            long both = (long) left.count() + right.count();
+            return both == 0 ? 0 : number * half.count() / both;
+        }
+    }
+}

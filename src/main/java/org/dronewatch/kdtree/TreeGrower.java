@@ -1,0 +1,135 @@
+package org.dronewatch.kdtree;
+
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicLong;
+import org.dronewatch.parallel.Workers;
+
+/**
+ * Grows parts of a tree. A split duplicates the references to the triangles that cross its plane; a bundle of long thin
+ * triangles aslant to the axes would so fill any memory. Each part therefore has a limit on its duplicates:
+ *
+ * <ul>
+ *   <li>A part that stays within its limit is the one without any limit.
+ *   <li>Otherwise its root is split all the same, if the limit covers that split; what remains of the limit is divided
+ *       between both sides in proportion to their references, and the same holds for each of them. A cell whose split is
+ *       not covered becomes a leaf.
+ * </ul>
+ *
+ * <p>Whether a part stays within its limit is found by growing it until it does not. So that this costs each level of the
+ * tree the same at most, it is tried again only where a quarter of the references is left.
+ *
+ * <p>All of this depends on the part alone, not on which thread comes first: the tree is the same for any number of them.
+ * One per thread.
+ */
+final class TreeGrower {
+    /** Parts of fewer triangles are not worth another thread. */
+    private static final int WORTH_A_THREAD = 2048;
+
+    /** A part that exceeds its limit is tried again as parts of this fraction of its references. */
+    private static final int TRY_AGAIN = 4;
+
+    private final float[] corners;
+    private final int depthLimit;
+    private final SahSplitFinder splitFinder = new SahSplitFinder();
+    private final TriangleClipper clipper;
+
+    /**
+     * A grower.
+     *
+     * @param corners nine coordinates a triangle
+     * @param depthLimit the level on which all cells are leaves
+     */
+    TreeGrower(float[] corners, int depthLimit) {
+        this.corners = corners;
+        this.depthLimit = depthLimit;
+        this.clipper = new TriangleClipper(corners);
+    }
+
+    /**
+     * Grows a part of a tree.
+     *
+     * @param cell its root
+     * @param duplicates how many references it may have beyond those of its root
+     * @throws CancellationException when the thread is interrupted meanwhile
+     */
+    Subtree grow(Cell cell, long duplicates) {
+        AtomicLong left = new AtomicLong(duplicates);
+        Subtree tree = new Subtree();
+        appendFreely(tree, cell, left);
+        if (left.get() < 0) {
+            tree = new Subtree();
+            appendSparingly(tree, cell, duplicates, cell.count() / TRY_AGAIN);
+        }
+        return tree;
+    }
+
+    /** Appends all below a cell, or anything once too many duplicates have been made. */
+    private void appendFreely(Subtree tree, Cell cell, AtomicLong duplicatesLeft) {
+        Optional<Cell.Halves> halves = duplicatesLeft.get() < 0 ? Optional.empty() : split(cell);
+        if (halves.isEmpty()) {
+            tree.appendLeaf(cell);
+            return;
+        }
+        if (halves.get().duplicates() > 0) {
+            duplicatesLeft.addAndGet(-halves.get().duplicates());
+        }
+        appendHalves(tree, halves.get(), (grower, part, half) -> grower.appendFreely(part, half, duplicatesLeft));
+    }
+
+    /** Appends what a limit allows below a cell. */
+    private void appendSparingly(Subtree tree, Cell cell, long duplicates, int tryAgain) {
+        if (cell.count() <= tryAgain) {
+            tree.append(grow(cell, duplicates));
+            return;
+        }
+        Optional<Cell.Halves> found = split(cell).filter(halves -> halves.duplicates() <= duplicates);
+        if (found.isEmpty()) {
+            tree.appendLeaf(cell);
+            return;
+        }
+        Cell.Halves halves = found.get();
+        long left = duplicates - halves.duplicates();
+        appendHalves(
+                tree,
+                halves,
+                (grower, part, half) -> grower.appendSparingly(part, half, halves.due(left, half), tryAgain));
+    }
+
+    /** The parts of a cell that is better split than a leaf. */
+    private Optional<Cell.Halves> split(Cell cell) {
+        if (cell.count() > WORTH_A_THREAD && Thread.currentThread().isInterrupted()) {
+            throw new CancellationException("interrupted while a tree was built");
+        }
+        if (cell.level() >= depthLimit) {
+            return Optional.empty();
+        }
+        return splitFinder
+                .find(cell.content().boxes, cell.count(), cell.voxel())
+                .filter(split -> split.cost() <= SahCost.leaf(cell.count()))
+                .map(split -> cell.split(split, clipper));
+    }
+
+    /** Appends a split: its root, all that is left of it, all that is right of it. */
+    private void appendHalves(Subtree tree, Cell.Halves halves, Growth growth) {
+        int parent = tree.reserveNode();
+        if (Math.min(halves.left().count(), halves.right().count()) < WORTH_A_THREAD || Workers.available() == 1) {
+            growth.append(this, tree, halves.left());
+            tree.closeInterior(parent, halves.split());
+            growth.append(this, tree, halves.right());
+        } else {
+            Subtree[] parts = {new Subtree(), new Subtree()};
+            Workers.both(
+                    () -> growth.append(new TreeGrower(corners, depthLimit), parts[0], halves.left()),
+                    () -> growth.append(new TreeGrower(corners, depthLimit), parts[1], halves.right()));
+            tree.append(parts[0]);
+            tree.closeInterior(parent, halves.split());
+            tree.append(parts[1]);
+        }
+    }
+
+    /** How one half of a split is appended. */
+    private interface Growth {
+        void append(TreeGrower grower, Subtree tree, Cell half);
+    }
+}

@@ -1,0 +1,52 @@
+package org.dronewatch.parallel;
+
+import java.io.InterruptedIOException;
+import java.nio.channels.ClosedByInterruptException;
+import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
+import org.dronewatch.setting.InputException;
+
+/** Makes one thing of an interrupt, whatever the code that it met made of it. */
+public final class Interrupts {
+    private Interrupts() {}
+
+    /**
+     * Does a piece of work that an interrupt of this thread may end.
+     *
+     * @throws CancellationException when this thread is interrupted, before or meanwhile; it stays so
+     */
+    public static <T> T surfacing(Supplier<T> work) {
+        Workers.checkInterrupted();
+        try {
+            return work.get();
+        } catch (RuntimeException e) {
+            if (!comesFromInterrupt(e)) {
+                throw e;
+            }
+            Thread.currentThread().interrupt();
+            throw e instanceof CancellationException known ? known : cancellation(e);
+        }
+    }
+
+    private static CancellationException cancellation(RuntimeException cause) {
+        CancellationException cancellation = new CancellationException("interrupted");
+        cancellation.initCause(cause);
+        return cancellation;
+    }
+
+    private static boolean comesFromInterrupt(RuntimeException problem) {
+        return isIn(problem) || Thread.currentThread().isInterrupted() && !(problem instanceof InputException);
+    }
+
+    /** Whether an interrupt caused it: what waits, or reads a file, reports it in its own fashion, and may clear the flag. */
+    public static boolean isIn(Throwable problem) {
+        for (Throwable cause = problem; cause != null; cause = cause.getCause()) {
+            if (cause instanceof InterruptedException
+                    || cause instanceof ClosedByInterruptException
+                    || cause instanceof InterruptedIOException) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

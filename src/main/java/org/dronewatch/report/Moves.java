@@ -1,0 +1,72 @@
+package org.dronewatch.report;
+
+import java.io.IOException;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Objects;
+
+/** Moves of files that can be undone together, so that a write that fails changes nothing. */
+final class Moves {
+    private final Deque<Undo> done = new ArrayDeque<>();
+
+    @FunctionalInterface
+    private interface Undo {
+        void run() throws IOException;
+    }
+
+    /** Moves a file to where there is none, or replaces one, which is kept elsewhere. */
+    void move(Path file, Path target, Path kept) throws IOException {
+        makeDirectories(target.getParent());
+        if (Files.exists(target, LinkOption.NOFOLLOW_LINKS)) {
+            setAside(target, kept);
+        } else {
+            done.push(() -> Files.deleteIfExists(target));
+        }
+        rename(file, target);
+    }
+
+    /** Takes a file away. */
+    void setAside(Path file, Path kept) throws IOException {
+        if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
+            throw new FileSystemException(file.toString(), null, file.getFileName() + " in it is a directory");
+        }
+        Files.createDirectories(Objects.requireNonNull(kept.getParent()));
+        rename(file, kept);
+        done.push(() -> rename(kept, file));
+    }
+
+    /** Makes a directory and those above it, as far as there are none. */
+    void makeDirectories(Path directory) throws IOException {
+        if (directory != null && !Files.isDirectory(directory)) {
+            makeDirectories(directory.getParent());
+            Files.createDirectories(directory);
+            done.push(() -> Files.deleteIfExists(directory));
+        }
+    }
+
+    private static void rename(Path file, Path target) throws IOException {
+        try {
+            Files.move(file, target, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException e) {
+            // A directory within the target may lie on another disk.
+            Files.move(file, target, StandardCopyOption.REPLACE_EXISTING);
+        }
+    }
+
+    /** Takes all back, the last first; what cannot be is noted in the problem. */
+    void takeBack(Exception problem) {
+        while (!done.isEmpty()) {
+            try {
+                done.pop().run();
+            } catch (IOException e) {
+                problem.addSuppressed(e);
+            }
+        }
+    }
+}

@@ -1,0 +1,57 @@
+package org.dronewatch.report;
+
+import java.io.FileNotFoundException;
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import org.dronewatch.parallel.Interrupts;
+import org.dronewatch.setting.InputException;
+
+/** A write that fails: the disk is full, read-only, or gone. */
+final class Refusal {
+    private Refusal() {}
+
+    /**
+     * A problem as the user is to see it: one line if the disk is behind it, however the libraries in between wrapped it.
+     *
+     * @param what the option and its value, or the directory
+     */
+    static RuntimeException of(String what, Exception problem) {
+        if (problem instanceof InputException || problem instanceof CancellationException) {
+            return (RuntimeException) problem;
+        }
+        if (Interrupts.isIn(problem)) {
+            CancellationException interrupted = new CancellationException("interrupted while a file was written");
+            interrupted.initCause(problem);
+            return interrupted;
+        }
+        Optional<IOException> behind = behind(problem);
+        if (behind.isPresent()) {
+            return new InputException(what + ": cannot be written: " + reason(behind.get()), problem);
+        }
+        return problem instanceof RuntimeException known ? known : new IllegalStateException(problem);
+    }
+
+    private static Optional<IOException> behind(Throwable problem) {
+        Optional<IOException> deepest = Optional.empty();
+        for (Throwable cause = problem; cause != null; cause = cause.getCause()) {
+            deepest = cause instanceof IOException refused ? Optional.of(refused) : deepest;
+        }
+        return deepest;
+    }
+
+    /** In words, without the name of a temporary file. */
+    static String reason(IOException problem) {
+        if (problem instanceof FileAlreadyExistsException known) {
+            return known.getFile() + " is a file";
+        }
+        String why = problem instanceof FileSystemException known ? known.getReason() : problem.getMessage();
+        if (problem instanceof FileNotFoundException && why != null) {
+            // Its message is the name of the file and, in parentheses, what the system says.
+            why = why.replaceFirst("^.*\\((.*)\\)$", "$1");
+        }
+        return why == null ? problem.getClass().getSimpleName() : why;
+    }
+}

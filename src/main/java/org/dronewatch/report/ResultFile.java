@@ -1,0 +1,105 @@
+package org.dronewatch.report;
+
+import java.util.OptionalDouble;
+import org.dronewatch.scene.AlertResult;
+import org.dronewatch.scene.PairResult;
+import org.dronewatch.scene.SceneResult;
+import org.dronewatch.scene.SweepPoint;
+import org.dronewatch.world.Origin;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+/**
+ * The contents of {@code result.json}: what depends on the scene, its settings and the seed alone, so that the same of these
+ * give the same bytes with any number of threads.
+ */
+final class ResultFile {
+    private final SceneResult result;
+
+    ResultFile(SceneResult result) {
+        this.result = result;
+    }
+
+    /** All keys. */
+    ObjectNode toJson() {
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
+        root.put("scene", result.scene());
+        root.put("seed", result.seed());
+        addOrigin(root);
+        root.put("simulated_s", Numbers.rounded(result.simulated()));
+        addFindings(root);
+        return root;
+    }
+
+    /** Where on earth the scene lies, if it is known. */
+    void addOrigin(ObjectNode root) {
+        result.runs().get(0).settings().world().origin().ifPresent(origin -> add(root.putObject("origin"), origin));
+    }
+
+    /** What the sensors detected, in all runs. */
+    void addFindings(ObjectNode root) {
+        root.put("complete", result.complete());
+        ArrayNode pairs = root.putArray("pairs");
+        result.pairs().forEach(pair -> add(pairs.addObject(), pair));
+        ArrayNode alerts = root.putArray("alerts");
+        result.alerts().forEach(alert -> add(alerts.addObject(), alert));
+        if (!result.sweep().isEmpty()) {
+            ArrayNode sweep = root.putArray("sweep");
+            result.sweep().forEach(point -> add(sweep.addObject(), point));
+        }
+    }
+
+    private static void add(ObjectNode node, Origin origin) {
+        node.put("latitude_deg", Math.toDegrees(origin.latitude()));
+        node.put("longitude_deg", Math.toDegrees(origin.longitude()));
+        if (origin.hasHeight()) {
+            node.put("height_m", origin.height());
+        }
+    }
+
+    private static void add(ObjectNode node, PairResult pair) {
+        node.put("run", pair.run());
+        node.put("sensor", pair.sensor());
+        node.put("kind", pair.kind());
+        node.put("drone", pair.drone());
+        put(node, "first_detected_s", pair.firstDetected());
+        put(node, "range_m", pair.range());
+        put(node, "max_range_m", pair.maxRange());
+    }
+
+    private static void add(ObjectNode node, AlertResult alert) {
+        node.put("run", alert.run());
+        node.put("drone", alert.drone());
+        put(node, "first_sight_s", alert.firstSight());
+        put(node, "alert_s", alert.time());
+        put(node, "time_to_alert_s", alert.timeToAlert());
+        ArrayNode sensors = node.putArray("sensors");
+        alert.sensors().forEach(sensors::add);
+        put(node, "zone_distance_m", alert.zoneDistance());
+        put(node, "warning_s", alert.warning());
+        put(node, "entered_s", alert.entered());
+        alert.inTime().ifPresentOrElse(enough -> node.put("in_time", enough), () -> node.putNull("in_time"));
+    }
+
+    private static void add(ObjectNode node, SweepPoint point) {
+        node.put("parameter", point.parameter());
+        if (point.value() instanceof Double number) {
+            node.put("value", number);
+        } else if (point.value() instanceof Number number) {
+            node.put("value", number.longValue());
+        } else {
+            node.put("value", point.value().toString());
+        }
+        node.put("sensor", point.sensor());
+        put(node, "range_m", point.range());
+    }
+
+    private static void put(ObjectNode node, String key, OptionalDouble value) {
+        if (value.isPresent()) {
+            node.put(key, Numbers.rounded(value.getAsDouble()));
+        } else {
+            node.putNull(key);
+        }
+    }
+}

@@ -1,0 +1,144 @@
+package org.dronewatch.report;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import javax.imageio.ImageIO;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.picture.Fineness;
+import org.dronewatch.picture.Orbit;
+import org.dronewatch.picture.SitePicture;
+import org.dronewatch.picture.SiteState;
+import org.dronewatch.picture.SiteStyle;
+import org.dronewatch.report.html.Figure;
+import org.dronewatch.scene.AlertResult;
+import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.scene.Pointings;
+import org.dronewatch.scene.RunResult;
+import org.dronewatch.scene.Stage;
+
+/** The site of a run at its first alert or detection: all of it, from above, and close up what is to be protected. */
+final class SitePictures {
+    /** A close-up of nearly all that the whole picture shows would add nothing. */
+    private static final double CLOSE = 0.6;
+
+    /** About the protected zone, or about the sensors of a site without one, m. */
+    private static final double LEAST_MARGIN = 15.0;
+
+    private final RunResult run;
+    private final Pointings pointings;
+    private final SitePicture picture;
+    private final int width;
+    private final int height;
+
+    /**
+     * Of a run.
+     *
+     * @param width columns of each picture
+     */
+    SitePictures(RunResult run, Stage stage, Pointings pointings, int width) {
+        this.run = run;
+        this.pointings = pointings;
+        this.picture = new SitePicture(run.settings(), stage);
+        this.width = width;
+        this.height = width * 3 / 5;
+    }
+
+    /** The pictures, the whole site first. */
+    List<Figure> draw(String title) throws IOException {
+        Optional<DetectionEvent> first = run.events().stream().findFirst();
+        OptionalDouble alert = run.attackAlerts().stream()
+                .map(AlertResult::time)
+                .filter(OptionalDouble::isPresent)
+                .mapToDouble(OptionalDouble::getAsDouble)
+                .min();
+        double time =
+                alert.orElse(first.map(event -> event.observation().arrival()).orElse(0.0));
+        SiteState state = picture.state(
+                title,
+                time,
+                (sensor, drone) -> isDetected(sensor, drone, time),
+                sensor -> pointings.at(sensor, time),
+                Optional.empty(),
+                Optional.empty());
+        String when = alert.isPresent()
+                ? String.format(Locale.ROOT, "at the first alert, %.1f s after the start", time)
+                : first.isPresent()
+                        ? String.format(Locale.ROOT, "at the first detection, %.1f s after the start", time)
+                        : "at the start";
+        double aspect = (double) width / height;
+        List<Figure> figures = new ArrayList<>();
+        figures.add(figure(
+                Orbit.about(picture.frame(), aspect),
+                state,
+                "The site " + when + ". Fields of view are not drawn to their full length."));
+        figures.add(figure(Orbit.top(picture.frame(), aspect), state, "The same from above, north up."));
+        AABB near = near();
+        if (near.diagonal() < CLOSE * picture.frame().diagonal()) {
+            boolean zone = run.settings().alert().protect().isPresent();
+            figures.add(figure(
+                    Orbit.about(near, aspect), state, (zone ? "The protected zone" : "The sensors") + " close up."));
+        }
+        return figures;
+    }
+
+    /** The protected zone and the sensors in it or near it; without a zone, all sensors. */
+    private AABB near() {
+        List<Position> corners = new ArrayList<>();
+        run.settings().alert().protect().ifPresent(zone -> {
+            double margin = Math.max(LEAST_MARGIN, zone.radius());
+            Position reach = new Position(margin, margin, margin);
+            corners.add(zone.centre().plus(reach));
+            corners.add(zone.centre().minus(reach));
+            run.settings().enabledSensors().values().stream()
+                    .map(sensor -> sensor.position())
+                    .filter(at -> zone.distance(at) <= 2.0 * margin)
+                    .forEach(corners::add);
+        });
+        if (corners.isEmpty()) {
+            Position margin = new Position(LEAST_MARGIN, LEAST_MARGIN, LEAST_MARGIN);
+            run.settings().enabledSensors().values().forEach(sensor -> {
+                corners.add(sensor.position().plus(margin));
+                corners.add(sensor.position().minus(margin));
+            });
+        }
+        return corners.isEmpty() ? picture.frame() : boxOf(corners);
+    }
+
+    private static AABB boxOf(List<Position> corners) {
+        return new AABB(
+                corners.stream().mapToDouble(Position::x).min().orElseThrow(),
+                corners.stream().mapToDouble(Position::y).min().orElseThrow(),
+                corners.stream().mapToDouble(Position::z).min().orElseThrow(),
+                corners.stream().mapToDouble(Position::x).max().orElseThrow(),
+                corners.stream().mapToDouble(Position::y).max().orElseThrow(),
+                corners.stream().mapToDouble(Position::z).max().orElseThrow());
+    }
+
+    private boolean isDetected(String sensor, String drone, double time) {
+        boolean detected = false;
+        for (DetectionEvent event : run.events()) {
+            boolean same = event.observation().sensor().equals(sensor)
+                    && event.observation().drone().equals(drone)
+                    && event.observation().arrival() <= time;
+            detected = same ? event.gained() : detected;
+        }
+        return detected;
+    }
+
+    private Figure figure(Orbit orbit, SiteState state, String caption) throws IOException {
+        BufferedImage image = picture.draw(
+                picture.backdrop(orbit, width, height, picture.openRoof(state.time()), Fineness.FINE, () -> false),
+                state,
+                SiteStyle.DEFAULT);
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", png);
+        return new Figure(caption, png.toByteArray());
+    }
+}

@@ -1,0 +1,51 @@
+package org.dronewatch.report.html;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.Swarm;
+import org.dronewatch.world.ThreatLabel;
+
+/**
+ * What the report treats as one: a drone by itself, or all drones of a swarm.
+ *
+ * @param name of the drone or the swarm in the scene
+ * @param isSwarm whether it is a swarm, if only of one drone
+ * @param members names of its drones
+ * @param role what it is known to be
+ */
+record DroneGroup(String name, boolean isSwarm, List<String> members, ThreatLabel.Role role) {
+    /** Keeps its own list. */
+    DroneGroup {
+        members = List.copyOf(members);
+    }
+
+    /** All groups of a scene, in the scene's order. */
+    static List<DroneGroup> of(SceneSettings scene) {
+        List<DroneGroup> groups = new ArrayList<>();
+        List<String> fliers = new ArrayList<>(scene.fliers().keySet());
+        int next = 0;
+        for (Map.Entry<String, DroneSettings> drone : scene.drones().entrySet()) {
+            int count = drone.getValue().swarm().map(Swarm::count).orElse(1);
+            groups.add(new DroneGroup(
+                    drone.getKey(),
+                    drone.getValue().swarm().isPresent(),
+                    fliers.subList(next, next + count),
+                    drone.getValue().label().role()));
+            next += count;
+        }
+        return groups;
+    }
+
+    /** For a table: {@code wing (25 drones)}; with a word where an alert is no success. */
+    String label() {
+        String note = role == ThreatLabel.Role.DECOY ? "decoy" : role == ThreatLabel.Role.BYSTANDER ? "bystander" : "";
+        String count = isSwarm ? members.size() + (members.size() == 1 ? " drone" : " drones") : "";
+        String both = String.join(
+                ", ",
+                List.of(count, note).stream().filter(part -> !part.isEmpty()).toList());
+        return both.isEmpty() ? name : name + " (" + both + ")";
+    }
+}

@@ -1,0 +1,141 @@
+package org.dronewatch.report.html;
+
+import static org.dronewatch.report.html.Numbers.format;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.scene.PairResult;
+import org.dronewatch.scene.RunResult;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.SensorSettings;
+
+/** What the sensors of a run never detected, or lost for good, and why: a row for each sensor with each drone or swarm. */
+final class Misses {
+    /** Of a larger swarm the reasons are those of as many of its drones, spread over all. */
+    private static final int MOST_MEMBERS = 20;
+
+    private final RunResult run;
+    private final RunLooks looks;
+    private final Reasons reasons;
+    private final List<DroneGroup> groups;
+
+    Misses(RunResult run, RunLooks looks, Reasons reasons) {
+        this.run = run;
+        this.looks = looks;
+        this.reasons = reasons;
+        this.groups = DroneGroup.of(run.settings());
+    }
+
+    String tables() {
+        return never() + lost();
+    }
+
+    private String never() {
+        Map<String, List<String>> missed = new LinkedHashMap<>();
+        for (PairResult pair : run.pairs()) {
+            if (pair.firstDetected().isEmpty()) {
+                missed.computeIfAbsent(pair.sensor(), name -> new ArrayList<>()).add(pair.drone());
+            }
+        }
+        List<List<String>> rows = new ArrayList<>();
+        int left = 0;
+        for (Map.Entry<String, List<String>> sensor : missed.entrySet()) {
+            for (DroneGroup group : groups) {
+                List<String> members = group.members().stream()
+                        .filter(sensor.getValue()::contains)
+                        .toList();
+                if (members.isEmpty()) {
+                    continue;
+                }
+                if (rows.size() < RunTables.MOST_ROWS) {
+                    rows.add(row(sensor.getKey(), group, members, why(sensor.getKey(), members)));
+                } else {
+                    left++;
+                }
+            }
+        }
+        return rows.isEmpty()
+                ? Html.plain("p", "Nothing: every sensor detects every drone.")
+                : Html.table(List.of("sensor", "kind", "drone", "why it was never detected"), rows)
+                        + RunTables.notShown(left);
+    }
+
+    private String why(String sensor, List<String> members) {
+        Optional<Look> best = members.stream()
+                .flatMap(drone -> looks.best(sensor, drone).stream())
+                .max(Comparator.comparingDouble(Look::margin));
+        return reasons.of(sensor, some(members), best);
+    }
+
+    /** Sensors that lost a drone for the rest of the run. */
+    private String lost() {
+        Map<List<String>, Observation> lost = new LinkedHashMap<>();
+        for (DetectionEvent event : run.events()) {
+            Observation o = event.observation();
+            List<String> pair = List.of(o.sensor(), o.drone());
+            lost.remove(pair);
+            if (!event.gained()) {
+                lost.put(pair, o);
+            }
+        }
+        List<List<String>> rows = new ArrayList<>();
+        int left = 0;
+        for (String sensor : run.settings().enabledSensors().keySet()) {
+            for (DroneGroup group : groups) {
+                List<Observation> of = group.members().stream()
+                        .filter(drone -> lost.containsKey(List.of(sensor, drone)))
+                        .map(drone -> lost.get(List.of(sensor, drone)))
+                        .toList();
+                if (of.isEmpty()) {
+                    continue;
+                }
+                if (rows.size() < RunTables.MOST_ROWS) {
+                    rows.add(lostRow(sensor, group, of));
+                } else {
+                    left++;
+                }
+            }
+        }
+        return rows.isEmpty()
+                ? ""
+                : Html.table(
+                                List.of("sensor", "kind", "drone", "lost at [s]", "range then [m]", "why from then on"),
+                                rows)
+                        + RunTables.notShown(left);
+    }
+
+    private List<String> lostRow(String sensor, DroneGroup group, List<Observation> lost) {
+        List<String> members = lost.stream().map(Observation::drone).toList();
+        double last = lost.stream().mapToDouble(Observation::arrival).max().orElseThrow();
+        List<String> row = new ArrayList<>(row(sensor, group, members, reasons.afterLoss(sensor, some(members), last)));
+        row.add(3, Numbers.range(lost.stream().mapToDouble(Observation::arrival)));
+        row.add(4, Numbers.range(lost.stream().mapToDouble(Observation::range)));
+        return row;
+    }
+
+    private List<String> row(String sensor, DroneGroup group, List<String> members, String why) {
+        SensorSettings<?> settings = run.settings().sensors().get(sensor);
+        String which = group.isSwarm() && members.size() < group.members().size()
+                ? format(
+                        "%s: %d of %d drones",
+                        group.name(), members.size(), group.members().size())
+                : group.label();
+        return List.of(sensor, settings.kind(), which, why);
+    }
+
+    private static List<String> some(List<String> members) {
+        if (members.size() <= MOST_MEMBERS) {
+            return members;
+        }
+        List<String> some = new ArrayList<>();
+        for (int i = 0; i < MOST_MEMBERS; i++) {
+            some.add(members.get(i * (members.size() - 1) / (MOST_MEMBERS - 1)));
+        }
+        return some;
+    }
+}

@@ -1,0 +1,56 @@
+package org.dronewatch.report.html;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.scene.Frame;
+import org.dronewatch.scene.Pointings;
+import org.dronewatch.sensor.Observation;
+
+/** Of one run: of all looks of a sensor at a drone the best, how many of them detected it, and where positioners pointed. */
+public final class RunLooks {
+    /** Intervals of a run in which positioners' last pointings are kept: ten for each moment that {@link Reasons} looks at. */
+    private static final int INTERVALS = 10 * Reasons.MOMENTS;
+
+    private final Map<List<String>, Look> best = new HashMap<>();
+    private final Map<List<String>, long[]> counts = new HashMap<>();
+    private final Pointings pointings;
+
+    /**
+     * Of a run that has not begun.
+     *
+     * @param duration of the run, s
+     */
+    RunLooks(double duration) {
+        this.pointings = new Pointings(duration / INTERVALS);
+    }
+
+    void add(Frame frame) {
+        pointings.add(frame);
+        for (Observation o : frame.observations()) {
+            List<String> pair = List.of(o.sensor(), o.drone());
+            Look look = new Look(o.arrival(), o.range(), o.value(), o.threshold(), o.unit());
+            best.merge(pair, look, (old, now) -> now.margin() > old.margin() ? now : old);
+            long[] count = counts.computeIfAbsent(pair, key -> new long[2]);
+            count[0]++;
+            count[1] += o.isDetected() ? 1 : 0;
+        }
+    }
+
+    /** Where the positioners of the run's sensors pointed. */
+    public Pointings pointings() {
+        return pointings;
+    }
+
+    /** The best look of a sensor at a drone. */
+    Optional<Look> best(String sensor, String drone) {
+        return Optional.ofNullable(best.get(List.of(sensor, drone)));
+    }
+
+    /** Which fraction of a sensor's looks detected a drone, 0 to 1. */
+    double detecting(String sensor, String drone) {
+        long[] count = counts.getOrDefault(List.of(sensor, drone), new long[] {1, 0});
+        return (double) count[1] / count[0];
+    }
+}

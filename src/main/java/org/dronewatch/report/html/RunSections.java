@@ -1,0 +1,51 @@
+package org.dronewatch.report.html;
+
+import java.util.stream.Collectors;
+import org.dronewatch.scene.RunResult;
+
+/** The part of the report that is about one run: pictures, alert, detections, time line, what was missed. */
+final class RunSections {
+    private final RunResult run;
+    private final RunLooks looks;
+    private final RunView view;
+    private final String level;
+
+    /**
+     * Of a run.
+     *
+     * @param level the headings' element: {@code h2}, or {@code h3} inside a fold
+     */
+    RunSections(RunResult run, RunLooks looks, RunView view, String level) {
+        this.run = run;
+        this.looks = looks;
+        this.view = view;
+        this.level = level;
+    }
+
+    /** As a fold of a sweep, with its own verdict. */
+    String fold(boolean open) {
+        String verdict = Html.plain("p", new Verdict(run).inWords());
+        return Html.fold(SweepVerdict.title(run), verdict + html(), open);
+    }
+
+    String html() {
+        Reasons reasons = new Reasons(run.settings(), view.stage(), looks.pointings(), run.simulated());
+        return pictures()
+                + section("Alert", new AlertTable(run).html())
+                + section("Who detects what", new RunTables(run, looks).detections())
+                + section(
+                        "Detections over time",
+                        Html.plain("p", "A bar shows when a sensor detects any drone.") + new TimelineSvg(run).draw())
+                + section("What was missed, and why", new Misses(run, looks, reasons).tables());
+    }
+
+    private String pictures() {
+        return view.pictures().stream()
+                .map(figure -> Html.figure(figure.png(), figure.caption()))
+                .collect(Collectors.joining());
+    }
+
+    private String section(String title, String content) {
+        return Html.plain(level, title) + content;
+    }
+}

@@ -1,0 +1,170 @@
+package org.dronewatch.report.html;
+
+import static org.dronewatch.report.html.Numbers.NONE;
+import static org.dronewatch.report.html.Numbers.format;
+import static org.dronewatch.report.html.Numbers.orElse;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.scene.PairResult;
+import org.dronewatch.scene.RunResult;
+
+/** Which sensor of a run detects which drone: a row for each sensor with each drone or swarm, a fold with each swarm's drones. */
+final class RunTables {
+    /** Most rows of a table. */
+    static final int MOST_ROWS = 60;
+
+    /** Most rows of a table that a reader opens. */
+    private static final int MOST_FOLDED_ROWS = 500;
+
+    private static final List<String> HEAD = List.of(
+            "sensor",
+            "kind",
+            "drone",
+            "first detected [s]",
+            "range then [m]",
+            "last detected [s]",
+            "greatest range [m]",
+            "looks with detection");
+
+    private final RunResult run;
+    private final RunLooks looks;
+    private final List<DroneGroup> groups;
+    private final Map<List<String>, DetectionEvent> lastEvents = new LinkedHashMap<>();
+
+    RunTables(RunResult run, RunLooks looks) {
+        this.run = run;
+        this.looks = looks;
+        this.groups = DroneGroup.of(run.settings());
+        for (DetectionEvent event : run.events()) {
+            lastEvents.put(
+                    List.of(event.observation().sensor(), event.observation().drone()), event);
+        }
+    }
+
+    /** The table; where it is very long, the first of those that detect. */
+    String detections() {
+        Map<String, List<PairResult>> bySensor = run.pairs().stream()
+                .collect(Collectors.groupingBy(PairResult::sensor, LinkedHashMap::new, Collectors.toList()));
+        List<List<String>> detected = new ArrayList<>();
+        List<List<String>> all = new ArrayList<>();
+        List<List<String>> members = new ArrayList<>();
+        bySensor.values()
+                .forEach(pairs -> groups.forEach(group -> {
+                    List<PairResult> of = pairs.stream()
+                            .filter(pair -> group.members().contains(pair.drone()))
+                            .toList();
+                    List<String> row = group.isSwarm() ? ofSwarm(group, of) : ofDrone(of.get(0), group.label());
+                    all.add(row);
+                    if (of.stream().anyMatch(pair -> pair.firstDetected().isPresent())) {
+                        detected.add(row);
+                    }
+                    if (group.isSwarm()) {
+                        of.forEach(pair -> members.add(ofDrone(pair, pair.drone())));
+                    }
+                }));
+        return shortened(all, detected) + folded(members);
+    }
+
+    private static String shortened(List<List<String>> all, List<List<String>> detected) {
+        if (all.size() <= MOST_ROWS) {
+            return Html.table(HEAD, all);
+        }
+        int without = all.size() - detected.size();
+        return (without > 0
+                        ? Html.plain("p", without + " pairs of sensor and drone without a detection are not shown.")
+                        : "")
+                + Html.table(HEAD, detected.subList(0, Math.min(MOST_ROWS, detected.size())))
+                + notShown(detected.size() - MOST_ROWS);
+    }
+
+    /** How many rows a table leaves out; nothing when it has them all. */
+    static String notShown(int left) {
+        return left > 0 ? Html.plain("p", left + " more pairs of sensor and drone are not shown.") : "";
+    }
+
+    private static String folded(List<List<String>> members) {
+        if (members.isEmpty()) {
+            return "";
+        }
+        List<List<String>> shown = members.subList(0, Math.min(MOST_FOLDED_ROWS, members.size()));
+        String rest = shown.size() == members.size()
+                ? ""
+                : Html.plain("p", members.size() - shown.size() + " more rows are not shown.");
+        return Html.fold("Each drone of the swarms", Html.table(HEAD, shown) + rest, false);
+    }
+
+    private List<String> ofDrone(PairResult pair, String label) {
+        return List.of(
+                pair.sensor(),
+                pair.kind(),
+                label,
+                orElse(pair.firstDetected(), "never"),
+                orElse(pair.range(), NONE),
+                last(pair),
+                orElse(pair.maxRange(), NONE),
+                percent(looks.detecting(pair.sensor(), pair.drone())));
+    }
+
+    private List<String> ofSwarm(DroneGroup swarm, List<PairResult> pairs) {
+        List<PairResult> detected =
+                pairs.stream().filter(pair -> pair.firstDetected().isPresent()).toList();
+        String first = detected.isEmpty()
+                ? "never"
+                : format(
+                        "%d of %d: %s",
+                        detected.size(), pairs.size(), Numbers.range(values(detected, pair -> pair.firstDetected()
+                                .getAsDouble())));
+        double[] fractions = pairs.stream()
+                .mapToDouble(pair -> looks.detecting(pair.sensor(), pair.drone()))
+                .sorted()
+                .toArray();
+        String least = percent(fractions[0]);
+        String most = percent(fractions[fractions.length - 1]);
+        return List.of(
+                pairs.get(0).sensor(),
+                pairs.get(0).kind(),
+                swarm.label(),
+                first,
+                Numbers.range(values(detected, pair -> pair.range().getAsDouble())),
+                lastOf(detected),
+                Numbers.range(values(detected, pair -> pair.maxRange().getAsDouble())),
+                least.equals(most) ? least : least + " to " + most);
+    }
+
+    private static DoubleStream values(List<PairResult> pairs, ToDoubleFunction<PairResult> value) {
+        return pairs.stream().mapToDouble(value);
+    }
+
+    private static String percent(double fraction) {
+        return format("%.0f %%", 100.0 * fraction);
+    }
+
+    /** Until when a sensor detects a drone: when it loses it for the last time. */
+    private String last(PairResult pair) {
+        return lastEvents.containsKey(List.of(pair.sensor(), pair.drone())) ? orElse(lost(pair), "to the end") : NONE;
+    }
+
+    private OptionalDouble lost(PairResult pair) {
+        DetectionEvent last = lastEvents.get(List.of(pair.sensor(), pair.drone()));
+        return last.gained()
+                ? OptionalDouble.empty()
+                : OptionalDouble.of(last.observation().arrival());
+    }
+
+    private String lastOf(List<PairResult> detected) {
+        if (detected.stream().anyMatch(pair -> lost(pair).isEmpty())) {
+            return "to the end";
+        }
+        OptionalDouble last =
+                detected.stream().mapToDouble(pair -> lost(pair).getAsDouble()).max();
+        return orElse(last, NONE);
+    }
+}

@@ -1,0 +1,118 @@
+package org.dronewatch.report.html;
+
+import static org.dronewatch.report.html.Numbers.format;
+import static org.dronewatch.report.html.Numbers.number;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Predicate;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.scene.AlertResult;
+import org.dronewatch.scene.RunResult;
+import org.dronewatch.scene.SweepSettings;
+import org.dronewatch.scene.SweptValue;
+
+/** What all runs of a sweep come to: in how many of them the alert came, and in time, and how the worst went. */
+final class SweepVerdict {
+    /** As many runs are listed in the sentence; of more only their number. */
+    private static final int MOST_LISTED = 12;
+
+    private final List<RunResult> runs;
+    private final List<RunRank.Ranked> ranked;
+    private final RunResult worst;
+
+    SweepVerdict(List<RunResult> runs) {
+        this.runs = List.copyOf(runs);
+        this.ranked = runs.stream().map(RunRank.Ranked::new).toList();
+        this.worst = ranked.stream().min(RunRank.WORST_FIRST).orElseThrow().run();
+    }
+
+    /** The run that went worst; the first of several that are alike. */
+    RunResult worst() {
+        return worst;
+    }
+
+    String inWords() {
+        List<String> sentences = new ArrayList<>();
+        AlertSettings alert = runs.get(0).settings().alert();
+        boolean timed = runs.stream().anyMatch(run -> alerts(run).stream()
+                .anyMatch(one -> one.inTime().isPresent()));
+        boolean others =
+                runs.stream().anyMatch(run -> alerts(run).size() < run.alerts().size());
+        String drones = others ? "every attacking drone" : "every drone";
+        sentences.add(fraction(
+                rank -> rank.missed() == 0,
+                alert.equals(AlertSettings.DEFAULT) ? drones + " is detected" : "there is an alert for " + drones));
+        if (timed) {
+            sentences.add(fraction(
+                    rank -> rank.late() == 0,
+                    format(
+                            "the alert comes in time, at least %s s before the drone can reach the protected zone",
+                            number(alert.response()))));
+        }
+        if (others) {
+            sentences.add("Drones that do not attack are not counted.");
+        }
+        sentences.add("The worst is run " + worst.run() + with(worst) + ": " + new Verdict(worst).inWords());
+        return String.join(" ", sentences);
+    }
+
+    private static List<AlertResult> alerts(RunResult run) {
+        return run.attackAlerts();
+    }
+
+    private String fraction(Predicate<RunRank> good, String what) {
+        List<RunResult> bad = ranked.stream()
+                .filter(one -> !good.test(one.rank()))
+                .map(RunRank.Ranked::run)
+                .toList();
+        int count = runs.size() - bad.size();
+        String all = bad.isEmpty()
+                ? "In all " + runs.size() + " runs "
+                : count == 0
+                        ? "In none of the " + runs.size() + " runs "
+                        : "In " + count + " of " + runs.size() + " runs ";
+        boolean listed = count > 0 && !bad.isEmpty() && bad.size() <= MOST_LISTED;
+        return all + what + (listed ? ", but not with " + values(bad) : "") + ".";
+    }
+
+    /** {@code bearing 60 deg, 90 deg and 120 deg}. */
+    private static String values(List<RunResult> some) {
+        List<String> texts = some.stream()
+                .map(run -> run.settings()
+                        .sweep()
+                        .map(sweep -> new SweptValue(run.settings(), sweep).value())
+                        .orElse(""))
+                .toList();
+        String name = value(some.get(0)).replaceFirst(" .*", "") + " ";
+        return texts.size() == 1
+                ? name + texts.get(0)
+                : name + String.join(", ", texts.subList(0, texts.size() - 1)) + " and " + texts.get(texts.size() - 1);
+    }
+
+    private static String with(RunResult run) {
+        String value = value(run);
+        return value.isEmpty() ? "" : " (" + value + ")";
+    }
+
+    /** The swept setting with its value in a run: {@code bearing 60 deg}. */
+    static String value(RunResult run) {
+        return run.settings()
+                .sweep()
+                .map(sweep -> new SweptValue(run.settings(), sweep).shortText())
+                .orElse("");
+    }
+
+    /** In which sense a swept direction is counted; empty for other settings. */
+    static String note(RunResult run) {
+        String parameter = run.settings().sweep().map(SweepSettings::parameter).orElse("");
+        boolean compass = parameter.toLowerCase(Locale.ROOT).matches(".*(bearing|azimuth|heading)");
+        return compass ? "Bearings, azimuths and headings are measured clockwise from north." : "";
+    }
+
+    /** A heading for a run. */
+    static String title(RunResult run) {
+        return "Run " + run.run() + with(run);
+    }
+}

@@ -1,0 +1,15 @@
+package org.dronewatch.sensor;
+
+/** A condition of weather or light that a scene sets for the whole site, and that a sensor's model may or may not heed. */
+public enum Condition {
+    /** How far one sees: {@code world.light.visibility} and {@code world.light.contrastAtVisibility}. */
+    VISIBILITY,
+    /** How bright it is: {@code world.light.illuminance}. */
+    ILLUMINANCE,
+    /** Where the sun stands: {@code world.light.sun}. */
+    SUN,
+    /** How hard it rains: {@code world.rain}. */
+    RAIN,
+    /** Temperature, humidity and pressure of the air: {@code world.atmosphere}. */
+    AIR
+}

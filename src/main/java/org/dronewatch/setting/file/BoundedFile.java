@@ -1,0 +1,52 @@
+package org.dronewatch.setting.file;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+
+/** Reads small files that a person named. Pipes and devices are refused: reading them may wait or go on forever. */
+public final class BoundedFile {
+    private BoundedFile() {}
+
+    /**
+     * All bytes of a file.
+     *
+     * @param most bytes that it may have; no more is read
+     * @throws InputException when there is no such file, or it is a directory, a pipe or a device, or larger
+     */
+    public static byte[] read(Path file, int most) {
+        if (!Files.isRegularFile(file)) {
+            throw new InputException(PlainText.value(file) + ": cannot be read: " + reasonAgainst(file));
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] bytes = in.readNBytes(most + 1);
+            if (bytes.length > most) {
+                throw new InputException(
+                        PlainText.value(file) + ": larger than " + most + " bytes, the most for such a file");
+            }
+            return bytes;
+        } catch (IOException e) {
+            throw new InputException(PlainText.value(file) + ": cannot be read: " + reason(e), e);
+        }
+    }
+
+    private static String reasonAgainst(Path file) {
+        if (!Files.exists(file)) {
+            return "no such file";
+        }
+        return Files.isDirectory(file) ? "is a directory" : "is a pipe or a device, not a file";
+    }
+
+    private static String reason(IOException problem) {
+        if (problem instanceof NoSuchFileException) {
+            return "no such file";
+        }
+        String known = problem instanceof FileSystemException refused ? refused.getReason() : problem.getMessage();
+        return known == null ? "no permission" : known;
+    }
+}

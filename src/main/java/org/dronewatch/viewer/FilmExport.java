@@ -1,0 +1,207 @@
+package org.dronewatch.viewer;
+
+import java.awt.GridLayout;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import javax.swing.JFileChooser;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import javax.swing.ProgressMonitor;
+import javax.swing.SwingUtilities;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.picture.CameraView;
+import org.dronewatch.picture.Film;
+import org.dronewatch.picture.FilmMaker;
+import org.dronewatch.report.WholeFile;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.optics.PictureSettings;
+
+/** Writes films of a run: of the site as it is seen now, or of what a camera sees. */
+final class FilmExport implements AutoCloseable {
+    private static final long PATIENCE_SECONDS = 5;
+
+    private final ViewerPane pane;
+    private final Exports exports;
+    private final Consumer<Throwable> failed;
+    private Thread writing;
+    private volatile boolean closed;
+
+    /**
+     * For a pane.
+     *
+     * @param failed is given what went wrong
+     */
+    FilmExport(ViewerPane pane, Exports exports, Consumer<Throwable> failed) {
+        this.pane = pane;
+        this.exports = exports;
+        this.failed = failed;
+    }
+
+    /** Asks for times and a file and writes a film of the site, seen from where it is seen now. */
+    void saveSite() {
+        pane.viewed().ifPresent(viewed -> ask(viewed, "site").ifPresent(film -> save(site(viewed, film), "site")));
+    }
+
+    /** Asks for times and a file and writes a film of the selected camera, or of the first when none is selected. */
+    void saveCamera() {
+        pane.viewed().ifPresent(viewed -> {
+            Optional<String> id = camera(viewed);
+            if (id.isEmpty()) {
+                pane.notice().tell("The scene has no camera.");
+                return;
+            }
+            ask(viewed, id.get()).ifPresent(film -> save(camera(viewed, id.get(), film), id.get()));
+        });
+    }
+
+    private Optional<String> camera(ViewedRun viewed) {
+        var sensors = viewed.settings().enabledSensors();
+        return pane.selected()
+                .filter(id -> sensors.get(id) instanceof PictureSettings)
+                .or(() -> sensors.keySet().stream()
+                        .filter(id -> sensors.get(id) instanceof PictureSettings)
+                        .findFirst());
+    }
+
+    /** A film of the site. */
+    FilmMaker site(ViewedRun viewed, Film film) {
+        return new FilmMaker(film, exports.pictures(viewed));
+    }
+
+    /** A film of a camera's looks. */
+    static FilmMaker camera(ViewedRun viewed, String id, Film film) {
+        SensorSettings<?> camera = viewed.settings().sensors().get(id);
+        CameraView view =
+                new CameraView(id, camera, viewed.stage(), time -> viewed.run().pointing(id, time));
+        return new FilmMaker(
+                film, time -> view.draw(CameraView.lookTime(camera, time)).toImage());
+    }
+
+    private Optional<Film> ask(ViewedRun viewed, String name) {
+        JTextField from = new JTextField("0");
+        JTextField to =
+                new JTextField(String.format(Locale.ROOT, "%.2f", viewed.run().reached()));
+        JTextField fps = new JTextField("25");
+        JTextField speed = new JTextField("1");
+        JPanel form = new JPanel(new GridLayout(0, 2, Scaled.px(6), Scaled.px(4)));
+        row(form, "From [s]", from);
+        row(form, "To [s]", to);
+        row(form, "Frames a second", fps);
+        row(form, "Speed, times real time", speed);
+        int answer = JOptionPane.showConfirmDialog(
+                pane, form, "Film of " + name, JOptionPane.OK_CANCEL_OPTION, JOptionPane.PLAIN_MESSAGE);
+        if (answer != JOptionPane.OK_OPTION) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(film(viewed, from.getText(), to.getText(), fps.getText(), speed.getText()));
+        } catch (IllegalArgumentException e) {
+            pane.notice().tell("film: " + e.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    private static void row(JPanel form, String name, JTextField field) {
+        JLabel label = new JLabel(name);
+        label.setLabelFor(field);
+        form.add(label);
+        form.add(field);
+    }
+
+    /**
+     * The film that a user describes, within what is simulated.
+     *
+     * @throws IllegalArgumentException when a value is no number or beyond its limit
+     */
+    static Film film(ViewedRun viewed, String from, String to, String fps, String speed) {
+        double end = Double.parseDouble(to.strip());
+        // As it is offered: to two digits.
+        double reached = viewed.run().reached();
+        if (end > reached + 0.01) {
+            throw new IllegalArgumentException(
+                    String.format(Locale.ROOT, "to %s s: the run is simulated to %.2f s only", to.strip(), reached));
+        }
+        return new Film(
+                Double.parseDouble(from.strip()),
+                Math.min(end, reached),
+                Integer.parseInt(fps.strip()),
+                Double.parseDouble(speed.strip()));
+    }
+
+    private void save(FilmMaker maker, String name) {
+        JFileChooser chooser = new JFileChooser();
+        chooser.setFileFilter(new FileNameExtensionFilter("MP4 films", "mp4"));
+        chooser.setSelectedFile(new java.io.File(name + ".mp4"));
+        if (chooser.showSaveDialog(pane) == JFileChooser.APPROVE_OPTION) {
+            String file = chooser.getSelectedFile().getPath();
+            start(maker, file.toLowerCase(Locale.ROOT).endsWith(".mp4") ? file : file + ".mp4");
+        }
+    }
+
+    /** Writes a film on a thread, one at a time, with a bar that cancels it. */
+    void start(FilmMaker maker, String file) {
+        if (isBusy()) {
+            pane.notice().tell("Another film is still being written: wait for it or cancel it.");
+            return;
+        }
+        ProgressMonitor monitor = new ProgressMonitor(
+                pane, "Writing " + file, " ", 0, maker.film().frames());
+        monitor.setMillisToPopup(300);
+        writing = new Thread(
+                () -> {
+                    try {
+                        write(
+                                maker,
+                                file,
+                                done -> SwingUtilities.invokeLater(() -> monitor.setProgress(done)),
+                                () -> closed || monitor.isCanceled());
+                        pane.note(maker.film().frames() + " frames written to " + file);
+                    } catch (CancellationException e) {
+                        pane.note("no film is written to " + file + ": cancelled");
+                    } catch (RuntimeException e) {
+                        failed.accept(e);
+                    } finally {
+                        SwingUtilities.invokeLater(monitor::close);
+                    }
+                },
+                "dronewatch-film");
+        writing.setDaemon(true);
+        writing.start();
+    }
+
+    /** Writes a film, whole or not at all. */
+    static void write(FilmMaker maker, String file, IntConsumer progress, BooleanSupplier cancelled) {
+        try (Workers workers = new Workers(Runtime.getRuntime().availableProcessors())) {
+            workers.call(() -> {
+                new WholeFile("film", file).writeFile(partial -> maker.write(partial, progress, cancelled));
+                return null;
+            });
+        }
+    }
+
+    /** Whether a film is being written. */
+    boolean isBusy() {
+        return writing != null && writing.isAlive();
+    }
+
+    /** Gives up the film that is being written, and waits until its thread is gone. */
+    @Override
+    public void close() {
+        closed = true;
+        if (writing != null) {
+            try {
+                writing.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+}

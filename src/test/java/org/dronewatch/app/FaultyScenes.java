@@ -1,0 +1,114 @@
+package org.dronewatch.app;
+
+import java.util.function.Supplier;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scene.RunSettings;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.DroneSettings;
+import org.dronewatch.world.FlightPathSettings.Hover;
+
+/** Scenes of users that fail with errors of Java. */
+public final class FaultyScenes {
+    private FaultyScenes() {}
+
+    /** A scene with a sensor that fails at its third look. */
+    private abstract static class WithSensor extends Scene {
+        private static final long serialVersionUID = 1L;
+        private final transient Supplier<Error> failure;
+
+        WithSensor(Supplier<Error> failure) {
+            this.failure = failure;
+        }
+
+        @Override
+        protected void build() {
+            loadWorld(loadPackaged("house.obj"));
+            add("drone", DroneSettings.of(loadPackaged("quadrotor.obj"), Hover.at(new Position(0, 30, 20))));
+            add("bad", new Faulty(new Position(0, 0, 20), failure));
+            setRun(RunSettings.DEFAULT.withDuration(5.0));
+        }
+    }
+
+    private record Faulty(Position position, Supplier<Error> failure) implements SensorSettings<Sensor> {
+        @Override
+        public String kind() {
+            return "faulty";
+        }
+
+        @Override
+        public double rate() {
+            return 1.0;
+        }
+
+        @Override
+        public Sensor create() {
+            return (world, drones, sample) -> {
+                if (sample.index() == 2) {
+                    throw failure.get();
+                }
+                return java.util.List.of();
+            };
+        }
+    }
+
+    /** An assertion of the user's does not hold. */
+    public static final class Asserting extends WithSensor {
+        private static final long serialVersionUID = 1L;
+
+        public Asserting() {
+            super(() -> new AssertionError("range < 0\u001b[2J"));
+        }
+    }
+
+    /** A class is missing. */
+    public static final class Unlinked extends WithSensor {
+        private static final long serialVersionUID = 1L;
+
+        public Unlinked() {
+            super(() -> new NoClassDefFoundError("org/example/Missing"));
+        }
+    }
+
+    /** Something is asked for that no memory can hold. */
+    public static final class Greedy extends WithSensor {
+        private static final long serialVersionUID = 1L;
+
+        public Greedy() {
+            super(() -> new OutOfMemoryError("Java heap space"));
+        }
+    }
+
+    /** Calls itself without end while it is described. */
+    public static final class Endless extends Scene {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected void build() {
+            build();
+        }
+    }
+
+    /** Fails when it is made. */
+    public static final class Stillborn extends Scene {
+        private static final long serialVersionUID = 1L;
+
+        public Stillborn() {
+            throw new ExceptionInInitializerError("no table");
+        }
+
+        @Override
+        protected void build() {}
+    }
+
+    /** Fails by a mistake in the program. */
+    public static final class Mistaken extends Scene {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected void build() {
+            throw new UnsupportedOperationException("x".repeat(5000));
+        }
+    }
+}

@@ -1,0 +1,102 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.dronewatch.app.Program.Child;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Every file has the same bytes, whatever the user's language, digits, calendar, time zone and character set are. */
+class LocaleTest {
+    private static final List<List<String>> PLACES = List.of(
+            List.of("-Duser.language=de", "-Duser.country=DE"),
+            List.of("-Duser.language=tr", "-Duser.country=TR", "-Duser.timezone=Asia/Kathmandu"),
+            List.of("-Duser.language=ar", "-Duser.country=EG", "-Duser.extensions=u-nu-arab"),
+            List.of(
+                    "-Duser.language=th",
+                    "-Duser.country=TH",
+                    "-Duser.extensions=u-ca-buddhist-nu-thai",
+                    "-Dfile.encoding=ISO-8859-1"));
+
+    @TempDir
+    private Path directory;
+
+    @BeforeEach
+    void scene() throws IOException {
+        Files.copy(Program.FUZZ.resolve("square.obj"), directory.resolve("square.obj"));
+        Files.writeString(
+                directory.resolve("site.yaml"),
+                """
+                world: {models: [square.obj], origin: {latitude: 50.08 deg, longitude: 14.42 deg}}
+                drones:
+                  intruder:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: approach, from: [0, 1250, 30], to: [0, 1210, 10]}
+                sensors:
+                  eye: {kind: camera, position: [0, 1200, 6], width: 320, height: 240, aim: {lookAt: [0, 1250, 20]}}
+                  ear: {kind: acoustic, position: [0, 1200, 8], propagation: energy-model}
+                run: {duration: 1.5 s}
+                sweep: {parameter: sensors.eye.width, values: [320, 640]}
+                """,
+                StandardCharsets.UTF_8);
+    }
+
+    private Map<String, String> filesOf(Path folder) throws IOException {
+        Map<String, String> files = new TreeMap<>();
+        try (Stream<Path> all = Files.walk(folder)) {
+            for (Path file : all.filter(Files::isRegularFile).toList()) {
+                String name = folder.relativize(file).toString();
+                String text = Files.readString(file, StandardCharsets.ISO_8859_1);
+                files.put(name, withoutClock(name, text));
+            }
+        }
+        return files;
+    }
+
+    /** Without times, dates, and what the process was started with. */
+    private static String withoutClock(String name, String text) {
+        if (name.equals("provenance.json")) {
+            return "";
+        }
+        return text.replaceAll("\"(load_s|build_s|wall_s|[a-z]+_s|real_time_factor)\" : [-+.0-9eE]+", "")
+                .replaceAll("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:.]+Z", "")
+                .replaceAll("[0-9.,]+ (times|s|ms)\\b[^<]*", "");
+    }
+
+    private Map<String, String> run(String name, List<String> options) throws IOException, InterruptedException {
+        try (Child child = Program.start(
+                directory, options, "run", "site.yaml", "--observations", "--threads", "1", "--out", name)) {
+            Program.Outcome outcome = child.await();
+            assertThat(outcome.code()).as(outcome.err()).isZero();
+            Map<String, String> files = filesOf(directory.resolve(name));
+            files.put("standard output", outcome.out());
+            return files;
+        }
+    }
+
+    @Test
+    void noFileDependsOnThePlace() throws IOException, InterruptedException {
+        List<String> english = List.of("-Duser.language=en", "-Duser.country=US", "-Duser.timezone=UTC");
+        Map<String, String> expected = run("results-0", english);
+        assertThat(expected)
+                .containsKeys("detections.csv", "observations.csv", "map.kml", "map.geojson", "report.html");
+        assertThat(expected.keySet()).anyMatch(name -> name.startsWith("plots/"));
+        int number = 0;
+        for (List<String> options : PLACES) {
+            Map<String, String> files = run("results-" + ++number, options);
+            assertThat(files.keySet()).isEqualTo(expected.keySet());
+            files.forEach((name, text) -> assertThat(text.replaceAll("results-[0-9]", ""))
+                    .as(name + " with " + options)
+                    .isEqualTo(expected.get(name).replaceAll("results-[0-9]", "")));
+        }
+    }
+}

@@ -1,0 +1,76 @@
+package org.dronewatch.app;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/** The program as tests run it: here, or in a process. */
+final class Program {
+    /** Where inputs are kept that once broke the program. */
+    static final Path FUZZ = Path.of("src", "test", "resources", "fuzz");
+
+    private Program() {}
+
+    /** What a command left behind. */
+    record Outcome(int code, String out, String err) {
+        /** What it said but for what it read. */
+        List<String> complaints() {
+            return err.lines().filter(line -> !line.startsWith("read ")).toList();
+        }
+    }
+
+    /** Runs a command in this process. */
+    static Outcome run(String... arguments) {
+        StringWriter out = new StringWriter();
+        StringWriter err = new StringWriter();
+        int code = Main.execute(new PrintWriter(out, true), new PrintWriter(err, true), arguments);
+        return new Outcome(code, out.toString(), err.toString());
+    }
+
+    /** Starts a command in a process. */
+    static Child start(Path directory, List<String> javaOptions, String... arguments) throws IOException {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(javaOptions);
+        command.addAll(List.of("-cp", absoluteClassPath(), Main.class.getName()));
+        command.addAll(List.of(arguments));
+        File out = directory.resolve("out.txt").toFile();
+        File err = directory.resolve("err.txt").toFile();
+        Process process = new ProcessBuilder(command)
+                .directory(directory.toFile())
+                .redirectOutput(out)
+                .redirectError(err)
+                .start();
+        return new Child(process, out.toPath(), err.toPath());
+    }
+
+    private static String absoluteClassPath() {
+        List<String> parts = new ArrayList<>();
+        for (String part : System.getProperty("java.class.path").split(File.pathSeparator)) {
+            parts.add(Path.of(part).toAbsolutePath().toString());
+        }
+        return String.join(File.pathSeparator, parts);
+    }
+
+    /** A command in a process. */
+    record Child(Process process, Path out, Path err) implements AutoCloseable {
+        /** Waits until it has ended. */
+        Outcome await() throws IOException, InterruptedException {
+            if (!process.waitFor(120, TimeUnit.SECONDS)) {
+                throw new AssertionError("still running after two minutes: " + Files.readString(err));
+            }
+            return new Outcome(process.exitValue(), Files.readString(out), Files.readString(err));
+        }
+
+        @Override
+        public void close() {
+            process.destroyForcibly();
+        }
+    }
+}

@@ -1,0 +1,402 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.dronewatch.picture.Films;
+import org.dronewatch.picture.Fineness;
+import org.dronewatch.picture.Orbit;
+import org.dronewatch.picture.RayFilter;
+import org.dronewatch.picture.SitePicture;
+import org.dronewatch.picture.SiteStyle;
+import org.dronewatch.scene.Pointings;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scene.Stage;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.DepthImage;
+import org.dronewatch.sensor.optics.DronePicture;
+import org.dronewatch.sensor.optics.PictureSettings;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Pictures of a run at one time: a camera on a positioner sees what it saw in the run. */
+class RenderCommandTest {
+    private static final Path CUED = Path.of("scenes/cued-camera.yaml");
+
+    @TempDir
+    private Path directory;
+
+    /** The cued camera counting pixels, so that its observations hold the count. */
+    private Path scene;
+
+    @BeforeEach
+    void writeScene() throws IOException {
+        scene = directory.resolve("counted.yaml");
+        Files.writeString(
+                scene,
+                Files.readString(CUED)
+                        .replaceAll("(?m)^ +detection: .*\n", "")
+                        .replace("duration: 55 s", "duration: 14 s"));
+    }
+
+    @Test
+    void onlyCamerasAreOfferedForOneThatIsNotThere() {
+        Program.Outcome outcome = Program.run(
+                "render",
+                scene.toString(),
+                "--camera",
+                "radar",
+                "--out",
+                directory.resolve("x.png").toString());
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.err()).contains("--camera radar: no such camera; the scene has fixed, cued");
+    }
+
+    private String command(String... arguments) {
+        StringWriter out = new StringWriter();
+        StringWriter err = new StringWriter();
+        int code = Main.execute(new PrintWriter(out, true), new PrintWriter(err, true), arguments);
+        assertThat(code).as(err.toString()).isZero();
+        return out.toString();
+    }
+
+    private String render(String... options) {
+        return command(Stream.concat(Stream.of("render", scene.toString()), Stream.of(options))
+                .toArray(String[]::new));
+    }
+
+    private record Row(String run, String time, String value) {}
+
+    /** What the cued camera observed, by the table that a user gets. */
+    private List<Row> observed(String... options) throws IOException {
+        Path results = directory.resolve("results");
+        command(Stream.concat(
+                        Stream.of("run", scene.toString(), "--observations", "--out", results.toString()),
+                        Stream.of(options))
+                .toArray(String[]::new));
+        List<String> lines = Files.readAllLines(results.resolve("observations.csv"));
+        List<String> head = List.of(lines.get(0).split(","));
+        return lines.stream()
+                .skip(1)
+                .map(line -> line.split(",", -1))
+                .filter(cells -> cells[head.indexOf("sensor")].equals("cued"))
+                .map(cells -> new Row(
+                        cells[head.indexOf("run")], cells[head.indexOf("time_s")], cells[head.indexOf("value")]))
+                .toList();
+    }
+
+    private void assertCounted(Row row, String time, String... options) {
+        String said = render(
+                Stream.concat(Stream.of("--camera", "cued", "--time", time, "--run", row.run), Stream.of(options))
+                        .toArray(String[]::new));
+        assertThat(said)
+                .as("run %s at %s s", row.run, time)
+                .contains(String.format(", %.0f of them show drones", Double.parseDouble(row.value)));
+    }
+
+    @Test
+    void aCuedCameraShowsTheDroneWithThePixelsThatItReportedInTheRun() throws IOException {
+        String picture = directory.resolve("cued.png").toString();
+        List<Row> rows = observed();
+        List<Row> seeing =
+                rows.stream().filter(row -> Double.parseDouble(row.value) > 12).toList();
+
+        assertThat(seeing).hasSizeGreaterThan(20);
+        assertCounted(rows.get(0), "0", "--out", picture);
+        for (int i = 0; i < seeing.size(); i += seeing.size() / 4) {
+            assertCounted(seeing.get(i), seeing.get(i).time, "--out", picture);
+        }
+        // Between two looks it is the earlier one.
+        Row last = seeing.get(seeing.size() - 2);
+        assertCounted(last, Double.toString(Double.parseDouble(last.time) + 0.01), "--out", picture);
+        assertThat(ImageIO.read(Path.of(picture).toFile()).getWidth()).isEqualTo(1920);
+    }
+
+    @Test
+    void seedAndRunOfASweepAreThoseOfTheRun() throws IOException {
+        Files.writeString(
+                scene,
+                Files.readString(scene)
+                                .replace("blighter-a400-m10s,", "blighter-a400-m10s, accuracy: {azimuth: 0.3 deg},")
+                        + "\nsweep: {parameter: sensors.cued.positioner.zoom.tracked, values: [2.2 deg, 3 deg]}\n");
+        String picture = directory.resolve("cued.pfm").toString();
+        List<Row> rows = observed("--seed", "77");
+        List<Row> second = rows.stream()
+                .filter(row -> row.run.equals("1") && Double.parseDouble(row.value) > 12)
+                .toList();
+
+        Row one = second.get(0);
+        Row two = second.get(second.size() - 1);
+        assertCounted(one, one.time, "--out", picture, "--seed", "77");
+        byte[] seeded = Files.readAllBytes(Path.of(picture));
+        assertCounted(two, two.time, "--out", picture, "--seed", "77");
+        render("--camera", "cued", "--time", one.time, "--run", "1", "--out", picture, "--seed", "78");
+        assertThat(Files.readAllBytes(Path.of(picture)))
+                .as("another seed points it slightly elsewhere")
+                .isNotEqualTo(seeded);
+    }
+
+    /** The pointings of a run, by a run of the scene that pictures know nothing of. */
+    private static Pointings pointings(SceneRunner runner) {
+        Pointings pointings = new Pointings();
+        runner.onFrame(pointings::add).run();
+        return pointings;
+    }
+
+    private SceneRunner runner(String... overrides) {
+        SceneRunner runner = new SceneRunner(new SceneFile(scene)).threads(2);
+        for (String override : overrides) {
+            runner.set(override.split("=")[0], override.split("=")[1]);
+        }
+        return runner;
+    }
+
+    private static byte[] pfm(SensorSettings<?> camera, Stage stage, double time) throws IOException {
+        DepthImage image = new DronePicture(new CameraObject((PictureSettings) camera))
+                .depthImage(stage.world(), stage.dronesAt(time));
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        image.writePfm(bytes);
+        return bytes.toByteArray();
+    }
+
+    @Test
+    void thermalCamerasAndCuesFromOtherCamerasPointAsInTheRun() throws IOException {
+        String[] overrides = {
+            "sensors.cued=cooled-thermal-camera",
+            "sensors.cued.positioner.zoom.tracked=1.8 deg",
+            "sensors.cued.positioner.zoom.cued=1.8 deg",
+            "sensors.cued.positioner.cues=fixed",
+            "sensors.fixed.fov=12 deg",
+            "sensors.fixed.aim.azimuth=42 deg"
+        };
+        Path picture = directory.resolve("thermal.pfm");
+        render(Stream.concat(
+                        Stream.of("--camera", "cued", "--time", "12", "--out", picture.toString()),
+                        Stream.of(overrides).flatMap(set -> Stream.of("--set", set)))
+                .toArray(String[]::new));
+
+        SceneRunner runner = runner(overrides);
+        SceneSettings settings = runner.settings();
+        Pointings pointings = pointings(runner);
+        SensorSettings<?> camera = settings.sensors().get("cued");
+        assertThat(pointings.at("cued", 12.0).orElseThrow().target())
+                .as("cued by the other camera")
+                .contains("intruder");
+        assertThat(Files.readAllBytes(picture))
+                .isEqualTo(pfm(camera.pointed(pointings.at("cued", 12.0).orElseThrow()), runner.stage(settings), 12.0));
+    }
+
+    @Test
+    void aCameraOnAFixedMountIsDrawnAtAnyTimeWithoutASimulation() throws IOException {
+        Path picture = directory.resolve("fixed.pfm");
+        String[] endless = {"run.duration=1000000 s", "sensors.cued.rate=60 Hz"};
+        assertTimeoutPreemptively(
+                Duration.ofSeconds(60),
+                () -> render(
+                        "--camera",
+                        "fixed",
+                        "--time",
+                        "13.337",
+                        "--out",
+                        picture.toString(),
+                        "--set",
+                        endless[0],
+                        "--set",
+                        endless[1]));
+        assertTimeoutPreemptively(
+                Duration.ofSeconds(60),
+                () -> render(
+                        "--camera",
+                        "fixed",
+                        "--time",
+                        "900000",
+                        "--out",
+                        directory.resolve("late.png").toString(),
+                        "--set",
+                        endless[0],
+                        "--set",
+                        endless[1]));
+
+        SceneRunner runner = runner();
+        SceneSettings settings = runner.settings();
+        assertThat(Files.readAllBytes(picture))
+                .isEqualTo(pfm(settings.sensors().get("fixed"), runner.stage(settings), 13.337));
+    }
+
+    @Test
+    void theSiteShowsWhereTheMountPointsThen() throws IOException {
+        Path picture = directory.resolve("site.png");
+        render("--view", "top", "--time", "12.02", "--size", "400x300", "--out", picture.toString());
+
+        SceneRunner runner = runner();
+        SceneSettings settings = runner.settings();
+        Pointings pointings = pointings(runner);
+        Stage stage = runner.stage(settings);
+        SitePicture site = new SitePicture(settings, stage);
+        var image = site.draw(
+                site.backdrop(
+                        Orbit.top(site.frame(), 4.0 / 3.0), 400, 300, site.openRoof(12.02), Fineness.FINE, () -> false),
+                site.state(
+                        "counted",
+                        12.02,
+                        (sensor, drone) -> false,
+                        sensor -> pointings.at(sensor, 12.02),
+                        Optional.empty(),
+                        Optional.empty()),
+                SiteStyle.DEFAULT.withFilter(RayFilter.ALL));
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", bytes);
+        assertThat(pointings.at("cued", 12.02).orElseThrow().target()).contains("intruder");
+        assertThat(Files.readAllBytes(picture)).isEqualTo(bytes.toByteArray());
+    }
+
+    @Test
+    void aFilmOfTheSiteBeginsAndEndsAsItsPictures() throws Exception {
+        Path film = directory.resolve("site.mp4");
+        String[] view = {"--view", "orbit", "--size", "640x480", "--out", film.toString()};
+        String said = render(
+                Stream.concat(Stream.of("--from", "2", "--to", "12", "--fps", "2", "--speed", "2.5"), Stream.of(view))
+                        .toArray(String[]::new));
+        assertThat(said).isEqualTo(film + ": 9 frames, 2 a second, from 2.00 s to 12.00 s\n");
+
+        List<BufferedImage> frames = Films.frames(film);
+        assertThat(frames).hasSize(9);
+        Path picture = directory.resolve("site.png");
+        for (int frame : new int[] {0, 8}) {
+            view[5] = picture.toString();
+            render(Stream.concat(Stream.of("--time", frame == 0 ? "2" : "12"), Stream.of(view))
+                    .toArray(String[]::new));
+            BufferedImage drawn = ImageIO.read(picture.toFile());
+            assertThat(frames.get(frame).getWidth()).isEqualTo(640);
+            assertThat(Films.difference(drawn, frames.get(frame))).isLessThan(6.0);
+            assertThat(Films.difference(drawn, frames.get(frame)))
+                    .as("nearer to its own time than to the other")
+                    .isLessThan(Films.difference(drawn, frames.get(8 - frame)));
+        }
+    }
+
+    @Test
+    void aFilmOfACameraShowsItsLooksAndIsTheSameForTheSameSeed() throws Exception {
+        String[] options = {
+            "--camera",
+            "cued",
+            "--from",
+            "11",
+            "--to",
+            "12",
+            "--fps",
+            "4",
+            "--set",
+            "sensors.cued.width=320",
+            "--set",
+            "sensors.cued.height=200",
+            "--out",
+            directory.resolve("one.mp4").toString()
+        };
+        render(options);
+        options[13] = directory.resolve("two.mp4").toString();
+        render(options);
+        assertThat(Files.readAllBytes(directory.resolve("two.mp4")))
+                .isEqualTo(Files.readAllBytes(directory.resolve("one.mp4")));
+
+        List<BufferedImage> frames = Films.frames(directory.resolve("one.mp4"));
+        assertThat(frames).hasSize(5);
+        Path picture = directory.resolve("cued.png");
+        render(
+                "--camera",
+                "cued",
+                "--time",
+                "12",
+                "--set",
+                "sensors.cued.width=320",
+                "--set",
+                "sensors.cued.height=200",
+                "--out",
+                picture.toString());
+        assertThat(Films.difference(ImageIO.read(picture.toFile()), frames.get(4)))
+                .isLessThan(6.0);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--view top --time 3 --out DIR/a.mp4          | --time 3: a film has --from and --to",
+                "--view top --fps 10 --out DIR/a.png          | --fps 10: applies only to films (--out FILE.mp4)",
+                "--camera cued --from 1 --out DIR/a.pfm       | --from 1: applies only to films",
+                "--view top --to 15 --out DIR/a.mp4           | --to 15: must be 0 to 14.0 s",
+                "--view top --from 5 --to 4 --out DIR/a.mp4   | --from 5: must not be after --to 4",
+                "--view top --fps 0 --out DIR/a.mp4           | fps 0: must be 1 to 60",
+                "--view top --speed 0 --out DIR/a.mp4         | speed 0.0: must be 0.01 to 1000",
+                "--view top --speed 0.01 --fps 60 --out DIR/a.mp4 | 84001 frames: must be at most 36000",
+                "--view top --size 5000x100 --out DIR/a.mp4   | --size 5000x100: a film of 5000 x 100 pixels: each side must",
+                "--view top --rays --out DIR/a.mp4            | --rays: rays are those of one time",
+                "--view top --out png                         | must end in .png, .pfm or .mp4",
+                "--view top --out DIR/a.avi                   | must end in .png, .pfm or .mp4",
+                "--camera cued --out DIR/none/a.mp4           | no directory",
+            })
+    void aFilmThatCannotBeIsRefusedInALine(String options, String message) throws IOException {
+        StringWriter err = new StringWriter();
+        String[] words = ("render " + scene + " " + options.replace("DIR", directory.toString())).split("\\s+");
+        int code = Main.execute(new PrintWriter(new StringWriter()), new PrintWriter(err, true), words);
+
+        assertThat(code).as(err.toString()).isEqualTo(2);
+        assertThat(err.toString().strip().lines()).hasSize(1).allSatisfy(line -> assertThat(line)
+                .contains(message));
+        try (Stream<Path> files = Files.list(directory)) {
+            assertThat(files).containsExactly(scene);
+        }
+    }
+
+    /** Whoever asks the command to end interrupts its thread: in the simulation, or while the film is written. */
+    @Test
+    void anInterruptedFilmLeavesNothingAndSaysSo() throws Exception {
+        for (int wait : new int[] {200, 2500}) {
+            StringWriter err = new StringWriter();
+            int[] code = {-1};
+            Thread command = new Thread(() -> code[0] = Main.execute(
+                    new PrintWriter(new StringWriter()),
+                    new PrintWriter(err, true),
+                    "render",
+                    scene.toString(),
+                    "--camera",
+                    "cued",
+                    "--fps",
+                    "60",
+                    "--speed",
+                    "0.05",
+                    "--out",
+                    directory.resolve("long.mp4").toString()));
+            command.start();
+            Thread.sleep(wait);
+            command.interrupt();
+            command.join(30_000);
+
+            assertThat(command.isAlive()).isFalse();
+            assertThat(code[0]).isEqualTo(1);
+            assertThat(err.toString().strip().lines().reduce((first, last) -> last))
+                    .contains("interrupted: nothing was written");
+            try (Stream<Path> files = Files.list(directory)) {
+                assertThat(files).containsExactly(scene);
+            }
+        }
+    }
+}

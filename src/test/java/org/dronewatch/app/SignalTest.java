@@ -1,0 +1,171 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.dronewatch.app.Program.Child;
+import org.dronewatch.app.Program.Outcome;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Ctrl-C and a request to terminate, at any moment of any command: the signal's exit code, and nothing that is half. */
+@DisabledOnOs(value = OS.WINDOWS, disabledReason = "there a process can only be killed")
+class SignalTest {
+    private static final List<String> NO_OPTIONS = List.of("-Xmx1g");
+    private static final List<String> LOG = List.of("out.txt", "err.txt");
+
+    @TempDir
+    private Path directory;
+
+    private static void signal(Child child, String name) throws IOException, InterruptedException {
+        new ProcessBuilder("kill", "-" + name, Long.toString(child.process().pid()))
+                .start()
+                .waitFor();
+    }
+
+    private List<String> left() throws IOException {
+        try (Stream<Path> files = Files.list(directory)) {
+            return files.map(file -> file.getFileName().toString())
+                    .filter(name -> !LOG.contains(name))
+                    .toList();
+        }
+    }
+
+    private void assertWhole(Outcome outcome, int code) throws IOException {
+        assertThat(outcome.code()).as(outcome.err()).isEqualTo(code);
+        assertThat(outcome.err())
+                .doesNotContain("error")
+                .doesNotContain("Exception")
+                .doesNotContain("\tat ");
+        assertThat(left()).as(outcome.err()).isSubsetOf("results");
+        Path results = directory.resolve("results");
+        if (Files.exists(results)) {
+            assertThat(Files.readString(results.resolve("summary.json"))).endsWith("}\n");
+            if (!outcome.out().contains("quadrotor")) {
+                throw new AssertionError("results without a table: " + outcome);
+            }
+            for (String table : List.of("detections.csv", "observations.csv")) {
+                String text = Files.readString(results.resolve(table));
+                assertThat(text).endsWith("\n");
+                int columns = table.startsWith("d") ? 11 : 13;
+                assertThat(text.lines())
+                        .allSatisfy(row -> assertThat(row.split(",", -1)).hasSize(columns));
+            }
+        }
+    }
+
+    /** The seed gives the moments, from before the program has begun to after it has ended. */
+    @ParameterizedTest
+    @CsvSource({"TERM, 143, 1", "INT, 130, 2"})
+    void aRunEndsWithTheCodeOfTheSignalAtAnyMoment(String signal, int code, long seed) throws Exception {
+        SplittableRandom random = new SplittableRandom(seed);
+        for (int i = 0; i < 8; i++) {
+            long millis = random.nextLong(200, 5000);
+            try (Child child = Program.start(
+                    directory,
+                    NO_OPTIONS,
+                    "run",
+                    "camera-range",
+                    "--observations",
+                    "--set",
+                    "sensors.camera.width=480",
+                    "--set",
+                    "sensors.camera.height=270",
+                    "--out",
+                    "results")) {
+                boolean ended = child.process().waitFor(millis, TimeUnit.MILLISECONDS);
+                signal(child, signal);
+                Outcome outcome = child.await();
+                boolean ranOut = ended || outcome.code() == 0;
+                assertWhole(outcome, ranOut ? 0 : code);
+            }
+            deleteResults();
+        }
+    }
+
+    private void deleteResults() throws IOException {
+        Path results = directory.resolve("results");
+        if (Files.exists(results)) {
+            try (Stream<Path> files = Files.walk(results)) {
+                for (Path file :
+                        files.sorted(java.util.Comparator.reverseOrder()).toList()) {
+                    Files.delete(file);
+                }
+            }
+        }
+    }
+
+    @Test
+    void aLongLookEndsAtOnceAndTheRowsBeforeItStay() throws Exception {
+        try (Child child = Program.start(
+                directory,
+                NO_OPTIONS,
+                "run",
+                "closed-space",
+                "--observations",
+                "--threads",
+                "1",
+                "--set",
+                "sensors.microphone.propagation=energy-model",
+                "--set",
+                "sensors.microphone.propagation.rays=1000000",
+                "--set",
+                "sensors.microphone.propagation.accuracy=0",
+                "--out",
+                "results")) {
+            Path partial = directory.resolve(".partial-results");
+            for (int i = 0; i < 600 && !Files.exists(partial); i++) {
+                Thread.sleep(100);
+            }
+            Thread.sleep(3000);
+            long start = System.nanoTime();
+            signal(child, "TERM");
+            Outcome outcome = child.await();
+            assertThat(TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - start))
+                    .isLessThan(10);
+            assertThat(outcome.code()).as(outcome.err()).isEqualTo(143);
+            assertThat(outcome.err()).doesNotContain("error");
+            assertThat(left()).containsExactly("results");
+            assertThat(Files.readString(directory.resolve("results/summary.json")))
+                    .contains("\"complete\" : false");
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "bench packaged:cathedral.obj --passes 1000",
+                "costs --out costs",
+                "coverage multi-sensor --cells 2000 --out plan.png",
+                "render multi-sensor --view orbit --size 8192x8192 --out site.png",
+                "check multi-sensor",
+            })
+    void otherCommandsEndPromptlyAndLeaveNothing(String command) throws Exception {
+        for (long millis : new long[] {600, 4000}) {
+            try (Child child = Program.start(directory, NO_OPTIONS, command.split(" "))) {
+                boolean ended = child.process().waitFor(millis, TimeUnit.MILLISECONDS);
+                long start = System.nanoTime();
+                signal(child, "TERM");
+                Outcome outcome = child.await();
+                if (!ended && outcome.code() != 0) {
+                    assertThat(outcome.code()).as(outcome.err()).isEqualTo(143);
+                    assertThat(TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - start))
+                            .isLessThan(20);
+                    assertThat(outcome.err()).doesNotContain("error").doesNotContain("Exception");
+                    assertThat(left()).as(outcome.err()).noneMatch(name -> name.startsWith(".partial"));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,114 @@
+package org.dronewatch.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.dronewatch.app.Main;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+import picocli.CommandLine.ParameterException;
+
+/** Every command that the pages show is one, and its scene with its overrides can be read. */
+class DocCommandsTest {
+    private static final Pattern COMMAND = Pattern.compile(
+            "(?m)^ {4}(?:mvn .*compile exec:java -Dexec\\.args=\"([^\"]*)\"|dronewatch (.*)|java .*-all\\.jar (.*))$");
+    private static final Pattern WORD = Pattern.compile("(?:[^\\s\"']|\"[^\"]*\"|'[^']*')+");
+    private static final Set<String> OF_SCENES = Set.of("run", "view", "check", "render", "coverage");
+    /** A reader's own file, of which the pages do not show all. */
+    private static final String NOT_SHOWN = "site.yaml";
+
+    @TempDir
+    private Path directory;
+
+    /** The commands of all pages, each as its words. */
+    private static List<List<String>> commands() throws IOException {
+        Set<List<String>> commands = new LinkedHashSet<>();
+        for (Path page : SitePages.sources(Path.of("").toAbsolutePath())) {
+            Matcher found = COMMAND.matcher(Files.readString(page));
+            while (found.find()) {
+                int group = found.group(1) != null ? 1 : found.group(2) != null ? 2 : 3;
+                commands.add(words(found.group(group)));
+            }
+        }
+        return new ArrayList<>(commands);
+    }
+
+    /** As a shell parts them. */
+    private static List<String> words(String line) {
+        return WORD.matcher(line)
+                .results()
+                .map(word -> word.group().replaceAll("[\"']", ""))
+                .toList();
+    }
+
+    private static CommandLine.ParseResult parse(List<String> words) {
+        return new CommandLine(new Main())
+                .setCaseInsensitiveEnumValuesAllowed(true)
+                .parseArgs(words.toArray(String[]::new));
+    }
+
+    @Test
+    void everyCommandIsOne() throws IOException {
+        List<List<String>> commands = commands();
+        assertThat(commands).hasSizeGreaterThan(25);
+        for (List<String> command : commands) {
+            try {
+                assertThat(parse(command)).isNotNull();
+            } catch (ParameterException e) {
+                throw new AssertionError(command + ": " + e.getMessage(), e);
+            }
+        }
+    }
+
+    @Test
+    void aCommandThatIsNoneIsFound() {
+        assertThatThrownBy(() -> parse(words("run camera-range --outt x"))).isInstanceOf(ParameterException.class);
+        assertThatThrownBy(() -> parse(words("rum camera-range"))).isInstanceOf(ParameterException.class);
+    }
+
+    @Test
+    void everySceneCanBeReadWithItsOverrides() throws IOException {
+        String guide = Files.readString(Path.of("src/site/markdown/guide.md"));
+        Path gate = directory.resolve("gate.yaml");
+        Files.writeString(gate, GuideTest.firstExample(guide));
+        Set<List<String>> checked = new LinkedHashSet<>();
+        for (List<String> command : commands()) {
+            if (OF_SCENES.contains(command.get(0)) && !command.contains(NOT_SHOWN)) {
+                checked.add(check(command, gate));
+            }
+        }
+        assertThat(checked).hasSizeGreaterThan(10);
+        for (List<String> check : checked) {
+            StringWriter said = new StringWriter();
+            PrintWriter writer = new PrintWriter(said);
+            int code = Main.execute(writer, writer, check.toArray(String[]::new));
+            assertThat(code).as("%s: %s", check, said).isZero();
+        }
+    }
+
+    /** The command that checks the scene of another. */
+    private static List<String> check(List<String> command, Path gate) {
+        List<String> check = new ArrayList<>(List.of("check"));
+        String scene = command.get(1);
+        check.add(scene.equals("gate.yaml") ? gate.toString() : scene);
+        for (int i = 2; i < command.size() - 1; i++) {
+            if (command.get(i).equals("--set")) {
+                check.add("--set");
+                check.add(command.get(i + 1));
+            }
+        }
+        return check;
+    }
+}

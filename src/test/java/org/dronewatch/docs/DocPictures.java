@@ -1,0 +1,138 @@
+package org.dronewatch.docs;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.imageio.ImageIO;
+import org.dronewatch.app.Main;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scenes.PackagedScene;
+import org.dronewatch.viewer.PaintedWindow;
+
+/** All pictures in {@code src/site/images}, and how each is made. */
+final class DocPictures {
+    static final Path DIRECTORY = Path.of("src", "site", "images");
+
+    /** How the command line that makes a picture names what it writes. */
+    private static final String OUT = "OUT";
+
+    private static final int WIDTH = 1280;
+    private static final int HEIGHT = 760;
+
+    /** Those that depend on the code alone. */
+    static final List<DocPicture> DRAWN = List.of(
+            file(
+                    "camera-range",
+                    "render camera-range --camera camera --run 2 --time 39 --set sensors.camera.width=1280"
+                            + " --set sensors.camera.height=720 --out OUT"),
+            file("closed-space", "render closed-space --camera camera --out OUT"),
+            file("site-multi-sensor", "render multi-sensor --view orbit --time 12 --out OUT"),
+            file("site-acoustic-range", "render acoustic-range --view top --time 60 --out OUT"),
+            file("site-camera-range", "render camera-range --view side --time 25 --out OUT"),
+            file("site-closed-space", "render closed-space --view orbit --rays --max-order 1 --heard-only --out OUT"),
+            file("glider", "render scenes/glider.yaml --view side --time 30 --out OUT"),
+            file("multi-sensor-coverage", "coverage multi-sensor --side 400 --height 10 --cells 200 --out OUT"),
+            plot("range-over-fov", "run camera-range --out OUT", "range-over-sensors-camera-fov"),
+            plot(
+                    "closed-space-decay",
+                    "run closed-space --observations --set sensors.microphone.propagation=energy-model"
+                            + " --set run.duration=0.5 --out OUT",
+                    "decay-microphone-quadrotor"),
+            window("viewer", "multi-sensor", 25.3),
+            window("cued-camera", "scenes/cued-camera.yaml", 4.0));
+
+    /** Those that show how fast the machine was: {@code costs} writes them, as {@code build.png} and so on. */
+    static final List<String> MEASURED = List.of(
+            "costs-build",
+            "costs-triangles",
+            "costs-memory",
+            "costs-rays",
+            "costs-sensors",
+            "costs-drones",
+            "costs-threads");
+
+    private DocPictures() {}
+
+    /** Draws a picture; files on the way there may go into a directory. */
+    interface Drawing {
+        BufferedImage draw(Path directory) throws Exception;
+    }
+
+    /**
+     * A picture.
+     *
+     * @param name of its file, without {@code .png}
+     */
+    record DocPicture(String name, Drawing drawing) {
+        Path file() {
+            return DocPictures.file(name);
+        }
+
+        @Override
+        public String toString() {
+            return name;
+        }
+    }
+
+    /** The file of a picture. */
+    static Path file(String name) {
+        return DIRECTORY.resolve(name + ".png");
+    }
+
+    /** A picture that a command writes. */
+    private static DocPicture file(String name, String command) {
+        return new DocPicture(name, directory -> {
+            Path written = directory.resolve(name + ".png");
+            run(command, written);
+            return read(written);
+        });
+    }
+
+    /** A plot among what a run writes. */
+    private static DocPicture plot(String name, String command, String plot) {
+        return new DocPicture(name, directory -> {
+            run(command, directory);
+            return read(directory.resolve("plots").resolve(plot + ".png"));
+        });
+    }
+
+    /** The window below its menus, at a time of the run, s. */
+    private static DocPicture window(String name, String scene, double time) {
+        return new DocPicture(name, directory -> PaintedWindow.at(time, scene(scene), WIDTH, HEIGHT));
+    }
+
+    private static Scene scene(String name) {
+        return SceneFile.isFileName(name)
+                ? new SceneFile(Path.of(name))
+                : PackagedScene.find(name).orElseThrow().factory().get();
+    }
+
+    /** Measures, which takes minutes, and writes all plots of it. */
+    static void measure(Path directory) throws IOException {
+        run("costs --out OUT", directory);
+        for (String name : MEASURED) {
+            Files.write(file(name), Files.readAllBytes(directory.resolve(name.substring("costs-".length()) + ".png")));
+        }
+    }
+
+    static BufferedImage read(Path file) throws IOException {
+        return ImageIO.read(file.toFile());
+    }
+
+    private static void run(String command, Path out) {
+        List<String> arguments = new ArrayList<>(List.of(command.split(" ")));
+        arguments.replaceAll(word -> word.equals(OUT) ? out.toString() : word);
+        StringWriter said = new StringWriter();
+        PrintWriter both = new PrintWriter(said);
+        int code = Main.execute(both, both, arguments.toArray(String[]::new));
+        if (code != 0) {
+            throw new IllegalStateException(command + " ended with " + code + ": " + said);
+        }
+    }
+}

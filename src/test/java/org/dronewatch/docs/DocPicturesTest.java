@@ -1,0 +1,81 @@
+package org.dronewatch.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.dronewatch.docs.DocPictures.DocPicture;
+import org.dronewatch.docs.SitePages.Link;
+import org.dronewatch.docs.SitePages.Text;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * The pictures in the pages show what the program draws today. When the program draws otherwise, write them again:
+ * {@code mvn test -Dtest=DocPicturesTest -Ddronewatch.docs=write}. Plots of speeds are measured again with {@code -Dcosts} beside it.
+ */
+class DocPicturesTest {
+    @TempDir
+    private Path directory;
+
+    static List<DocPicture> drawn() {
+        return DocPictures.DRAWN;
+    }
+
+    @ParameterizedTest
+    @MethodSource("drawn")
+    void aPictureIsAsTheProgramDrawsIt(DocPicture picture) throws Exception {
+        BufferedImage today = picture.drawing().draw(directory);
+        Path kept = Files.createDirectories(Path.of("target", "doc-pictures")).resolve(picture.name() + ".png");
+        ImageIO.write(today, "png", kept.toFile());
+        if ("write".equals(System.getProperty("dronewatch.docs"))) {
+            Files.copy(kept, picture.file(), StandardCopyOption.REPLACE_EXISTING);
+        }
+        assertThat(Likeness.here().difference(DocPictures.read(picture.file()), today))
+                .as("%s against %s; write it again with -Ddronewatch.docs=write", picture.file(), kept)
+                .isEmpty();
+    }
+
+    @Test
+    @EnabledIfSystemProperty(named = "costs", matches = ".*")
+    void speedsAreMeasured() throws IOException {
+        DocPictures.measure(directory);
+    }
+
+    @Test
+    void everyPictureIsMadeByTheProgram() throws IOException {
+        TreeSet<String> made = Stream.concat(
+                        DocPictures.DRAWN.stream().map(DocPicture::name), DocPictures.MEASURED.stream())
+                .map(name -> name + ".png")
+                .collect(Collectors.toCollection(TreeSet::new));
+        assertThat(files()).isEqualTo(made);
+    }
+
+    @Test
+    void everyPictureIsInAPage() throws IOException {
+        TreeSet<String> shown = new TreeSet<>();
+        for (Path page : SitePages.sources(Path.of("").toAbsolutePath())) {
+            for (Link link : new Text(Files.readString(page)).links()) {
+                shown.add(link.to().replaceFirst(".*/", ""));
+            }
+        }
+        assertThat(shown).containsAll(files());
+    }
+
+    private static TreeSet<String> files() throws IOException {
+        try (Stream<Path> files = Files.list(DocPictures.DIRECTORY)) {
+            return files.map(file -> file.getFileName().toString()).collect(Collectors.toCollection(TreeSet::new));
+        }
+    }
+}

@@ -1,0 +1,139 @@
+package org.dronewatch.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.setting.file.Kinds;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Whatever is accepted runs to its end: every number has limits, and within them nothing breaks. */
+class RandomScenesTest {
+    private static final int SCENES = Integer.getInteger("dronewatch.scenes", 1000);
+    private static final long SEED = Long.getLong("dronewatch.seed", 20_240_517L);
+    private static final Kinds KINDS = SensorKinds.kinds(Catalog.packaged());
+
+    @TempDir
+    private Path directory;
+
+    /** A number without limits is one with which some scene fails that was accepted. */
+    @Test
+    void everyNumberOfASceneHasLimits() {
+        List<String> without = new ArrayList<>();
+        collect(SceneSettings.class, new HashSet<>(), without);
+        assertThat(without).isEmpty();
+    }
+
+    private static void collect(Type type, Set<Type> seen, List<String> without) {
+        if (!seen.add(type)) {
+            return;
+        }
+        if (type instanceof ParameterizedType several) {
+            collect(several.getRawType(), seen, without);
+            for (Type inner : several.getActualTypeArguments()) {
+                collect(inner, seen, without);
+            }
+        } else if (type instanceof Class<?> plain && KINDS.isChoice(plain)) {
+            KINDS.of(plain).values().forEach(kind -> collect(kind, seen, without));
+        } else if (type instanceof Class<?> plain && plain.isRecord()) {
+            for (RecordComponent part : SettingsForm.of(plain).parts()) {
+                boolean number = Set.of("double", "int", "java.util.List<java.lang.Double>")
+                        .contains(part.getGenericType().getTypeName());
+                if (number && !isBounded(part.getAnnotation(In.class))) {
+                    without.add(plain.getSimpleName() + "." + part.getName());
+                }
+                collect(part.getGenericType(), seen, without);
+            }
+        }
+    }
+
+    private static boolean isBounded(In limits) {
+        return limits != null
+                && Double.isFinite(Math.max(limits.from(), limits.above()))
+                && Double.isFinite(Math.min(limits.to(), limits.below()));
+    }
+
+    @Test
+    void whatIsAcceptedRunsToItsEnd() throws IOException {
+        System.out.println("random scenes from seed " + SEED);
+        Files.writeString(directory.resolve(RandomScenes.MODEL), RandomScenes.MODEL_TEXT);
+        Files.writeString(directory.resolve(RandomScenes.BOX), RandomScenes.BOX_TEXT);
+        Map<String, Integer> kinds = new LinkedHashMap<>();
+        int accepted = 0;
+        int refused = 0;
+        for (long seed = SEED; accepted < SCENES; seed++) {
+            String text = RandomScenes.yaml(seed);
+            Path file = Files.writeString(directory.resolve("scene.yaml"), text);
+            SceneRunner runner = new SceneRunner(new SceneFile(file)).threads(1);
+            try {
+                SceneSettings read = runner.settings();
+                assertThat(read).as("scene of seed %d, written and read", seed).isEqualTo(RandomScenes.of(seed));
+                runner.stage(read);
+            } catch (InputException e) {
+                assertThat(e.getMessage()).as("seed %d", seed).contains(": ").doesNotContain("Exception");
+                refused++;
+                continue;
+            }
+            accepted++;
+            run(runner, seed, text);
+            runner.settings().sensors().values().forEach(sensor -> kinds.merge(sensor.kind(), 1, Integer::sum));
+        }
+        assertThat(refused)
+                .as("scenes refused before %d from seed %d on ran", accepted, SEED)
+                .isLessThan(SCENES / 4);
+        assertThat(kinds.keySet())
+                .as("kinds of sensors in the scenes: %s", kinds)
+                .containsExactlyInAnyOrderElementsOf(SensorKinds.all().keySet());
+    }
+
+    private static void run(SceneRunner runner, long seed, String text) {
+        String scene = "scene of seed " + seed + ":\n" + text;
+        try {
+            SceneResult result = runner.onFrame(frame -> frame.observations().forEach(o -> check(o, scene)))
+                    .run();
+            assertThat(result.complete()).isTrue();
+            result.pairs().forEach(pair -> {
+                for (OptionalDouble figure : List.of(pair.firstDetected(), pair.range(), pair.maxRange())) {
+                    figure.ifPresent(value -> assertThat(value).as(scene).isFinite());
+                }
+            });
+            result.alerts().forEach(alert -> {
+                for (OptionalDouble figure :
+                        List.of(alert.firstSight(), alert.time(), alert.zoneDistance(), alert.warning())) {
+                    figure.ifPresent(value -> assertThat(value).as(scene).isFinite());
+                }
+            });
+        } catch (RuntimeException e) {
+            throw new AssertionError(scene, e);
+        }
+    }
+
+    private static void check(Observation o, String scene) {
+        for (double figure : new double[] {o.time(), o.arrival(), o.range()}) {
+            assertThat(figure).as("%s of %s", o, scene).isFinite();
+        }
+        assertThat(o.value()).as("%s of %s", o, scene).isNotNaN();
+        assertThat(o.threshold()).as("%s of %s", o, scene).isNotNaN();
+        o.sighting()
+                .ifPresent(
+                        seen -> assertThat(seen.range().orElse(0.0)).as(scene).isFinite());
+    }
+}
