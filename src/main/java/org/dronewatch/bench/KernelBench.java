@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.parallel.Workers;
 
 /** Traces sets of rays over and over and takes the time. */
 public final class KernelBench {
@@ -51,6 +52,7 @@ public final class KernelBench {
      *
      * @param passes how many passes count, 1 or more
      * @param progress is told when the warm-up is over, and after each pass that counts
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; it stays so
      */
     public Measurement measure(RaySet set, int passes, Consumer<String> progress) {
         distances = new float[set.count()];
@@ -89,19 +91,24 @@ public final class KernelBench {
             thread.start();
             others.add(thread);
         }
-        tracePieces(tracers.get(0), nextPiece);
+        Tracer first = tracers.get(0);
+        tracePieces(first, nextPiece);
         try {
             for (Thread thread : others) {
                 thread.join();
             }
         } catch (InterruptedException e) {
+            // The others end as soon as there is no piece left to take.
+            nextPiece.set(first.pieces());
             Thread.currentThread().interrupt();
-            throw new IllegalStateException("interrupted while tracing", e);
         }
+        Workers.checkInterrupted();
     }
 
     private void tracePieces(Tracer tracer, AtomicInteger nextPiece) {
-        for (int piece = nextPiece.getAndIncrement(); piece < tracer.pieces(); piece = nextPiece.getAndIncrement()) {
+        for (int piece = nextPiece.getAndIncrement();
+                piece < tracer.pieces() && !Thread.currentThread().isInterrupted();
+                piece = nextPiece.getAndIncrement()) {
             tracer.trace(piece, distances, triangles);
         }
     }

@@ -3,6 +3,7 @@ package org.dronewatch.bench;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.LongSupplier;
+import org.dronewatch.parallel.Workers;
 
 /**
  * Measures how long work takes: the median of several runs, after others that warmed up. Short work is done many times over
@@ -53,6 +54,7 @@ final class Stopwatch {
                 new double[works.size()][longest > warmUp ? Math.min(RUNS_OF_LONG_WORK, mostRuns) : mostRuns];
         for (int run = 0; run < times[0].length; run++) {
             for (int i = 0; i < repeats.length; i++) {
+                Workers.checkInterrupted();
                 long start = clock.getAsLong();
                 for (long k = 0; k < repeats[i]; k++) {
                     works.get(i).run();
@@ -68,6 +70,7 @@ final class Stopwatch {
         long begun = clock.getAsLong();
         long once;
         do {
+            Workers.checkInterrupted();
             long start = clock.getAsLong();
             work.run();
             once = Math.max(1, clock.getAsLong() - start);

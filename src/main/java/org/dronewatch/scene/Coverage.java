@@ -39,6 +39,7 @@ public final class Coverage {
      * @param drone id of the drone that is put at the points
      * @param progress is told how many points a sensor has looked at since it was last told; by any thread
      * @throws IllegalArgumentException when there is no such drone
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; it stays so
      */
     public static Coverage of(
             SceneSettings settings, Stage stage, String drone, CoverageGrid grid, IntConsumer progress) {
@@ -122,9 +123,12 @@ public final class Coverage {
 
         Heights(World world, CoverageGrid grid) {
             height = new double[grid.cells() * grid.cells()];
-            for (int i = 0; i < height.length; i++) {
-                OptionalDouble surface = world.surfaceHeight(grid.x(i % grid.cells()), grid.y(i / grid.cells()));
-                height[i] = surface.orElse(Double.NaN);
+            for (int row = 0; row < grid.cells(); row++) {
+                Workers.checkInterrupted();
+                for (int column = 0; column < grid.cells(); column++) {
+                    OptionalDouble surface = world.surfaceHeight(grid.x(column), grid.y(row));
+                    height[row * grid.cells() + column] = surface.orElse(Double.NaN);
+                }
             }
         }
     }
@@ -144,6 +148,7 @@ public final class Coverage {
             Sensor sensor = settings.create();
             boolean[] cells = new boolean[grid.cells() * grid.cells()];
             for (int row = 0; row < grid.cells(); row++) {
+                Workers.checkInterrupted();
                 for (int column = 0; column < grid.cells(); column++) {
                     int cell = row * grid.cells() + column;
                     double ground = heights.height[cell];

@@ -148,11 +148,12 @@ class SignalTest {
                 "bench packaged:cathedral.obj --passes 1000",
                 "costs --out costs",
                 "coverage multi-sensor --cells 2000 --out plan.png",
-                "render multi-sensor --view orbit --size 8192x8192 --out site.png",
+                "render multi-sensor --view orbit --size 2048x2048 --out site.png",
                 "check multi-sensor",
             })
     void otherCommandsEndPromptlyAndLeaveNothing(String command) throws Exception {
-        for (long millis : new long[] {600, 4000}) {
+        // While Java starts, while models are read, and in the midst of the work.
+        for (long millis : new long[] {600, 2500, 5000}) {
             try (Child child = Program.start(directory, NO_OPTIONS, command.split(" "))) {
                 boolean ended = child.process().waitFor(millis, TimeUnit.MILLISECONDS);
                 long start = System.nanoTime();
