@@ -91,6 +91,6 @@ public class CameraFrame {
     private List<Observation> look(CameraSensor by) {
         long index = frame++ % FRAMES;
         double time = index / FRAMES_PER_SECOND;
-        return by.observe(world, List.of(drone.at(flight.at(time))), Sample.of(1, 0, "camera", index, time));
+        return by.observe(world, List.of(drone.at(flight.at(time))), Sample.of(1, "camera", index, time));
     }
 }

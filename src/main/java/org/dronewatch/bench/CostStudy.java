@@ -215,7 +215,7 @@ public final class CostStudy {
     }
 
     private static Sample sample(int number) {
-        return Sample.of(1, number, "sensor", 0, 0.0);
+        return Sample.of(number, "sensor", 0, 0.0);
     }
 
     private static <T> List<T> of(int count, IntFunction<T> make) {

@@ -40,6 +40,8 @@ final class ResultFile {
     /** What the sensors detected, in all runs. */
     void addFindings(ObjectNode root) {
         root.put("complete", result.complete());
+        ArrayNode seeds = root.putArray("seeds");
+        result.runs().forEach(run -> seeds.add(run.settings().run().seed()));
         ArrayNode pairs = root.putArray("pairs");
         result.pairs().forEach(pair -> add(pairs.addObject(), pair));
         ArrayNode alerts = root.putArray("alerts");

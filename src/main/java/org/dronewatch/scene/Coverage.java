@@ -59,7 +59,6 @@ public final class Coverage {
                     sample,
                     sensor,
                     id,
-                    settings.numberOf(id),
                     settings.run().seed());
             tasks.add(() -> prober.probe(progress));
         });
@@ -141,7 +140,6 @@ public final class Coverage {
             Drone drone,
             SensorSettings<?> settings,
             String id,
-            int number,
             long seed) {
 
         boolean[] probe(IntConsumer progress) {
@@ -154,7 +152,7 @@ public final class Coverage {
                     double ground = heights.height[cell];
                     if (!Double.isNaN(ground)) {
                         Position place = new Position(grid.x(column), grid.y(row), ground + grid.height());
-                        Sample look = Sample.of(seed, number, id, cell, 0.0).withPointing(settings.turnedTo(place));
+                        Sample look = Sample.of(seed, id, cell, 0.0).withPointing(settings.turnedTo(place));
                         cells[cell] = sensor.observe(world, List.of(comingFrom(place)), look)
                                 .get(0)
                                 .isDetected();

@@ -15,6 +15,7 @@ import org.djutils.metadata.MetaData;
 import org.djutils.metadata.ObjectDescriptor;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.file.FileHash;
@@ -266,7 +267,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
                 ? numbered.getReplicationNr()
                 : 0;
         RunInfo info = plan.info();
-        long runSeed = SceneRunner.runSeed(info.settings(), info.run(), replication);
+        long runSeed = Draws.derivedSeed(info.settings().run().seed(), "replication", replication);
         stage = new Stage(info.settings(), plan.models(), runSeed);
         scheduleNextLook();
     }

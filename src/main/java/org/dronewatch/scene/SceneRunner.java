@@ -14,7 +14,6 @@ import java.util.function.Predicate;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.parallel.Interrupts;
 import org.dronewatch.parallel.Workers;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsPath;
@@ -213,7 +212,7 @@ public final class SceneRunner {
             List<String> values = sweep.get().values(path.quantity(settings));
             for (int i = 0; i < values.size(); i++) {
                 here = "sweep.values." + i;
-                runs.add(overrides().write(settings.asRunWith(values.get(i)), path.toString(), values.get(i)));
+                runs.add(overrides().write(settings.asRunWith(i, values.get(i)), path.toString(), values.get(i)));
             }
         } catch (IllegalArgumentException | InputException e) {
             throw new InputException(placed(here) + "sweep of " + path + ": " + e.getMessage(), e);
@@ -264,7 +263,7 @@ public final class SceneRunner {
     public Stage stage(SceneSettings settings) {
         return Interrupts.surfacing(() -> {
             load(settings);
-            return new Stage(settings, models(), runSeed(settings, 0, 0));
+            return new Stage(settings, models(), settings.run().seed());
         });
     }
 
@@ -323,11 +322,6 @@ public final class SceneRunner {
             ConditionAdvice.of(settingsOfRuns()).forEach(models::warn);
         }
         return models;
-    }
-
-    /** The seed of all random numbers of one run, in one replication of an experiment. */
-    static long runSeed(SceneSettings settings, int run, int replication) {
-        return Sample.mix(Sample.mix(settings.run().seed(), run), replication);
     }
 
     private RunResult runOnce(SceneSimulator simulator, RunInfo info, ModelCache models, LookTimes times) {

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
@@ -164,21 +165,6 @@ public record SceneSettings(
     }
 
     /**
-     * The number of a sensor among all, those that are switched off too, from 0. Its random numbers depend on it, so that they
-     * stay the same when another one is switched off.
-     */
-    int numberOf(String sensor) {
-        int number = 0;
-        for (String id : sensors.keySet()) {
-            if (id.equals(sensor)) {
-                return number;
-            }
-            number++;
-        }
-        throw new IllegalArgumentException("no sensor '" + sensor + "'");
-    }
-
-    /**
      * These settings with a sensor switched on or off.
      *
      * @throws IllegalArgumentException when there is no such sensor
@@ -205,10 +191,14 @@ public record SceneSettings(
         return new SceneSettings(world, drones, others, disabled, alert, prices, run, sweep);
     }
 
-    /** These settings as one run of a sweep: what is swept has this value only. */
-    SceneSettings asRunWith(String value) {
+    /**
+     * These settings as one run of a sweep: what is swept has this value only, and the seed is the run's own, which the
+     * first takes as it is.
+     */
+    SceneSettings asRunWith(int number, String value) {
         Optional<SweepSettings> one = sweep.map(all -> new SweepSettings.Values(all.parameter(), List.of(value)));
-        return new SceneSettings(world, drones, sensors, disabled, alert, prices, run, one);
+        RunSettings own = run.withSeed(Draws.derivedSeed(run.seed(), "run", number));
+        return new SceneSettings(world, drones, sensors, disabled, alert, prices, own, one);
     }
 
     /** These settings without a sweep. */

@@ -55,8 +55,7 @@ public final class Stage {
             Drone created = new Drone(id, drone, models.tree(List.of(drone.model())));
             fliers.add(new Flier(created, paths.of(id, drone)));
         });
-        // A sensor's number is part of its random draws: it stays when a neighbour is switched off.
-        settings.enabledSensors().forEach((id, sensor) -> lookers.add(new Looker(id, settings.numberOf(id), sensor)));
+        settings.enabledSensors().forEach((id, sensor) -> lookers.add(new Looker(id, sensor)));
     }
 
     private void warn(SceneSettings settings, ModelCache models) {
@@ -164,8 +163,8 @@ public final class Stage {
     }
 
     private void trace(Looker looker, RaySensor sensor, Drone drone, double time, RayRecorder target) {
-        Sample sample = Sample.of(runSeed, looker.number, looker.id, 0, time);
-        sensor.traceRays(world, drone, sample.random(), target);
+        Sample sample = Sample.of(runSeed, looker.id, 0, time);
+        sensor.traceRays(world, drone, sample.random(drone.id(), RaySensor.RAYS), target);
     }
 
     /** Names of the sensors that follow rays. */
@@ -186,8 +185,8 @@ public final class Stage {
         for (Looker looker : lookers) {
             if (looker.sensor instanceof CurveSensor sensor) {
                 for (Drone drone : dronesAt(time)) {
-                    Sample sample = Sample.of(runSeed, looker.number, looker.id, 0, time);
-                    sensor.curves(world, drone, sample.random())
+                    Sample sample = Sample.of(runSeed, looker.id, 0, time);
+                    sensor.curves(world, drone, sample.random(drone.id(), CurveSensor.CURVES))
                             .forEach(curve -> target.accept(looker.id + "-" + drone.id(), curve));
                 }
             }
@@ -207,8 +206,8 @@ public final class Stage {
             if (looker.nextTime() == time) {
                 Optional<Pointing> pointing = looker.positioner.map(mount -> mount.moveTo(time));
                 pointing.ifPresent(where -> pointings.put(looker.id, where));
-                Sample sample = Sample.of(runSeed, looker.number, looker.id, looker.nextIndex++, time)
-                        .withPointing(pointing);
+                Sample sample =
+                        Sample.of(runSeed, looker.id, looker.nextIndex++, time).withPointing(pointing);
                 List<Drone> found = drones;
                 double speed = looker.settings.signalSpeed(world);
                 if (Double.isFinite(speed)) {
@@ -249,16 +248,14 @@ public final class Stage {
 
     private static final class Looker {
         private final String id;
-        private final int number;
         private final SensorSettings<?> settings;
         private final Sensor sensor;
         private final double rate;
         private final Optional<Positioner> positioner;
         private long nextIndex;
 
-        Looker(String id, int number, SensorSettings<?> settings) {
+        Looker(String id, SensorSettings<?> settings) {
             this.id = id;
-            this.number = number;
             this.settings = settings;
             this.sensor = settings.create();
             this.rate = settings.rate();

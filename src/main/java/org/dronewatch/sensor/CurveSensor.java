@@ -7,6 +7,8 @@ import org.dronewatch.world.World;
 
 /** A sensor that can draw more of a drone than one value a look. */
 public interface CurveSensor extends Sensor {
+    /** What the random numbers of curves are drawn for: {@link Sample#random}. */
+    String CURVES = "curves";
 
     /**
      * What there is to draw; often nothing.

@@ -6,6 +6,8 @@ import org.dronewatch.world.World;
 
 /** A sensor that follows rays from a drone and can tell of every one of them. */
 public interface RaySensor extends Sensor {
+    /** What the random numbers of rays are drawn for: {@link Sample#random}. */
+    String RAYS = "rays";
 
     /**
      * Traces all that leads from one drone to this sensor.

@@ -1,43 +1,43 @@
 package org.dronewatch.sensor;
 
 import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import org.dronewatch.sensor.positioner.Pointing;
 
 /**
- * One look of one sensor. Its random numbers depend on the run's seed, the sensor's place in the scene and the sample's
- * index only: the same in whatever order, and on however many threads, the work is done.
+ * One look of one sensor. Its random numbers depend on the run's seed, the names of sensor and drone, the look's index and
+ * what they are drawn for: the same in whatever order, and on however many threads, the work is done.
  *
  * @param sensor name of the sensor in the scene
  * @param index number of the look, from 0
  * @param time seconds since the start of the run
- * @param random the sample's own random numbers
+ * @param seed of the run
  * @param pointing where a mount points the sensor now; empty for a sensor that stands still, or is to look along its own aim
  */
-public record Sample(String sensor, long index, double time, RandomGenerator random, Optional<Pointing> pointing) {
+public record Sample(String sensor, long index, double time, long seed, Optional<Pointing> pointing) {
+    /** The purpose of the numbers that decide whether a drone is detected. */
+    public static final String DETECTION = "detection";
 
-    /**
-     * The sample with its random generator.
-     *
-     * @param runSeed seed of the run
-     * @param sensorNumber the sensor's place in the scene, from 0
-     */
-    public static Sample of(long runSeed, int sensorNumber, String sensor, long index, double time) {
-        return new Sample(
-                sensor, index, time, new SplittableRandom(mix(mix(runSeed, sensorNumber), index)), Optional.empty());
+    /** The purpose of the numbers that make the errors of a measurement. */
+    public static final String ERROR = "error";
+
+    /** A look along the sensor's own aim. */
+    public static Sample of(long seed, String sensor, long index, double time) {
+        return new Sample(sensor, index, time, seed, Optional.empty());
     }
 
     /** This sample with the sensor's mount pointing somewhere. */
     public Sample withPointing(Optional<Pointing> where) {
-        return new Sample(sensor, index, time, random, where);
+        return new Sample(sensor, index, time, seed, where);
     }
 
-    /** Joins two numbers to one in which every bit depends on all of theirs (the finalizer of SplitMix64). */
-    public static long mix(long a, long b) {
-        long z = a * 0x9E3779B97F4A7C15L + b + 0x632BE59BD9B4E019L;
-        z = (z ^ z >>> 30) * 0xBF58476D1CE4E5B9L;
-        z = (z ^ z >>> 27) * 0x94D049BB133111EBL;
-        return z ^ z >>> 31;
+    /**
+     * The random numbers of this look that are drawn for one purpose, from their beginning; see {@link Draws}.
+     *
+     * @param drone name of the drone that is looked at; empty for what concerns none
+     * @param purpose what is drawn, such as {@code detection}
+     */
+    public RandomGenerator random(String drone, String purpose) {
+        return Draws.stream(seed, sensor, drone, index, purpose);
     }
 }

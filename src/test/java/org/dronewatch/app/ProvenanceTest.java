@@ -91,7 +91,8 @@ class ProvenanceTest {
         assertThat(provenance("two").get("date")).isNotEqualTo(provenance("one").get("date"));
         JsonNode result = JSON.readTree(first);
         assertThat(result.propertyNames())
-                .containsExactly("scene", "seed", "origin", "simulated_s", "complete", "pairs", "alerts", "sweep");
+                .containsExactly(
+                        "scene", "seed", "origin", "simulated_s", "complete", "seeds", "pairs", "alerts", "sweep");
         JsonNode summary = JSON.readTree(Files.readString(directory.resolve("one/summary.json")));
         for (String key : result.propertyNames()) {
             assertThat(summary.get(key)).as(key).isEqualTo(result.get(key));

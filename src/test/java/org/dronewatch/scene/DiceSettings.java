@@ -34,7 +34,7 @@ record DiceSettings(Position position, @In(Quantity.FREQUENCY) double rate, @In(
                         sample.index(),
                         sample.time(),
                         drone.distance(position),
-                        sample.random().nextDouble(),
+                        sample.random(drone.id(), Sample.DETECTION).nextDouble(),
                         luck,
                         ""))
                 .toList();

@@ -68,13 +68,13 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
     }
 
     private Observation observeLevel(World world, Drone drone, Sample sample) {
-        Listening listening = listen(world, drone, sample.random());
+        Listening listening = listen(world, drone, sample.random(drone.id(), RAYS));
         double threshold = settings.detectionLevel(world.backgroundNoise().level());
         return observation(sample, drone, sample.time(), listening.bestLevel(), threshold, listening.figures());
     }
 
     private Observation observe(World world, Drone drone, Sample sample, Criterion criterion) {
-        EnergyReading reading = read(world, drone, sample.random());
+        EnergyReading reading = read(world, drone, sample.random(drone.id(), RAYS));
         BandLevels background = world.backgroundNoise().spectrum();
         double value = reading.aWeightedLevel();
         double over = background.aWeighted();

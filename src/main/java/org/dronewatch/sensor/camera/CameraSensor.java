@@ -75,7 +75,7 @@ public final class CameraSensor implements Sensor {
                 sample.time(),
                 range,
                 settings.detection().value(view),
-                settings.detection().threshold(sample.random()),
+                settings.detection().threshold(sample.random(drone.id(), Sample.DETECTION)),
                 settings.detection().unit(),
                 probability.isPresent() ? Map.of(Observation.PROBABILITY, probability.getAsDouble()) : Map.of());
         double lock = settings.positioner().map(PositionerSettings::lock).orElse(Double.POSITIVE_INFINITY);

@@ -56,13 +56,14 @@ public final class RadarSensor implements Sensor {
         figures.put("in_field", field.contains(way) ? 1.0 : 0.0);
         figures.put("visible_share", share);
         figures.put("cross_section_m2", area);
-        double threshold =
-                settings.detection().threshold(drone.settings().radar().fluctuation(), sample.random());
+        double threshold = settings.detection()
+                .threshold(drone.settings().radar().fluctuation(), sample.random(drone.id(), Sample.DETECTION));
         figures.put(
                 Observation.PROBABILITY,
                 settings.detection().probability(echo, drone.settings().radar().fluctuation()));
         Optional<Sighting> sighting = echo >= threshold
-                ? Optional.of(settings.accuracy().sighting(settings.position(), place, sample.random()))
+                ? Optional.of(settings.accuracy()
+                        .sighting(settings.position(), place, sample.random(drone.id(), Sample.ERROR)))
                 : Optional.empty();
         return new Observation(
                 sample.sensor(),

@@ -52,7 +52,9 @@ public final class ThermalSensor implements Sensor {
         double pixels = area.of(drone);
         double signal = signalToNoise(drone.heat(), range, pixels);
         double probability = settings.task().probability(resolved(pixels, signal));
-        double threshold = settings.byChance() ? 1.0 - sample.random().nextDouble() : settings.probability();
+        double threshold = settings.byChance()
+                ? 1.0 - sample.random(drone.id(), Sample.DETECTION).nextDouble()
+                : settings.probability();
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("pixels", pixels);
         figures.put("signal_to_noise", signal);

@@ -45,7 +45,7 @@ class AcousticSensorTest {
     private static Observation observe(World world, EnergyModel model, AcousticSettings settings, double range) {
         return settings.withPropagation(model)
                 .create()
-                .observe(world, List.of(drone(range)), Sample.of(1, 0, "microphone", 0, 10.0))
+                .observe(world, List.of(drone(range)), Sample.of(1, "microphone", 0, 10.0))
                 .get(0);
     }
 

@@ -13,6 +13,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sensor.Discrimination;
+import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.optics.*;
@@ -117,8 +118,9 @@ class TargetTaskTest {
             DroneView view = view(pixels, 200, 0, Light.DAY);
             int detected = 0;
             for (int run = 0; run < runs; run++) {
-                Sample sample = Sample.of(Sample.mix(seed, run), pixels, "camera", 0, 0.0);
-                detected += function.value(view) >= function.threshold(sample.random()) ? 1 : 0;
+                Sample sample = Sample.of(Draws.mix(seed, run), "camera", pixels, 0.0);
+                detected +=
+                        function.value(view) >= function.threshold(sample.random("drone", Sample.DETECTION)) ? 1 : 0;
             }
             double expected = function.value(view);
             double[] interval = Wilson.interval(detected, runs, 3.0);
@@ -174,10 +176,7 @@ class TargetTaskTest {
                         KDTree.of(box))
                 .at(new FlightState(drone, velocity, 0.0));
         List<Observation> observations = settings.create()
-                .observe(
-                        world,
-                        List.of(flying),
-                        Sample.of(1, 0, "camera", 0, 0.0).withPointing(pointing));
+                .observe(world, List.of(flying), Sample.of(1, "camera", 0, 0.0).withPointing(pointing));
         assertThat(observations).hasSize(1);
         return views.get(0);
     }

@@ -63,7 +63,7 @@ class RadarSensorTest {
 
     private static Observation look(RadarSettings radar, World world, Drone drone) {
         return radar.create()
-                .observe(world, List.of(drone), Sample.of(SEED, 0, "radar", 0, 0))
+                .observe(world, List.of(drone), Sample.of(SEED, "radar", 0, 0))
                 .get(0);
     }
 
@@ -192,7 +192,7 @@ class RadarSensorTest {
         int looks = 20_000;
         int detected = 0;
         for (int i = 0; i < looks; i++) {
-            Sample sample = Sample.of(SEED, 0, "radar", i, i);
+            Sample sample = Sample.of(SEED, "radar", i, i);
             detected += sensor.observe(OPEN, List.of(drone), sample).get(0).isDetected() ? 1 : 0;
         }
         double expected = Detectability.probability(ratio, 1e-6, fluctuation);

@@ -11,6 +11,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sensor.Discrimination;
+import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.camera.CameraSettings;
@@ -65,7 +66,7 @@ class ThermalSensorTest {
 
     private static Observation look(ThermalSettings settings, World world, Drone drone) {
         return settings.create()
-                .observe(world, List.of(drone), Sample.of(1, 0, "heat", 0, 0.0))
+                .observe(world, List.of(drone), Sample.of(1, "heat", 0, 0.0))
                 .get(0);
     }
 
@@ -188,7 +189,7 @@ class ThermalSensorTest {
         int hits = 0;
         double probability = 0.0;
         for (int run = 0; run < 1000; run++) {
-            Sample sample = Sample.of(Sample.mix(seed, run), 0, "heat", 0, 0.0);
+            Sample sample = Sample.of(Draws.mix(seed, run), "heat", 0, 0.0);
             Observation look = sensor.observe(world, List.of(drone), sample).get(0);
             probability = look.probability();
             hits += look.isDetected() ? 1 : 0;

@@ -8,8 +8,8 @@ import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
@@ -89,7 +89,7 @@ public final class EnergyTracer {
             Workers.forEach(wave, i -> {
                 int start = first + i * BATCH;
                 int count = Math.min(BATCH, model.rays() - start);
-                team.get(i).trace(source, count, new SplittableRandom(Sample.mix(seed, start)), recorder);
+                team.get(i).trace(source, count, new SplittableRandom(Draws.mix(seed, start)), recorder);
             });
             for (int i = 0; i < wave && !isAccurate(from); i++) {
                 RayBatch batch = team.get(i);

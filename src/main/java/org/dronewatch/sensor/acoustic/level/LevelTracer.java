@@ -8,8 +8,8 @@ import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
@@ -89,7 +89,7 @@ public final class LevelTracer {
             Workers.forEach(wave, i -> {
                 int from = first + i * STRETCH;
                 int to = Math.min(from + STRETCH, queue.added());
-                team.get(i).trace(queue, from, to, new SplittableRandom(Sample.mix(seed, from)), fully, recorder);
+                team.get(i).trace(queue, from, to, new SplittableRandom(Draws.mix(seed, from)), fully, recorder);
             });
             int waiting = queue.added();
             for (int i = 0; i < wave && !enough; i++) {

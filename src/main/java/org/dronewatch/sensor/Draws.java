@@ -1,0 +1,69 @@
+package org.dronewatch.sensor;
+
+import java.nio.charset.StandardCharsets;
+import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
+
+/**
+ * Random numbers by name. Each purpose of each look of a sensor at a drone has a stream of its own, whose key is
+ *
+ * <pre>
+ * mix(mix(mix(mix(seed, hash(sensor)), hash(drone)), look), hash(purpose))
+ * </pre>
+ *
+ * <p>with the seed of the run. No stream depends on which other sensors and drones there are, on their order, or on how many
+ * numbers another stream has given; renaming a sensor or a drone changes its numbers. {@code hash} is 64-bit FNV-1a over the
+ * name's UTF-8 (Fowler, Noll and Vo, 1991; offset basis 0xCBF29CE484222325, prime 0x100000001B3), {@code mix} is the finalizer
+ * of SplitMix64 (Steele, Lea and Flood 2014), and the stream is a {@link SplittableRandom} of that key.
+ */
+public final class Draws {
+    private static final long FNV_BASIS = 0xCBF29CE484222325L;
+    private static final long FNV_PRIME = 0x100000001B3L;
+
+    /** Bits of a derived seed: as many as every reader of JSON keeps. */
+    private static final int SEED_BITS = 53;
+
+    private Draws() {}
+
+    /**
+     * The stream of one purpose, from its beginning: the same numbers each time it is asked for.
+     *
+     * @param seed of the run
+     * @param sensor name of the sensor
+     * @param drone name of the drone; empty for what concerns none
+     * @param look index of the look, from 0
+     * @param purpose what is drawn, such as {@code detection}
+     */
+    public static RandomGenerator stream(long seed, String sensor, String drone, long look, String purpose) {
+        long pair = mix(mix(seed, hash(sensor)), hash(drone));
+        return new SplittableRandom(mix(mix(pair, look), hash(purpose)));
+    }
+
+    /**
+     * The seed of one of several runs or replications: the given one for the first, and {@code mix(mix(seed, hash(of)), number)}
+     * shifted right to its upper 53 bits for the others.
+     *
+     * @param of what is numbered, such as {@code run}
+     * @param number from 0
+     */
+    public static long derivedSeed(long seed, String of, long number) {
+        return number == 0 ? seed : mix(mix(seed, hash(of)), number) >>> Long.SIZE - SEED_BITS;
+    }
+
+    /** FNV-1a of the UTF-8 of a name. */
+    static long hash(String name) {
+        long hash = FNV_BASIS;
+        for (byte b : name.getBytes(StandardCharsets.UTF_8)) {
+            hash = (hash ^ (b & 0xFF)) * FNV_PRIME;
+        }
+        return hash;
+    }
+
+    /** Joins two numbers to one in which every bit depends on all of theirs. */
+    public static long mix(long a, long b) {
+        long z = a * 0x9E3779B97F4A7C15L + b + 0x632BE59BD9B4E019L;
+        z = (z ^ z >>> 30) * 0xBF58476D1CE4E5B9L;
+        z = (z ^ z >>> 27) * 0x94D049BB133111EBL;
+        return z ^ z >>> 31;
+    }
+}
