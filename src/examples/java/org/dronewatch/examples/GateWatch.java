@@ -1,12 +1,12 @@
 package org.dronewatch.examples;
 
 import java.util.List;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Waypoints;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.camera.CameraSettings;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Waypoints;
 
 /** A house on a hill whose roof camera watches the way to its gate. */
 public class GateWatch extends Scene {

@@ -1,6 +1,7 @@
 package org.dronewatch.examples;
 
 import java.util.List;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
@@ -9,7 +10,6 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
 /**

@@ -2,9 +2,9 @@ package org.dronewatch.fuzz;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.dronewatch.mesh.io.LoadedModel;
+import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.world.LoadedModel;
-import org.dronewatch.world.ObjLoader;
 
 /** Names that lead to no plain file, or out of the directory of the scene. */
 final class FilesTarget implements FuzzTarget {

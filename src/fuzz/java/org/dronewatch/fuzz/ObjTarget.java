@@ -10,9 +10,9 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.mesh.io.LoadedModel;
+import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.world.LoadedModel;
-import org.dronewatch.world.ObjLoader;
 
 /** Model files and their materials: what is read is what is written, in time and memory in proportion. */
 final class ObjTarget implements FuzzTarget {

@@ -8,8 +8,8 @@ import org.dronewatch.bench.RaySet;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
-import org.dronewatch.world.ModelSettings;
-import org.dronewatch.world.ObjLoader;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.mesh.io.ObjLoader;
 
 /** What the benchmarks measure with: the project's models, read from the working directory, and rays of one seed. */
 final class Bench {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.picture.Backdrop;
@@ -23,7 +24,6 @@ import org.dronewatch.scene.Stage;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.world.Drone;
 import picocli.CommandLine.Option;
 
 /** The options of {@code render} for pictures of the whole site. */

@@ -6,9 +6,13 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Sample;
@@ -18,10 +22,6 @@ import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sensor.camera.CameraSettings;
-import org.dronewatch.world.Drone;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Hover;
-import org.dronewatch.world.ModelSettings;
 import org.dronewatch.world.World;
 
 /**

@@ -4,6 +4,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -11,9 +14,6 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Node;
 import org.dronewatch.setting.file.SettingsFile;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings;
-import org.dronewatch.world.ModelSettings;
 import org.dronewatch.world.WorldSettings;
 
 /**

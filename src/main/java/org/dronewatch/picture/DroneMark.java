@@ -1,8 +1,8 @@
 package org.dronewatch.picture;
 
 import java.util.List;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.world.Drone;
 
 /**
  * A drone as a picture shows it.

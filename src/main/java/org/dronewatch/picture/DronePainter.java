@@ -1,10 +1,10 @@
 package org.dronewatch.picture;
 
 import java.util.Map;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.kdtree.TileTraversal;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.ModelGrid;
-import org.dronewatch.world.Drone;
 import org.jogamp.vecmath.Matrix4d;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;

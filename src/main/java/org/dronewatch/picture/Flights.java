@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
-import org.dronewatch.world.Drone;
 
 /** The ways of a scene's drones, sampled evenly in time. Immutable. */
 public final class Flights {

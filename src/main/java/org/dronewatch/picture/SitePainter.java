@@ -6,13 +6,13 @@ import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BooleanSupplier;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.TileTraversal;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.optics.CameraObject;
-import org.dronewatch.world.Drone;
 
 /**
  * Paints the site, traced as cameras trace it, in tiles on the threads at hand. Where the site is cut open, rays go one by

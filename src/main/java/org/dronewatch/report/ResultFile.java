@@ -1,11 +1,11 @@
 package org.dronewatch.report;
 
 import java.util.OptionalDouble;
+import org.dronewatch.geo.Origin;
 import org.dronewatch.scene.AlertResult;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SweepPoint;
-import org.dronewatch.world.Origin;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.fusion.Alert;
 import org.dronewatch.fusion.AlertLog;
 import org.dronewatch.fusion.AlertSettings;
@@ -13,7 +14,6 @@ import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
 /** Follows one run for its alerts: when each drone could first have been seen, when the site was alerted, how early that was. */

@@ -1,8 +1,8 @@
 package org.dronewatch.scene;
 
 import java.util.OptionalDouble;
+import org.dronewatch.flight.FlightPath;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.world.FlightPath;
 
 /** When a drone gave off what reaches a sensor now, for signals that take their time. */
 final class EmissionTime {

@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.dronewatch.world.DroneSettings;
+import org.dronewatch.drone.DroneSettings;
 
 /** What flies in a scene: its drones, and for a swarm each drone of it. */
 final class Fliers {

@@ -2,10 +2,10 @@ package org.dronewatch.scene;
 
 import java.util.HashMap;
 import java.util.Map;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.Displaced;
+import org.dronewatch.flight.FlightPath;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.world.Displaced;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPath;
 import org.dronewatch.world.Ground;
 
 /** Makes the paths of a scene's drones; a swarm shares its leader's, which may have been laid over the ground at length. */

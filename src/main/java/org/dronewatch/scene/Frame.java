@@ -4,9 +4,9 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.positioner.Pointing;
-import org.dronewatch.world.Drone;
 
 /**
  * The scene at one sampling time: a snapshot that any thread may keep.

@@ -13,10 +13,10 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.mesh.io.LoadedModel;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.setting.file.FileHash;
-import org.dronewatch.world.LoadedModel;
-import org.dronewatch.world.ModelSettings;
-import org.dronewatch.world.ObjLoader;
 import org.dronewatch.world.World;
 
 /**

@@ -3,8 +3,8 @@ package org.dronewatch.scene;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.ThreatLabel;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.ThreatLabel;
 
 /**
  * What one run of a scene gave.

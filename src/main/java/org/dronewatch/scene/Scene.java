@@ -13,7 +13,11 @@ import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.djutils.event.EventType;
 import org.djutils.metadata.MetaData;
 import org.djutils.metadata.ObjectDescriptor;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Observation;
@@ -21,11 +25,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
-import org.dronewatch.world.Drone;
-import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.Light;
-import org.dronewatch.world.ModelSettings;
-import org.dronewatch.world.Origin;
 
 /**
  * A site, what flies over it and what watches. Users extend it and override {@link #build()}, in which {@code load...}

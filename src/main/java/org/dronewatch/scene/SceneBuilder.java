@@ -5,15 +5,15 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
-import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.Light;
-import org.dronewatch.world.ModelSettings;
-import org.dronewatch.world.Origin;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.WorldSettings;
 

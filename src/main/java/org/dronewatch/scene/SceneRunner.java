@@ -12,12 +12,12 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.dronewatch.catalog.Catalog;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.parallel.Interrupts;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsPath;
-import org.dronewatch.world.ModelSettings;
 
 /**
  * Runs a scene on the caller's thread: once, or once for each value of its sweep. The results depend on the scene, its

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.sensor.Draws;
@@ -15,7 +16,6 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Spelling;
 import org.dronewatch.setting.Switchable;
-import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.WorldSettings;
 
 /**

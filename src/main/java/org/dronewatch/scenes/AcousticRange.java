@@ -2,6 +2,8 @@ package org.dronewatch.scenes;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Approach;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.RunSettings;
 import org.dronewatch.scene.Scene;
@@ -10,8 +12,6 @@ import org.dronewatch.scene.SweepAxis;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Approach;
 
 /**
  * How far away does a microphone hear a small quadrotor? It stands on a hill; the drone comes from the north at 5 m/s.

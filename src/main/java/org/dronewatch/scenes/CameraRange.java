@@ -1,13 +1,13 @@
 package org.dronewatch.scenes;
 
 import java.util.OptionalDouble;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Approach;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Approach;
 
 /**
  * How far away does a full HD camera detect a small quadrotor? The camera stands on a hill and looks north; the drone

@@ -1,13 +1,13 @@
 package org.dronewatch.scenes;
 
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sensor.camera.CameraSettings;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Hover;
 
 /** Is a quadrotor that hovers in a church both seen and heard? A camera and a microphone stand 10 m from it. */
 public final class ClosedSpace extends Scene {

@@ -1,6 +1,8 @@
 package org.dronewatch.scenes;
 
 import java.util.OptionalDouble;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Inbound;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.RunSettings;
 import org.dronewatch.scene.Scene;
@@ -9,8 +11,6 @@ import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sensor.camera.CameraSettings;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Inbound;
 
 /**
  * From how far away is a house on a hill warned? It has twelve cameras, three in each corner of its roof, and a microphone in

@@ -2,7 +2,7 @@ package org.dronewatch.sensor;
 
 import java.util.List;
 import java.util.random.RandomGenerator;
-import org.dronewatch.world.Drone;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
 /** A sensor that can draw more of a drone than one value a look. */

@@ -1,7 +1,7 @@
 package org.dronewatch.sensor;
 
 import java.util.random.RandomGenerator;
-import org.dronewatch.world.Drone;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
 /** A sensor that follows rays from a drone and can tell of every one of them. */

@@ -1,7 +1,7 @@
 package org.dronewatch.sensor;
 
 import java.util.List;
-import org.dronewatch.world.Drone;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
 /**

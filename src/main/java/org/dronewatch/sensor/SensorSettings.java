@@ -3,11 +3,11 @@ package org.dronewatch.sensor;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.sensor.positioner.Positioner;
 import org.dronewatch.sensor.positioner.PositionerSettings;
-import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
 /**

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.table.AbstractTableModel;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.world.Drone;
 
 /** Each drone: where it is, how fast, and who detects it. */
 final class DroneTable extends AbstractTableModel {

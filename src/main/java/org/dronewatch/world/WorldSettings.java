@@ -3,6 +3,8 @@ package org.dronewatch.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;

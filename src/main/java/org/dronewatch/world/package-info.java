@@ -1,2 +1,2 @@
-/** The site and what flies in it: models read from files, the world's tree, drones and their flight paths. */
+/** The site: merged meshes with their materials, air, light, rain and noise. */
 package org.dronewatch.world;

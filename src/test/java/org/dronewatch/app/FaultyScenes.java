@@ -1,13 +1,13 @@
 package org.dronewatch.app;
 
 import java.util.function.Supplier;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Hover;
 
 /** Scenes of users that fail with errors of Java. */
 public final class FaultyScenes {

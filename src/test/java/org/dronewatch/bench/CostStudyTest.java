@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.world.ModelSettings;
-import org.dronewatch.world.ObjLoader;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.mesh.io.ObjLoader;
 import org.junit.jupiter.api.Test;
 
 /** The study of costs, with hardly any time to measure: what it measures, not how long that takes. */

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.world.ObjLoader;
+import org.dronewatch.mesh.io.ObjLoader;
 
 /** Meshes to test with. */
 public final class Meshes {

@@ -11,9 +11,9 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.sound.SurfaceMaterials;
-import org.dronewatch.world.ModelSettings;
-import org.dronewatch.world.ObjLoader;
 import org.junit.jupiter.api.Test;
 
 class CathedralModelTest {

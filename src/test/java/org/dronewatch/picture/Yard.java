@@ -5,7 +5,10 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Approach;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.mesh.io.UpAxis;
 import org.dronewatch.scene.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
@@ -13,9 +16,6 @@ import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Approach;
-import org.dronewatch.world.UpAxis;
 
 /**
  * A level yard of 60 m x 60 m with a wall of 20 m x 1 m x 8 m across its middle; a camera and a microphone south of it look

@@ -1,6 +1,7 @@
 package org.dronewatch.scene;
 
 import java.util.List;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
@@ -8,7 +9,6 @@ import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
 /** A sensor of pure chance, written as a user would write one of an own kind: it shows which random numbers are drawn. */

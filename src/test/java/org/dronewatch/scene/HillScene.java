@@ -2,11 +2,11 @@ package org.dronewatch.scene;
 
 import java.util.List;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Approach;
+import org.dronewatch.flight.FlightPathSettings.Waypoints;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.camera.CameraSettings;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Approach;
-import org.dronewatch.world.FlightPathSettings.Waypoints;
 
 /** Two drones, two cameras and two dice on the hill, sampling at rates that meet now and then. */
 class HillScene extends Scene {

@@ -11,6 +11,8 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
@@ -19,9 +21,7 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.sound.DroneSounds;
 import org.dronewatch.sound.SurfaceMaterials;
-import org.dronewatch.world.DroneSettings;
 import org.dronewatch.world.GroundPoint;
-import org.dronewatch.world.ModelSettings;
 
 /**
  * Random scenes that keep all limits: of every kind of sensor, flight, propagation and so on that there is, made from the

@@ -10,6 +10,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
@@ -20,7 +21,6 @@ import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.energy.EnergyReading;
 import org.dronewatch.sensor.acoustic.level.Listening;
 import org.dronewatch.sound.Levels;
-import org.dronewatch.world.Drone;
 import org.junit.jupiter.api.Test;
 
 class ClosedSpaceTest {

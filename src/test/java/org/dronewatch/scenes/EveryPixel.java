@@ -1,9 +1,9 @@
 package org.dronewatch.scenes;
 
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.sensor.optics.CameraObject;
-import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
 

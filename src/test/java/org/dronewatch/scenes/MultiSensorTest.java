@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import org.dronewatch.flight.FlightPath;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.SceneResult;
@@ -11,7 +12,6 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.CameraObject;
-import org.dronewatch.world.FlightPath;
 import org.dronewatch.world.Ground;
 import org.jogamp.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;

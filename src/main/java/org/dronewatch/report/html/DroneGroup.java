@@ -3,10 +3,10 @@ package org.dronewatch.report.html;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.ThreatLabel;
+import org.dronewatch.flight.Swarm;
 import org.dronewatch.scene.SceneSettings;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.Swarm;
-import org.dronewatch.world.ThreatLabel;
 
 /**
  * What the report treats as one: a drone by itself, or all drones of a swarm.

@@ -6,10 +6,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.setting.Choices;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.ThreatLabel;
 
 /** The table of all that flies. */
 final class DroneRows {

@@ -11,6 +11,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.scene.Pointings;
@@ -19,7 +20,6 @@ import org.dronewatch.scene.Sightline;
 import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.positioner.Pointing;
-import org.dronewatch.world.Drone;
 
 /**
  * Says why a sensor did not detect a drone, and for which fraction of the time: out of range, out of its field of view, hidden

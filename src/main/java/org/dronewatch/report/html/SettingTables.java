@@ -14,13 +14,13 @@ import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.SceneResult;
 import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.world.Origin;
 import org.dronewatch.world.WorldSettings;
 
 /** What was simulated: sensors with what they cost, drones, the site, the rule of alert, and the limits of the model. */

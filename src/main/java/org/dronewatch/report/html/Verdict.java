@@ -8,11 +8,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.scene.AlertResult;
 import org.dronewatch.scene.PairResult;
 import org.dronewatch.scene.RunResult;
-import org.dronewatch.world.ThreatLabel;
 
 /** What one run comes to: a few sentences for each drone and each swarm. */
 final class Verdict {

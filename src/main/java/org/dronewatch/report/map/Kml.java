@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import javax.xml.stream.XMLStreamException;
+import org.dronewatch.geo.GeoPoint;
 
 /**
  * A map as KML 2.2 (OGC 07-147r2). KML only knows heights above the sea and above its own ground: where that of the scene's

@@ -6,6 +6,9 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.dronewatch.fusion.Alert;
 import org.dronewatch.fusion.ProtectedZone;
+import org.dronewatch.geo.GeoPoint;
+import org.dronewatch.geo.Geodesy;
+import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.picture.KindColours;
 import org.dronewatch.scene.DetectionEvent;
@@ -17,7 +20,6 @@ import org.dronewatch.scene.Stage;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.world.Origin;
 
 /** What a map of a run shows: its first run, if there were several. */
 final class MapContent {

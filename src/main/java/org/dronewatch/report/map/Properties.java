@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.dronewatch.geo.GeoPoint;
 
 /** What is told of a feature, by name, in the order in which it was put: texts, numbers, and null for what there is not. */
 final class Properties {

@@ -1,6 +1,7 @@
 package org.dronewatch.report.map;
 
 import java.util.List;
+import org.dronewatch.geo.GeoPoint;
 
 /** What a feature of a map looks like. */
 sealed interface Shape {

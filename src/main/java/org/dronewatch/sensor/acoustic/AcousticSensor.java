@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.random.RandomGenerator;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
@@ -22,7 +23,6 @@ import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel.Criterion;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sound.BandLevels;
-import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
 /**

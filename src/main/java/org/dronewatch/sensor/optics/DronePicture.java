@@ -2,7 +2,7 @@ package org.dronewatch.sensor.optics;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronewatch.world.Drone;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
 /**

@@ -4,9 +4,9 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.TileTraversal;
-import org.dronewatch.world.Drone;
 import org.jogamp.vecmath.Matrix4d;
 
 /**

@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.optics;
 
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.AABB;
-import org.dronewatch.world.Drone;
 import org.jogamp.vecmath.Matrix4d;
 
 /**

@@ -1,9 +1,9 @@
 package org.dronewatch.sensor.optics;
 
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.sensor.Outline;
-import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
 import org.jogamp.vecmath.Vector3d;

@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.radar;
 
 import java.util.function.DoubleUnaryOperator;
-import org.dronewatch.world.RadarSignature.Fluctuation;
+import org.dronewatch.drone.RadarSignature.Fluctuation;
 
 /**
  * How surely an echo is told from noise by a square-law detector: one look exactly, several pulses summed without their

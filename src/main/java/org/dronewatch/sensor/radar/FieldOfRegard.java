@@ -2,9 +2,9 @@ package org.dronewatch.sensor.radar;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
-import org.dronewatch.world.Drone;
 import org.jogamp.vecmath.Vector3d;
 
 /** Where and how fast a drone must be for a radar to look for it. */

@@ -1,11 +1,11 @@
 package org.dronewatch.sensor.radar;
 
+import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.world.RadarSignature.Fluctuation;
 
 /** How strong an echo is over the noise: from what the radar is built of, or from what its maker promises. */
 public sealed interface LinkBudget {

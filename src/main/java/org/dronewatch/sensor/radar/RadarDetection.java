@@ -1,11 +1,11 @@
 package org.dronewatch.sensor.radar;
 
 import java.util.random.RandomGenerator;
+import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.world.RadarSignature.Fluctuation;
 
 /** From which signal-to-noise ratio on an echo counts. */
 public sealed interface RadarDetection {

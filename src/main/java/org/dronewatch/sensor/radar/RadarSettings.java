@@ -3,6 +3,7 @@ package org.dronewatch.sensor.radar;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Outline;
@@ -12,7 +13,6 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
-import org.dronewatch.world.Drone;
 
 /**
  * A radar that stands still and looks with the same gain everywhere in its field of view, as one with an electronically

@@ -1,9 +1,9 @@
 package org.dronewatch.sensor.radar;
 
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTraversal;
-import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
 

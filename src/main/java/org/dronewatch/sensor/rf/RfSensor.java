@@ -3,12 +3,12 @@ package org.dronewatch.sensor.rf;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
-import org.dronewatch.world.Drone;
-import org.dronewatch.world.RadioLink;
 import org.dronewatch.world.World;
 
 /**

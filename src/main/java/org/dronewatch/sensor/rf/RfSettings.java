@@ -2,6 +2,8 @@ package org.dronewatch.sensor.rf;
 
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Choices;
@@ -9,8 +11,6 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.world.Drone;
-import org.dronewatch.world.RadioLink;
 
 /**
  * A radio receiver that hears all round.

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
@@ -16,7 +17,6 @@ import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.sensor.positioner.PositionerSettings;
 import org.dronewatch.sensor.positioner.Sighting;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 
 /**

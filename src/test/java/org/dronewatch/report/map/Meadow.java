@@ -5,9 +5,14 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Approach;
+import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.fusion.ProtectedZone;
+import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.mesh.io.UpAxis;
 import org.dronewatch.scene.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.Aim;
@@ -16,11 +21,6 @@ import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.radar.LinkBudget;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.rf.RfSettings;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Approach;
-import org.dronewatch.world.FlightPathSettings.Hover;
-import org.dronewatch.world.Origin;
-import org.dronewatch.world.UpAxis;
 
 /** A level meadow with one sensor of each kind, a drone that comes from the north, and one that hovers in the east. */
 final class Meadow extends Scene {

@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.optics.*;
-import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 

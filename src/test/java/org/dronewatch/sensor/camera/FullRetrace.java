@@ -1,10 +1,10 @@
 package org.dronewatch.sensor.camera;
 
 import java.util.List;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Ray;
 import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.sensor.optics.*;
-import org.dronewatch.world.Drone;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
 import org.jogamp.vecmath.Point3d;

@@ -5,13 +5,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
-import org.dronewatch.world.Drone;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Hover;
-import org.dronewatch.world.ModelSettings;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.jogamp.vecmath.Vector3d;
 
 /** Meshes with known pictures. */

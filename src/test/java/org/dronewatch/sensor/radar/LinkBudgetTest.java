@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.dronewatch.sensor.radar.LinkBudget.DataSheet;
 import org.dronewatch.sensor.radar.LinkBudget.Hardware;
-import org.dronewatch.world.RadarSignature.Fluctuation;
 import org.junit.jupiter.api.Test;
 
 /** The radar equation against values computed independently, and its laws. */

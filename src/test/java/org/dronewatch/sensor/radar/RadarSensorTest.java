@@ -5,21 +5,21 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.RadarSignature;
+import org.dronewatch.drone.RadarSignature.Fluctuation;
+import org.dronewatch.flight.FlightPathSettings.Hover;
+import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.radar.LinkBudget.Hardware;
 import org.dronewatch.sensor.radar.Rain.Polarisation;
-import org.dronewatch.world.Drone;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.FlightPathSettings.Hover;
-import org.dronewatch.world.FlightState;
-import org.dronewatch.world.ModelSettings;
-import org.dronewatch.world.RadarSignature;
-import org.dronewatch.world.RadarSignature.Fluctuation;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

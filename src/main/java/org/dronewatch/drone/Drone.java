@@ -1,0 +1,204 @@
+package org.dronewatch.drone;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.flight.FlightState;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.KDTree;
+import org.jogamp.vecmath.Matrix4d;
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Vector3d;
+
+/**
+ * A drone at one moment: a mesh with a tree in its own model space, and the matrix that puts it into the world. Moving it
+ * changes the matrix only, and gives a new drone that shares the tree. Immutable, so that any thread may look.
+ *
+ * <p>The model matrix is {@code M = T R S}: scale first, then turn, then move. Turns are right-handed, as vecmath's
+ * {@code rotX}, {@code rotY} and {@code rotZ}.
+ */
+public final class Drone {
+    private final String id;
+    private final DroneSettings settings;
+    private final KDTree tree;
+    private final Matrix4d modelMatrix;
+    private final Matrix4d worldToModel;
+    private final Vector3d velocity;
+    private final OptionalDouble gliding;
+
+    /** A drone whose model space is the world's: at the origin, nose to the north, at rest. */
+    public Drone(String id, DroneSettings settings, KDTree tree) {
+        this(id, settings, tree, identity(), new Vector3d(), OptionalDouble.empty());
+    }
+
+    private Drone(
+            String id,
+            DroneSettings settings,
+            KDTree tree,
+            Matrix4d modelMatrix,
+            Vector3d velocity,
+            OptionalDouble gliding) {
+        this.id = id;
+        this.settings = settings;
+        this.tree = tree;
+        this.modelMatrix = modelMatrix;
+        this.velocity = velocity;
+        this.gliding = gliding;
+        if (!(Math.abs(modelMatrix.determinant()) > 0.0)) {
+            throw new IllegalArgumentException("model matrix of drone '" + id + "' must be invertible: " + modelMatrix);
+        }
+        this.worldToModel = new Matrix4d();
+        this.worldToModel.invert(modelMatrix);
+    }
+
+    /** This drone turned about its own x axis (to its right) at a rate for a time: {@code M' = M rotX(rate dt)}. */
+    public Drone rotateX(double rate, double dt) {
+        Matrix4d turn = new Matrix4d();
+        turn.rotX(rate * dt);
+        return turned(turn);
+    }
+
+    /** This drone turned about its own y axis (its nose) at a rate in rad/s for dt seconds. */
+    public Drone rotateY(double rate, double dt) {
+        Matrix4d turn = new Matrix4d();
+        turn.rotY(rate * dt);
+        return turned(turn);
+    }
+
+    /** This drone turned about its own z axis (up) at a rate in rad/s for dt seconds, counter-clockwise from above. */
+    public Drone rotateZ(double rate, double dt) {
+        Matrix4d turn = new Matrix4d();
+        turn.rotZ(rate * dt);
+        return turned(turn);
+    }
+
+    private Drone turned(Matrix4d turn) {
+        Matrix4d next = new Matrix4d();
+        next.mul(modelMatrix, turn);
+        return new Drone(id, settings, tree, next, velocity, gliding);
+    }
+
+    /** This drone displaced in the world, m; its velocity stays as it was. */
+    public Drone move(Vector3d displacement) {
+        Matrix4d next = new Matrix4d(modelMatrix);
+        next.m03 += displacement.x;
+        next.m13 += displacement.y;
+        next.m23 += displacement.z;
+        return new Drone(id, settings, tree, next, velocity, gliding);
+    }
+
+    /** This drone in a state of its flight: its model unscaled, nose along the heading. */
+    public Drone at(FlightState state) {
+        Matrix4d pose = new Matrix4d();
+        pose.rotZ(-state.heading());
+        pose.setTranslation(state.position().toVector3d());
+        return new Drone(id, settings, tree, pose, state.velocity().toVector3d(), state.gliding());
+    }
+
+    /**
+     * This drone under another model matrix.
+     *
+     * @throws IllegalArgumentException when the matrix cannot be inverted
+     */
+    public Drone withModelMatrix(Matrix4d matrix) {
+        return new Drone(id, settings, tree, new Matrix4d(matrix), velocity, gliding);
+    }
+
+    /** Its name in the scene. */
+    public String id() {
+        return id;
+    }
+
+    /** What it was made from. */
+    public DroneSettings settings() {
+        return settings;
+    }
+
+    /** The tree over its mesh, in model space. */
+    public KDTree tree() {
+        return tree;
+    }
+
+    /** The box around its mesh, in model space, m. */
+    public AABB modelBounds() {
+        return tree.bounds();
+    }
+
+    /** A copy of the matrix from model space to the world. */
+    public Matrix4d modelMatrix() {
+        return new Matrix4d(modelMatrix);
+    }
+
+    /** Writes the matrix from model space to the world. */
+    public void modelMatrix(Matrix4d target) {
+        target.set(modelMatrix);
+    }
+
+    /** Writes the matrix from the world to model space. */
+    public void worldToModel(Matrix4d target) {
+        target.set(worldToModel);
+    }
+
+    /** A copy of the matrix from the world to model space. */
+    public Matrix4d worldToModel() {
+        return new Matrix4d(worldToModel);
+    }
+
+    /** Where its origin is in the world, m. */
+    public Point3d position() {
+        return new Point3d(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
+    }
+
+    /** No part of its mesh is farther from its origin than this, m: its model box's reach times what the matrix stretches. */
+    public double reach() {
+        AABB box = tree.bounds();
+        double x = Math.max(Math.abs(box.minX()), Math.abs(box.maxX()));
+        double y = Math.max(Math.abs(box.minY()), Math.abs(box.maxY()));
+        double z = Math.max(Math.abs(box.minZ()), Math.abs(box.maxZ()));
+        Matrix4d m = modelMatrix;
+        double a = x * Math.abs(m.m00) + y * Math.abs(m.m01) + z * Math.abs(m.m02);
+        double b = x * Math.abs(m.m10) + y * Math.abs(m.m11) + z * Math.abs(m.m12);
+        double c = x * Math.abs(m.m20) + y * Math.abs(m.m21) + z * Math.abs(m.m22);
+        return Math.sqrt(a * a + b * b + c * c);
+    }
+
+    /** A copy of its velocity, m/s. */
+    public Vector3d velocity() {
+        return new Vector3d(velocity);
+    }
+
+    /** Whether its motors run. */
+    public boolean isPowered() {
+        return gliding.isEmpty();
+    }
+
+    /** Its level for the level model as it flies now, dB: with its motors off it is quieter. */
+    public double soundLevel() {
+        return settings.soundLevel() - quieter();
+    }
+
+    /** Its sound power levels by octave band as it flies now, dB re 1e-12 W: with its motors off it is quieter. */
+    public List<Double> soundPower() {
+        return settings.soundPower(settings.soundPowerLevel() - quieter());
+    }
+
+    /** How much warmer it looks than what is behind it as it flies now, K: with its motors off it cools. */
+    public double heat() {
+        return settings.heat().after(gliding.orElse(0.0));
+    }
+
+    private double quieter() {
+        return isPowered() ? 0.0 : settings.glideReduction();
+    }
+
+    /** The distance from a place to the drone's origin, m. */
+    public double distance(Position place) {
+        return position().distance(place.toPoint3d());
+    }
+
+    private static Matrix4d identity() {
+        Matrix4d identity = new Matrix4d();
+        identity.setIdentity();
+        return identity;
+    }
+}

@@ -1,0 +1,238 @@
+package org.dronewatch.drone;
+
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.flight.Displaced;
+import org.dronewatch.flight.FlightPath;
+import org.dronewatch.flight.FlightPathSettings;
+import org.dronewatch.flight.Swarm;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.mesh.io.ObjLoader;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.sound.Directivity;
+import org.dronewatch.sound.DroneSound;
+import org.dronewatch.sound.DroneSounds;
+import org.dronewatch.world.Ground;
+import org.dronewatch.world.World;
+
+/**
+ * A drone: its shape, its way, and what sensors of every kind need to know of it.
+ *
+ * @param model its mesh, whose nose points to the model's north (y after loading) and whose origin is the drone's
+ * @param flight the way it flies
+ * @param speed cruise speed, 0.001 to 400 m/s
+ * @param acceleration largest acceleration along the path, 0.001 to 10,000 m/s2
+ * @param radar what a radar sees of it
+ * @param heat what a thermal camera sees of it
+ * @param radio how it is controlled, and what of that can be heard by radio
+ * @param soundLevel level of the thesis's level model, which falls by the air's attenuation only, dB; 50 to 55 there
+ * @param soundPowerLevel A-weighted sound power level for physical propagation, dB re 1e-12 W; near 85 for a real
+ *     quadrotor
+ * @param glideReduction how much quieter it is with its motors off, when only the air about it is heard, 0 to 100 dB
+ * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}
+ * @param directivity at which elevation how much of the sound leaves, for physical propagation
+ * @param swarm how many of it fly in formation; it alone if empty
+ * @param label what it is to the site, for those who read the results; no sensor knows it
+ */
+public record DroneSettings(
+        ModelSettings model,
+        FlightPathSettings flight,
+        @In(value = Quantity.SPEED, from = 0.001, to = 400) double speed,
+        @In(value = Quantity.ACCELERATION, from = 0.001, to = 10_000) double acceleration,
+        RadarSignature radar,
+        HeatSignature heat,
+        RadioLink radio,
+        @In(value = Quantity.LEVEL, from = 0, to = 200) double soundLevel,
+        @In(value = Quantity.LEVEL, from = 0, to = 200) double soundPowerLevel,
+        @In(value = Quantity.LEVEL, from = 0, to = 100) double glideReduction,
+        String sound,
+        Directivity directivity,
+        Optional<Swarm> swarm,
+        ThreatLabel label) {
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public DroneSettings {
+        Limits.check(
+                DroneSettings.class,
+                model,
+                flight,
+                speed,
+                acceleration,
+                radar,
+                heat,
+                radio,
+                soundLevel,
+                soundPowerLevel,
+                glideReduction,
+                sound,
+                directivity,
+                swarm,
+                label);
+        try {
+            DroneSounds.get(sound);
+        } catch (InputException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+
+    /** A small quadrotor: 5 m/s, 2.5 m/s2, 0.01 m2, 55 dB in the level model, 85 dB of sound power. */
+    @Defaults({"model", "flight"})
+    public static DroneSettings of(ModelSettings model, FlightPathSettings flight) {
+        return new DroneSettings(
+                model,
+                flight,
+                5.0,
+                2.5,
+                RadarSignature.DEFAULT,
+                HeatSignature.DEFAULT,
+                RadioLink.DEFAULT,
+                55.0,
+                85.0,
+                30.0,
+                DroneSounds.SMALL_QUADROTOR,
+                Directivity.OMNIDIRECTIONAL,
+                Optional.empty(),
+                ThreatLabel.DEFAULT);
+    }
+
+    /** These settings with another mesh. */
+    public DroneSettings withModel(ModelSettings other) {
+        return with("model", other);
+    }
+
+    /** These settings with another way to fly. */
+    public DroneSettings withFlight(FlightPathSettings other) {
+        return with("flight", other);
+    }
+
+    /** These settings with another cruise speed, m/s. */
+    public DroneSettings withSpeed(double metresPerSecond) {
+        return with("speed", metresPerSecond);
+    }
+
+    /** These settings with another radar cross-section, m2. */
+    public DroneSettings withRadarCrossSection(double area) {
+        return withRadar(radar.withCrossSection(area));
+    }
+
+    /** These settings with something else for a radar to see. */
+    public DroneSettings withRadar(RadarSignature other) {
+        return with("radar", other);
+    }
+
+    /** These settings with something else for a thermal camera to see. */
+    public DroneSettings withHeat(HeatSignature other) {
+        return with("heat", other);
+    }
+
+    /** These settings controlled in another way. */
+    public DroneSettings withRadio(RadioLink other) {
+        return with("radio", other);
+    }
+
+    /** These settings with another level for the level model, dB. */
+    public DroneSettings withSoundLevel(double level) {
+        return with("soundLevel", level);
+    }
+
+    /** These settings with the sound of another kind of drone, spectrum and loudness. */
+    public DroneSettings withSound(DroneSound other) {
+        return with(Map.of("soundPowerLevel", other.level(), "sound", other.name()));
+    }
+
+    /** These settings with sound that leaves in other directions. */
+    public DroneSettings withDirectivity(Directivity other) {
+        return with("directivity", other);
+    }
+
+    /** These settings as a swarm. */
+    public DroneSettings withSwarm(Swarm other) {
+        return with("swarm", Optional.of(Check.present("swarm", other)));
+    }
+
+    /** These settings with another label. */
+    public DroneSettings withLabel(ThreatLabel other) {
+        return with("label", other);
+    }
+
+    private DroneSettings with(String part, Object value) {
+        return with(Collections.singletonMap(part, value));
+    }
+
+    private DroneSettings with(Map<String, Object> parts) {
+        return (DroneSettings) SettingsForm.of(DroneSettings.class).with(this, parts);
+    }
+
+    /** What flies: this drone, or each drone of its swarm by itself, the leader first. */
+    public List<DroneSettings> fliers() {
+        if (swarm.isEmpty()) {
+            return List.of(this);
+        }
+        DroneSettings alone = with("swarm", Optional.empty());
+        return swarm.get().offsets().stream()
+                .map(offset -> alone.withFlight(new Displaced(flight, offset)))
+                .toList();
+    }
+
+    /** Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's own loudness. */
+    public List<Double> soundPower() {
+        return soundPower(soundPowerLevel);
+    }
+
+    /** The spectrum at another loudness, dB re 1e-12 W by octave band. */
+    List<Double> soundPower(double level) {
+        return DroneSounds.get(sound).octaves(level);
+    }
+
+    /** These settings quieter or louder with the motors off, dB below the sound of the motors. */
+    public DroneSettings withGlideReduction(double decibels) {
+        return with("glideReduction", decibels);
+    }
+
+    /**
+     * The path that this drone flies, or the leader of its swarm.
+     *
+     * @param ground what lies below, as {@link World#newGround()} gives it
+     * @throws IllegalArgumentException when the flight follows the ground and there is none
+     */
+    public FlightPath createFlight(Ground ground) {
+        return flight.create(speed, acceleration, ground);
+    }
+
+    /**
+     * A drone of these settings at the start of its path, which must not be one that follows the ground.
+     *
+     * @param id its name
+     * @param tree tree over its loaded mesh
+     * @throws IllegalArgumentException when the flight follows the ground
+     */
+    public Drone create(String id, KDTree tree) {
+        return new Drone(id, this, tree).at(createFlight(Ground.NONE).at(0.0));
+    }
+
+    /**
+     * A drone of these settings at the start of its path, which must not be one that follows the ground; loads the mesh
+     * and builds its tree.
+     *
+     * @param id its name
+     * @param directory where a relative model path starts
+     * @throws IllegalArgumentException when the flight follows the ground
+     * @throws org.dronewatch.setting.InputException when the model cannot be loaded
+     */
+    public Drone create(String id, Path directory) {
+        return create(id, KDTree.of(new ObjLoader(directory).load(model).mesh()));
+    }
+}

@@ -1,0 +1,40 @@
+package org.dronewatch.drone;
+
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * What a thermal camera sees of a drone.
+ *
+ * @param excess how much warmer it looks than what is behind it while its motors run, on average over its silhouette; colder
+ *     if negative, -100 to 1000 K
+ * @param coolingTime with its motors off the excess falls to 37 % in that time, above 0 and at most 10,000 s
+ */
+public record HeatSignature(
+        @In(value = Quantity.TEMPERATURE_DIFFERENCE, from = -100, to = 1000) double excess,
+        @In(value = Quantity.DURATION, above = 0, to = 10_000) double coolingTime) {
+    /** 5 K, two minutes: assumed. */
+    @Defaults
+    public static final HeatSignature DEFAULT = new HeatSignature(5.0, 120.0);
+
+    /** Checks the limits. */
+    public HeatSignature {
+        Limits.check(HeatSignature.class, excess, coolingTime);
+    }
+
+    /** This signature, warmer or colder, K. */
+    public HeatSignature withExcess(double kelvins) {
+        return new HeatSignature(kelvins, coolingTime);
+    }
+
+    /**
+     * The excess after a time without motors, by Newton's law of cooling, K.
+     *
+     * @param seconds since the motors were stopped; 0 while they run
+     */
+    public double after(double seconds) {
+        return excess * Math.exp(-seconds / coolingTime);
+    }
+}

@@ -1,0 +1,80 @@
+package org.dronewatch.drone;
+
+import java.util.List;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * What a radar sees of a drone.
+ *
+ * @param crossSection mean radar cross-section, 1e-9 to 1e6 m2
+ * @param fluctuation how the cross-section changes from look to look
+ * @param aspects how much more than the mean it shows to each side, dB: values at equal steps all round, clockwise from the
+ *     nose as seen from above; 1 to 360 of them, one for a drone that is alike from all sides
+ */
+public record RadarSignature(
+        @In(value = Quantity.AREA, from = 1e-9, to = 1e6) double crossSection,
+        Fluctuation fluctuation,
+        @In(value = Quantity.LEVEL, from = -100, to = 100) List<Double> aspects) {
+    /** A small quadrotor: 0.01 m2, steady, alike from all sides. */
+    @Defaults
+    public static final RadarSignature DEFAULT = new RadarSignature(0.01, Fluctuation.STEADY, List.of(0.0));
+
+    private static final int MAX_ASPECTS = 360;
+
+    /** How a cross-section changes: Swerling's cases, from look to look. */
+    public enum Fluctuation {
+        /** Not at all: Swerling's case 0. */
+        STEADY,
+        /** As of many scatterers alike: exponentially distributed, case 1. */
+        SWERLING_1,
+        /** As of one large scatterer with many small ones: chi-square with four degrees of freedom, case 3. */
+        SWERLING_3
+    }
+
+    /**
+     * Checks the limits and keeps its own list.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public RadarSignature {
+        Limits.check(RadarSignature.class, crossSection, fluctuation, aspects);
+        aspects = List.copyOf(aspects);
+        if (aspects.isEmpty() || aspects.size() > MAX_ASPECTS) {
+            throw new IllegalArgumentException(
+                    "aspects has " + aspects.size() + " values, must have 1 to " + MAX_ASPECTS);
+        }
+    }
+
+    /** This signature with another mean cross-section, m2. */
+    public RadarSignature withCrossSection(double area) {
+        return new RadarSignature(area, fluctuation, aspects);
+    }
+
+    /** This signature with another fluctuation. */
+    public RadarSignature withFluctuation(Fluctuation other) {
+        return new RadarSignature(crossSection, other, aspects);
+    }
+
+    /** This signature with other gains by aspect, dB. */
+    public RadarSignature withAspects(List<Double> gains) {
+        return new RadarSignature(crossSection, fluctuation, gains);
+    }
+
+    /**
+     * The cross-section that the drone shows to one side, m2: between two aspects, straight in decibels.
+     *
+     * @param aspect where the radar is, clockwise from the drone's nose as seen from above, rad
+     */
+    public double towards(double aspect) {
+        double turns = aspect / (2.0 * Math.PI);
+        double place = (turns - Math.floor(turns)) * aspects.size();
+        int before = (int) place % aspects.size();
+        int after = (before + 1) % aspects.size();
+        double share = place - Math.floor(place);
+        double gain = (1.0 - share) * aspects.get(before) + share * aspects.get(after);
+        return crossSection * Math.pow(10.0, 0.1 * gain);
+    }
+}

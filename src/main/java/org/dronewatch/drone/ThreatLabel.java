@@ -1,0 +1,63 @@
+package org.dronewatch.drone;
+
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Limits;
+
+/**
+ * What a drone is to the site, for those who read the results. No sensor knows it: nothing is detected better or worse by
+ * it.
+ *
+ * @param role what it is there for
+ * @param purpose what its owner wants
+ * @param platform how it is built
+ */
+public record ThreatLabel(Role role, Purpose purpose, Platform platform) {
+    /** An attack of which nothing else is known. */
+    @Defaults
+    public static final ThreatLabel DEFAULT = new ThreatLabel(Role.ATTACK, Purpose.UNKNOWN, Platform.UNKNOWN);
+
+    /** What a drone is there for. */
+    public enum Role {
+        /** It is what the site must detect. */
+        ATTACK,
+        /** It draws attention away from others. */
+        DECOY,
+        /** It means no harm, and passes by. */
+        BYSTANDER
+    }
+
+    /** What the owner of a drone wants. */
+    public enum Purpose {
+        /** Not known. */
+        UNKNOWN,
+        /** To look and listen. */
+        SURVEILLANCE,
+        /** To bring or fetch things. */
+        SMUGGLING,
+        /** To stop what goes on there, as air traffic. */
+        DISRUPTION,
+        /** To destroy. */
+        STRIKE
+    }
+
+    /** How a drone is built. */
+    public enum Platform {
+        /** Not known. */
+        UNKNOWN,
+        /** With several rotors. */
+        MULTIROTOR,
+        /** With a wing and a motor. */
+        FIXED_WING,
+        /** With a wing, and without a motor that runs. */
+        GLIDER,
+        /** A small fast multirotor that is flown by its own camera's picture. */
+        FPV,
+        /** With one main rotor. */
+        HELICOPTER
+    }
+
+    /** Checks that nothing is missing. */
+    public ThreatLabel {
+        Limits.check(ThreatLabel.class, role, purpose, platform);
+    }
+}

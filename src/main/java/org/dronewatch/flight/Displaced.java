@@ -1,0 +1,47 @@
+package org.dronewatch.flight;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.world.Ground;
+
+/**
+ * Flies as a leader does, displaced by the same way all the time: so the drones of a {@link Swarm} fly. It is no record, as
+ * no scene file may name it: there a swarm says so.
+ */
+public final class Displaced implements FlightPathSettings {
+    private final FlightPathSettings leader;
+    private final Position offset;
+
+    /**
+     * A flight beside another.
+     *
+     * @param leader what the leader flies
+     * @param offset to the right of the leader, ahead of it and above it, by its heading at time 0, m
+     */
+    public Displaced(FlightPathSettings leader, Position offset) {
+        this.leader = leader;
+        this.offset = offset;
+    }
+
+    /** What the leader flies. */
+    public FlightPathSettings leader() {
+        return leader;
+    }
+
+    /** The path beside a leader's path: what {@link #create} gives, for those who have that path already. */
+    public FlightPath beside(FlightPath leading) {
+        double heading = leading.at(0.0).heading();
+        double east = Math.sin(heading);
+        double north = Math.cos(heading);
+        Position way = new Position(
+                offset.x() * north + offset.y() * east, offset.y() * north - offset.x() * east, offset.z());
+        return time -> {
+            FlightState state = leading.at(time);
+            return new FlightState(state.position().plus(way), state.velocity(), state.heading(), state.gliding());
+        };
+    }
+
+    @Override
+    public FlightPath create(double speed, double acceleration, Ground ground) {
+        return beside(leader.create(speed, acceleration, ground));
+    }
+}

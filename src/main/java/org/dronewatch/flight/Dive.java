@@ -1,0 +1,65 @@
+package org.dronewatch.flight;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Ground;
+
+/**
+ * Comes level and straight towards a place, dives into it, and stays there; all at cruise speed from the first moment on.
+ *
+ * @param target the place, m
+ * @param bearing from where it comes, as seen from the target: clockwise from north, rad
+ * @param distance level way from the target at time 0: more than that at which the dive begins, at most 100 km, m
+ * @param height of the level flight over the target, above 0 and at most 100 km, m
+ * @param angle of the dive below the horizon, 10 to 90 degrees, rad
+ */
+public record Dive(
+        Position target,
+        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing,
+        @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double distance,
+        @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double height,
+        @In(value = Quantity.ANGLE, from = Math.PI / 18, to = Math.PI / 2) double angle)
+        implements FlightPathSettings {
+    /** Checks the limits, and that the dive begins after the start. */
+    public Dive {
+        Limits.check(Dive.class, target, bearing, distance, height, angle);
+        double diving = diving(height, angle);
+        if (distance <= diving) {
+            throw new IllegalArgumentException("distance " + (float) distance + " m must be above " + (float) diving
+                    + " m, at which the dive from height " + (float) height + " m begins");
+        }
+    }
+
+    /** Comes from the north and dives by 60 degrees. */
+    @Defaults({"target", "distance", "height"})
+    public static Dive from(Position target, double distance, double height) {
+        return new Dive(target, 0.0, distance, height, Math.PI / 3);
+    }
+
+    /** Level way from the target at which the dive begins, at most 100 km, m. */
+    private static double diving(double height, double angle) {
+        return height / Math.tan(angle);
+    }
+
+    private Position over(double way) {
+        return target.plus(new Position(way * Math.sin(bearing), way * Math.cos(bearing), height));
+    }
+
+    @Override
+    public FlightPath create(double speed, double acceleration, Ground ground) {
+        Position top = over(diving(height, angle));
+        Position start = over(distance);
+        FlightPath cruise = new Approach(start, top).create(speed, acceleration, ground);
+        FlightPath dive = new Approach(top, target).create(speed, acceleration, ground);
+        double cruising = start.distance(top) / speed;
+        // A dive straight down leads nowhere on the compass: the nose stays where it was.
+        double heading = cruise.at(0.0).heading();
+        return time -> {
+            FlightState state = time < cruising ? cruise.at(time) : dive.at(time - cruising);
+            return new FlightState(state.position(), state.velocity(), heading);
+        };
+    }
+}

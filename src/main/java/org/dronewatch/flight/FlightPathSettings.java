@@ -1,0 +1,247 @@
+package org.dronewatch.flight;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Ground;
+
+/** The way a drone flies; how fast is the drone's own setting. */
+public sealed interface FlightPathSettings
+        permits FlightPathSettings.Hover,
+                FlightPathSettings.Approach,
+                FlightPathSettings.Inbound,
+                FlightPathSettings.Waypoints,
+                FlightPathSettings.Glide,
+                FlightPathSettings.Orbit,
+                TerrainFollowing,
+                LowApproach,
+                Dive,
+                PopUp,
+                Displaced {
+    /** The shortest leg of a flight, m. */
+    double SHORTEST = 0.001;
+
+    /** The most waypoints of a flight. */
+    int MOST_WAYPOINTS = 10_000;
+
+    /**
+     * The path for a drone.
+     *
+     * @param speed cruise speed, m/s, above 0
+     * @param acceleration largest acceleration along the path, m/s2, above 0
+     * @param ground what lies below; asked only before this returns
+     * @throws IllegalArgumentException when the path follows the ground and there is none
+     */
+    FlightPath create(double speed, double acceleration, Ground ground);
+
+    /** The compass heading of a displacement, rad clockwise from north; of a vertical one, north. */
+    private static double headingOf(Position way) {
+        return Math.atan2(way.x(), way.y());
+    }
+
+    /**
+     * Stays in one place.
+     *
+     * @param position where, m
+     * @param heading where the nose points, clockwise from north, rad
+     */
+    record Hover(Position position, @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading)
+            implements FlightPathSettings {
+        /** Checks the limits. */
+        public Hover {
+            Limits.check(Hover.class, position, heading);
+        }
+
+        /** Hovers with the nose to the north. */
+        @Defaults("position")
+        public static Hover at(Position position) {
+            return new Hover(position, 0.0);
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration, Ground ground) {
+            FlightState state = new FlightState(position, new Position(0, 0, 0), heading);
+            return time -> state;
+        }
+    }
+
+    /**
+     * Flies straight from one place to another at cruise speed from the first moment on, and stays there.
+     *
+     * @param from where it is at time 0, m
+     * @param to where it ends, m
+     */
+    record Approach(Position from, Position to) implements FlightPathSettings {
+        /** Checks that there is a way to go. */
+        public Approach {
+            Limits.check(Approach.class, from, to);
+            Check.atLeast("distance from 'from' to 'to'", from.distance(to), SHORTEST, Quantity.LENGTH);
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration, Ground ground) {
+            Position way = to.minus(from);
+            double length = way.length();
+            Position direction = way.times(1.0 / length);
+            double heading = headingOf(way);
+            return time -> {
+                double flown = speed * time;
+                return flown < length
+                        ? new FlightState(from.plus(direction.times(flown)), direction.times(speed), heading)
+                        : new FlightState(to, new Position(0, 0, 0), heading);
+            };
+        }
+    }
+
+    /**
+     * Comes level and straight towards a place at cruise speed from the first moment on, and stops before it.
+     *
+     * @param target the place, m
+     * @param bearing from where it comes, as seen from the target: clockwise from north, rad
+     * @param height of the flight over the target, below it if negative, -100 to 100 km, m
+     * @param distance from the target at time 0, on the level, above 0 and at most 100 km, m
+     * @param nearest level way from the target at which it stops, 0 or more, less than the distance, m
+     */
+    record Inbound(
+            Position target,
+            @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing,
+            @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double height,
+            @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double distance,
+            @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) double nearest)
+            implements FlightPathSettings {
+        /** Checks the limits. */
+        public Inbound {
+            Limits.check(Inbound.class, target, bearing, height, distance, nearest);
+            if (distance - nearest < SHORTEST) {
+                throw new IllegalArgumentException("nearest " + nearest + " m must be less than distance " + distance
+                        + " m by " + SHORTEST + " m or more");
+            }
+        }
+
+        /** Comes from the north over the target. */
+        @Defaults({"target", "distance"})
+        public static Inbound from(Position target, double distance) {
+            return new Inbound(target, 0.0, 0.0, distance, 0.0);
+        }
+
+        private Position at(double way) {
+            return target.plus(new Position(way * Math.sin(bearing), way * Math.cos(bearing), height));
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration, Ground ground) {
+            return new Approach(at(distance), at(nearest)).create(speed, acceleration, ground);
+        }
+    }
+
+    /**
+     * Flies from waypoint to waypoint, starting and ending at rest, never faster than the cruise speed, and stopping at
+     * each waypoint where the way bends; there it stays at the last one.
+     *
+     * @param points 2 to 10,000, neighbours 1 mm or more apart, m
+     */
+    record Waypoints(List<Position> points) implements FlightPathSettings {
+        /** Checks the limits and keeps its own list. */
+        public Waypoints {
+            points = List.copyOf(Check.present("points", points));
+            if (points.size() < 2 || points.size() > MOST_WAYPOINTS) {
+                throw new IllegalArgumentException(
+                        "points has " + points.size() + " waypoints, needs 2 to " + MOST_WAYPOINTS);
+            }
+            for (int i = 1; i < points.size(); i++) {
+                Check.atLeast(
+                        "distance to waypoint " + i,
+                        points.get(i).distance(points.get(i - 1)),
+                        SHORTEST,
+                        Quantity.LENGTH);
+            }
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration, Ground ground) {
+            return new WaypointPath(points, speed, acceleration);
+        }
+    }
+
+    /**
+     * Climbs under power, then stops its motors and glides: quiet, and for a camera that looks at the horizon too high. It
+     * stays where the glide ends.
+     *
+     * @param from where it is at time 0, m
+     * @param release where it stops its motors, m
+     * @param to where the glide ends, below the release, at most 30 times as far away as below, m
+     */
+    record Glide(Position from, Position release, Position to) implements FlightPathSettings {
+        /** What the best gliders of a drone's size reach, and more. */
+        private static final double FLATTEST = 30.0;
+
+        /** Checks the limits. */
+        public Glide {
+            Limits.check(Glide.class, from, release, to);
+            Check.atLeast("distance from 'from' to 'release'", from.distance(release), SHORTEST, Quantity.LENGTH);
+            double drop =
+                    Check.atLeast("height of 'release' over 'to'", release.z() - to.z(), SHORTEST, Quantity.LENGTH);
+            double ratio = Math.hypot(to.x() - release.x(), to.y() - release.y()) / drop;
+            if (ratio > FLATTEST) {
+                throw new IllegalArgumentException(
+                        "glide ratio " + (float) ratio + " from 'release' to 'to' must be at most " + FLATTEST);
+            }
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration, Ground ground) {
+            FlightPath climb = new Approach(from, release).create(speed, acceleration, ground);
+            FlightPath glide = new Approach(release, to).create(speed, acceleration, ground);
+            double climbing = from.distance(release) / speed;
+            return time -> {
+                FlightState state = time < climbing ? climb.at(time) : glide.at(time - climbing);
+                return time < climbing
+                        ? state
+                        : new FlightState(
+                                state.position(),
+                                state.velocity(),
+                                state.heading(),
+                                OptionalDouble.of(time - climbing));
+            };
+        }
+    }
+
+    /**
+     * Flies round a place, level, clockwise as seen from above.
+     *
+     * @param centre the middle of the circle, m
+     * @param radius 0.1 m to 100 km, m
+     * @param bearing where it is at time 0 as seen from the middle, clockwise from north, rad
+     */
+    record Orbit(
+            Position centre,
+            @In(value = Quantity.LENGTH, from = 0.1, to = In.FARTHEST) double radius,
+            @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing)
+            implements FlightPathSettings {
+        /** Checks the limits. */
+        public Orbit {
+            Limits.check(Orbit.class, centre, radius, bearing);
+        }
+
+        /** Begins in the north. */
+        @Defaults({"centre", "radius"})
+        public static Orbit about(Position centre, double radius) {
+            return new Orbit(centre, radius, 0.0);
+        }
+
+        @Override
+        public FlightPath create(double speed, double acceleration, Ground ground) {
+            return time -> {
+                double now = bearing + speed / radius * time;
+                Position place = centre.plus(new Position(radius * Math.sin(now), radius * Math.cos(now), 0.0));
+                Position velocity = new Position(speed * Math.cos(now), -speed * Math.sin(now), 0.0);
+                return new FlightState(place, velocity, now + 0.5 * Math.PI);
+            };
+        }
+    }
+}

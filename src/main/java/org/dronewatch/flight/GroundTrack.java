@@ -1,0 +1,66 @@
+package org.dronewatch.flight;
+
+import java.util.List;
+import org.dronewatch.world.GroundPoint;
+
+/** A way on the plan, cut into short pieces; all its corners are among the cuts. */
+final class GroundTrack {
+    /** Longest piece, m. */
+    static final double STEP = 0.5;
+    /** Longest way, m: a hundred thousand pieces. */
+    static final double LONGEST = 100_000 * STEP;
+
+    private final double[] x;
+    private final double[] y;
+    private final double[] along;
+
+    GroundTrack(List<GroundPoint> points) {
+        int pieces = 0;
+        for (int i = 1; i < points.size(); i++) {
+            pieces += pieces(points.get(i - 1), points.get(i));
+        }
+        x = new double[pieces + 1];
+        y = new double[pieces + 1];
+        along = new double[pieces + 1];
+        x[0] = points.get(0).x();
+        y[0] = points.get(0).y();
+        int last = 0;
+        for (int i = 1; i < points.size(); i++) {
+            last = append(points.get(i - 1), points.get(i), last);
+        }
+    }
+
+    private static int pieces(GroundPoint from, GroundPoint to) {
+        return (int) Math.ceil(from.distance(to) / STEP);
+    }
+
+    private int append(GroundPoint from, GroundPoint to, int last) {
+        int pieces = pieces(from, to);
+        double length = from.distance(to);
+        for (int i = 1; i <= pieces; i++) {
+            double share = i / (double) pieces;
+            x[last + i] = from.x() + share * (to.x() - from.x());
+            y[last + i] = from.y() + share * (to.y() - from.y());
+            along[last + i] = along[last] + share * length;
+        }
+        return last + pieces;
+    }
+
+    /** How many cuts, both ends among them. */
+    int size() {
+        return x.length;
+    }
+
+    double x(int cut) {
+        return x[cut];
+    }
+
+    double y(int cut) {
+        return y[cut];
+    }
+
+    /** The way on the plan from the start to a cut, m. */
+    double along(int cut) {
+        return along[cut];
+    }
+}

@@ -1,0 +1,51 @@
+package org.dronewatch.flight;
+
+import java.util.List;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Ground;
+import org.dronewatch.world.GroundPoint;
+
+/**
+ * Comes straight towards a place low over the ground, behind what cover there is, and stops before it. It climbs and sinks
+ * by at most 45 degrees, and keeps its height as {@link TerrainFollowing} does.
+ *
+ * @param target the place on the plan, as a pair of east and north, m
+ * @param bearing from where it comes, as seen from the target: clockwise from north, rad
+ * @param distance level way from the target at time 0, above 0 and at most 50 km, m
+ * @param height over the highest surface below, above 0 and at most 10 km, m
+ * @param nearest level way from the target at which it stops, 0 or more, less than the distance, m
+ */
+public record LowApproach(
+        GroundPoint target,
+        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing,
+        @In(value = Quantity.LENGTH, above = 0, to = GroundTrack.LONGEST) double distance,
+        @In(value = Quantity.LENGTH, above = 0, to = 10_000) double height,
+        @In(value = Quantity.LENGTH, from = 0, to = GroundTrack.LONGEST) double nearest)
+        implements FlightPathSettings {
+    /** Checks the limits. */
+    public LowApproach {
+        Limits.check(LowApproach.class, target, bearing, distance, height, nearest);
+        if (distance - nearest < SHORTEST) {
+            throw new IllegalArgumentException("nearest " + nearest + " m must be less than distance " + distance
+                    + " m by " + SHORTEST + " m or more");
+        }
+    }
+
+    /** Comes from the north to over the target. */
+    @Defaults({"target", "distance", "height"})
+    public static LowApproach from(GroundPoint target, double distance, double height) {
+        return new LowApproach(target, 0.0, distance, height, 0.0);
+    }
+
+    private GroundPoint at(double way) {
+        return new GroundPoint(target.x() + way * Math.sin(bearing), target.y() + way * Math.cos(bearing));
+    }
+
+    @Override
+    public FlightPath create(double speed, double acceleration, Ground ground) {
+        return TerrainFollowing.over(List.of(at(distance), at(nearest)), height).create(speed, acceleration, ground);
+    }
+}

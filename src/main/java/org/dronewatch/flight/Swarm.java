@@ -1,0 +1,92 @@
+package org.dronewatch.flight;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * Several drones of one kind that fly in formation: each flies the leader's path, displaced by the same way all the time. The
+ * formation is set up by the leader's heading at time 0 and does not turn with it. A drone that follows the ground leads the
+ * others over the ground below itself, not below them.
+ *
+ * @param count how many drones, with the leader, 1 to 1000
+ * @param spacing between neighbours, above 0 and at most 10 km, m
+ * @param formation how they fly beside, behind or above each other
+ */
+public record Swarm(
+        @In(value = Quantity.NUMBER, from = 1, to = 1000) int count,
+        @In(value = Quantity.LENGTH, above = 0, to = 10_000) double spacing,
+        Formation formation) {
+
+    /** How the drones of a swarm fly beside, behind or above each other. */
+    public enum Formation {
+        /** Side by side, the leader in the middle. */
+        LINE {
+            @Override
+            Position place(int number, int count) {
+                return new Position(sideways(number), 0, 0);
+            }
+        },
+        /** One behind the other. */
+        COLUMN {
+            @Override
+            Position place(int number, int count) {
+                return new Position(0, -number, 0);
+            }
+        },
+        /** As geese fly: two lines that fall back behind the leader, at a right angle to each other. */
+        WEDGE {
+            @Override
+            Position place(int number, int count) {
+                int side = sideways(number);
+                return new Position(side, -Math.abs(side), 0).times(Math.sqrt(0.5));
+            }
+        },
+        /** In rows and columns, as square as may be, the leader in the middle of the first row. */
+        GRID {
+            @Override
+            Position place(int number, int count) {
+                int columns = (int) Math.ceil(Math.sqrt(count));
+                return new Position(sideways(number % columns), -(number / columns), 0);
+            }
+        },
+        /** One above the other, the leader lowest. */
+        STACK {
+            @Override
+            Position place(int number, int count) {
+                return new Position(0, 0, number);
+            }
+        };
+
+        /** Where a drone flies: to the right of the leader, ahead of it and above it, in spacings. */
+        abstract Position place(int number, int count);
+
+        /** Every other drone to the right, the others to the left. */
+        private static int sideways(int number) {
+            int steps = (number + 1) / 2;
+            return number % 2 == 0 ? -steps : steps;
+        }
+    }
+
+    /** Checks the limits. */
+    public Swarm {
+        Limits.check(Swarm.class, count, spacing, formation);
+    }
+
+    /** Side by side with 10 m between neighbours. */
+    @Defaults("count")
+    public static Swarm of(int count) {
+        return new Swarm(count, 10.0, Formation.LINE);
+    }
+
+    /** For each drone, the leader first, how far to the right of the leader, ahead of it and above it, m. */
+    public List<Position> offsets() {
+        return IntStream.range(0, count)
+                .mapToObj(number -> formation.place(number, count).times(spacing))
+                .toList();
+    }
+}

@@ -1,0 +1,62 @@
+package org.dronewatch.flight;
+
+import java.util.List;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Ground;
+import org.dronewatch.world.GroundPoint;
+
+/**
+ * Flies from place to place low over the highest surface below, ground, roof or tree, at cruise speed along its path from
+ * the first moment on, and stays at the end. It never climbs or sinks steeper than it may: before a wall it climbs early,
+ * behind it sinks late. It knows the heights every half metre of its way: what is thinner than that may be missed, and over
+ * a ridge between its height may lack a few millimetres. Where the world has nothing below, the nearest known height on the
+ * way counts.
+ *
+ * @param points the way on the plan, as pairs of east and north: at least two, neighbours 1 mm or
+ *     more apart, at most 50 km long in all, m
+ * @param height over the highest surface, above 0 and at most 10 km, m
+ * @param steepest largest angle of climbing and sinking, 5 to 85 degrees, rad
+ */
+public record TerrainFollowing(
+        List<GroundPoint> points,
+        @In(value = Quantity.LENGTH, above = 0, to = 10_000) double height,
+        @In(value = Quantity.ANGLE, from = Math.PI / 36, to = 17 * Math.PI / 36) double steepest)
+        implements FlightPathSettings {
+    /** The angle that is taken when none is given, rad. */
+    static final double USUAL_STEEPEST = Math.PI / 4;
+
+    /** Checks the limits and keeps its own list. */
+    public TerrainFollowing {
+        Limits.check(TerrainFollowing.class, points, height, steepest);
+        points = List.copyOf(points);
+        if (points.size() < 2) {
+            throw new IllegalArgumentException("points has " + points.size() + " places, needs 2 or more");
+        }
+        double length = 0.0;
+        for (int i = 1; i < points.size(); i++) {
+            double leg = points.get(i).distance(points.get(i - 1));
+            length += Check.between("points: way to place " + i, leg, 0.001, GroundTrack.LONGEST, Quantity.LENGTH);
+        }
+        if (length > GroundTrack.LONGEST) {
+            throw new IllegalArgumentException(
+                    "points: way of " + (float) length + " m must be at most " + GroundTrack.LONGEST + " m long");
+        }
+    }
+
+    /** Climbs and sinks by at most 45 degrees. */
+    @Defaults({"points", "height"})
+    public static TerrainFollowing over(List<GroundPoint> points, double height) {
+        return new TerrainFollowing(points, height, USUAL_STEEPEST);
+    }
+
+    @Override
+    public FlightPath create(double speed, double acceleration, Ground ground) {
+        GroundTrack track = new GroundTrack(points);
+        double[] profile = TerrainProfile.over(track, ground, Math.tan(steepest));
+        return new TerrainPath(track, profile, height, speed);
+    }
+}

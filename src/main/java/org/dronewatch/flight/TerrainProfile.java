@@ -1,0 +1,80 @@
+package org.dronewatch.flight;
+
+import java.util.OptionalDouble;
+import org.dronewatch.world.Ground;
+
+/** What lies below a ground track, as high as something must be that may not be steep: heights at the track's cuts. */
+final class TerrainProfile {
+    private TerrainProfile() {}
+
+    /**
+     * The lowest profile over the ground that is nowhere steeper than allowed.
+     *
+     * @param slope metres up or down for each metre along the track
+     * @return its height at each cut of the track, m
+     * @throws IllegalArgumentException when there is nothing below the whole track
+     */
+    static double[] over(GroundTrack track, Ground ground, double slope) {
+        double[] heights = covering(track, known(track, ground), slope);
+        for (int i = 1; i < heights.length; i++) {
+            double fall = slope * (track.along(i) - track.along(i - 1));
+            heights[i] = Math.max(heights[i], heights[i - 1] - fall);
+        }
+        for (int i = heights.length - 1; i > 0; i--) {
+            double fall = slope * (track.along(i) - track.along(i - 1));
+            heights[i - 1] = Math.max(heights[i - 1], heights[i] - fall);
+        }
+        return heights;
+    }
+
+    /** The ground at each cut; where there is none, that of the nearest cut that has some. */
+    private static double[] known(GroundTrack track, Ground ground) {
+        double[] heights = new double[track.size()];
+        // The last cut before here that has ground, and the first that has none since.
+        int before = -1;
+        for (int i = 0; i < heights.length; i++) {
+            OptionalDouble height = ground.height(track.x(i), track.y(i));
+            if (height.isPresent()) {
+                heights[i] = height.getAsDouble();
+                fill(heights, track, before, i);
+                before = i;
+            }
+        }
+        if (before < 0) {
+            throw new IllegalArgumentException("there is no ground anywhere below the way of "
+                    + (float) track.along(heights.length - 1) + " m, needs some to follow");
+        }
+        fill(heights, track, before, heights.length);
+        return heights;
+    }
+
+    /** Fills the gap between two cuts with ground; -1 and the track's size stand for none. */
+    private static void fill(double[] heights, GroundTrack track, int before, int after) {
+        for (int i = before + 1; i < after; i++) {
+            boolean earlier = after == heights.length
+                    || before >= 0 && track.along(i) - track.along(before) <= track.along(after) - track.along(i);
+            heights[i] = heights[earlier ? before : after];
+        }
+    }
+
+    /**
+     * Heights at the cuts whose straight connections are over the ground between them too. There it may have a ridge: at
+     * most as high as its sides, drawn on, meet, if these are land. Walls are not drawn on: steeper sides count as if they
+     * were as steep as allowed.
+     */
+    private static double[] covering(GroundTrack track, double[] ground, double slope) {
+        double[] heights = ground.clone();
+        for (int i = 1; i < ground.length; i++) {
+            double highest = Math.max(ground[i - 1], ground[i]);
+            if (i > 1 && i < ground.length - 1) {
+                double most = slope * (track.along(i) - track.along(i - 1));
+                double left = Math.min(ground[i - 1] - ground[i - 2], most);
+                double right = Math.min(ground[i] - ground[i + 1], most);
+                highest = Math.max(highest, Math.min(ground[i - 1] + left, ground[i] + right));
+            }
+            heights[i - 1] = Math.max(heights[i - 1], highest);
+            heights[i] = Math.max(heights[i], highest);
+        }
+        return heights;
+    }
+}

@@ -1,0 +1,2 @@
+/** Flight paths: waypoints, approaches over the ground, dives, swarms. */
+package org.dronewatch.flight;

@@ -1,0 +1,40 @@
+package org.dronewatch.geo;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.List;
+
+/**
+ * A place on a map (WGS 84).
+ *
+ * @param longitude east of Greenwich, degrees
+ * @param latitude north of the equator, degrees
+ * @param height above the sea, or above the level of the scene's origin where its height is not known, m
+ */
+public record GeoPoint(double longitude, double latitude, double height) {
+    /** A millimetre on the ground. */
+    private static final int DECIMALS_OF_DEGREES = 8;
+
+    private static final int DECIMALS_OF_METRES = 3;
+
+    /** Longitude and latitude in degrees, as files show them: this order is that of GeoJSON and of KML. */
+    public List<BigDecimal> onPlan() {
+        return List.of(rounded(longitude, DECIMALS_OF_DEGREES), rounded(latitude, DECIMALS_OF_DEGREES));
+    }
+
+    /** Longitude and latitude in degrees and the height in metres, as files show them. */
+    public List<BigDecimal> inSpace() {
+        return List.of(
+                rounded(longitude, DECIMALS_OF_DEGREES),
+                rounded(latitude, DECIMALS_OF_DEGREES),
+                rounded(height, DECIMALS_OF_METRES));
+    }
+
+    /** A finite number with so many decimals at most, without trailing zeros. */
+    public static BigDecimal rounded(double value, int decimals) {
+        BigDecimal shortest = BigDecimal.valueOf(value)
+                .setScale(decimals, RoundingMode.HALF_EVEN)
+                .stripTrailingZeros();
+        return shortest.scale() < 0 ? shortest.setScale(0) : shortest;
+    }
+}

@@ -1,0 +1,34 @@
+package org.dronewatch.geo;
+
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * Where on earth the world's origin lies (WGS 84): what ties results to a map.
+ *
+ * @param latitude north of the equator, rad
+ * @param longitude east of Greenwich, rad
+ * @param height above the sea, -500 to 9000 m; 0 where it is not known, and maps are drawn on the ground then
+ */
+public record Origin(
+        @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude,
+        @In(value = Quantity.ANGLE, from = -Math.PI, to = Math.PI) double longitude,
+        @In(value = Quantity.LENGTH, from = -500, to = 9000) double height) {
+    /** Checks the limits. */
+    public Origin {
+        Limits.check(Origin.class, latitude, longitude, height);
+    }
+
+    /** An origin whose height is not known. */
+    @Defaults({"latitude", "longitude"})
+    public static Origin at(double latitude, double longitude) {
+        return new Origin(latitude, longitude, 0.0);
+    }
+
+    /** Whether its height is known. */
+    public boolean hasHeight() {
+        return height != 0.0;
+    }
+}

@@ -1,0 +1,38 @@
+package org.dronewatch.geometry;
+
+import java.util.Arrays;
+
+/** A growing list of integers without boxes. */
+public final class Ints {
+    private int[] values = new int[1024];
+    private int size;
+
+    public void add(int value) {
+        if (size == values.length) {
+            values = Arrays.copyOf(values, size + (size >> 1));
+        }
+        values[size++] = value;
+    }
+
+    public int get(int index) {
+        return values[index];
+    }
+
+    /** Forgets all values. */
+    public void clear() {
+        size = 0;
+    }
+
+    /** The values from one index up to another, which is left out. */
+    public int[] copyOfRange(int from, int to) {
+        return Arrays.copyOfRange(values, from, to);
+    }
+
+    public int size() {
+        return size;
+    }
+
+    public int[] toArray() {
+        return Arrays.copyOf(values, size);
+    }
+}

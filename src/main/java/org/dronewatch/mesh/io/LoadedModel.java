@@ -1,0 +1,65 @@
+package org.dronewatch.mesh.io;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.setting.file.FileHash;
+
+/**
+ * What was read from a model file.
+ *
+ * @param name the file's name
+ * @param mesh its triangles, placed in the world's frame
+ * @param dropped how many triangles without area were left out
+ * @param skipped how many statements without effect there were, by their word
+ * @param colours what its materials look like in daylight, red, green and blue in the lowest 24 bits, by material name;
+ *     those without a colour are left out
+ * @param files the bytes that were read: the model's own file first, then its material libraries
+ * @param warnings what looked odd but did not stop the reading, one line each
+ */
+public record LoadedModel(
+        String name,
+        TriangleMesh mesh,
+        int dropped,
+        Map<String, Integer> skipped,
+        Map<String, Integer> colours,
+        List<FileHash> files,
+        List<String> warnings) {
+
+    /** Keeps its own lists. */
+    public LoadedModel {
+        skipped = Collections.unmodifiableMap(new TreeMap<>(skipped));
+        colours = Map.copyOf(colours);
+        files = List.copyOf(files);
+        warnings = List.copyOf(warnings);
+    }
+
+    /** One line for a person: triangles and extent, and how many statements were skipped because they have no effect. */
+    public String describe() {
+        AABB bounds = mesh.bounds();
+        return String.format(
+                Locale.ROOT,
+                "%s: %,d triangles (%d without area dropped), %.2f x %.2f x %.2f m along x, y, z, %d materials%s",
+                name,
+                mesh.triangleCount(),
+                dropped,
+                bounds.maxX() - bounds.minX(),
+                bounds.maxY() - bounds.minY(),
+                bounds.maxZ() - bounds.minZ(),
+                mesh.materialNames().size(),
+                skipped.isEmpty() ? "" : "; skipped " + listSkipped());
+    }
+
+    private String listSkipped() {
+        int total = skipped.values().stream().mapToInt(Integer::intValue).sum();
+        return skipped.entrySet().stream()
+                        .map(entry -> String.format(Locale.ROOT, "%,d '%s'", entry.getValue(), entry.getKey()))
+                        .collect(Collectors.joining(", "))
+                + (total == 1 ? " statement" : " statements");
+    }
+}

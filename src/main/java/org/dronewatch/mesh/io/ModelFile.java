@@ -1,0 +1,179 @@
+package org.dronewatch.mesh.io;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.net.URL;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.file.FileHash;
+
+/**
+ * A model file on disk or in the jar, and the files beside it. Only regular files of bounded size are read; a byte order mark
+ * at their beginning is left out.
+ */
+final class ModelFile {
+    /** The largest model that is read, in bytes. */
+    static final long MAX_BYTES = 1L << 30;
+
+    /** The largest file beside a model that is read, in bytes. */
+    static final long MAX_BYTES_BESIDE = 1L << 24;
+
+    private static final byte[] BYTE_ORDER_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
+
+    private static final String RESOURCES = "/models/";
+    private static final Pattern DRIVE = Pattern.compile("[A-Za-z]:");
+    private static final String LEADS_ELSEWHERE = "leads out of the model's directory";
+
+    private final String name;
+    private final Path path;
+    private final URL resource;
+
+    private ModelFile(String name, Path path, URL resource) {
+        this.name = name;
+        this.path = path;
+        this.resource = resource;
+    }
+
+    /**
+     * Finds a model.
+     *
+     * @param directory where relative paths start, that of a scene file or empty for the working directory; links do not
+     *     lead out of that of a scene file
+     * @param file a path, or a packaged name
+     * @throws InputException when there is no such file, or it is larger than {@link #MAX_BYTES}
+     */
+    static ModelFile find(Path directory, String file) {
+        if (file.startsWith(ModelSettings.PACKAGED)) {
+            String plain = file.substring(ModelSettings.PACKAGED.length());
+            return resource(plain).orElseThrow(() -> new InputException("no packaged model '" + plain + "'"));
+        }
+        Path path;
+        try {
+            path = directory.resolve(file);
+        } catch (InvalidPathException e) {
+            throw new InputException("model file '" + file + "' is not a path: " + e.getReason(), e);
+        }
+        String problem = wrongWith(path, MAX_BYTES);
+        if (!problem.isEmpty()) {
+            throw new InputException("model file " + PlainText.value(path) + " " + problem);
+        }
+        refuseLinkOut(directory, path);
+        return new ModelFile(path.toString(), path, null);
+    }
+
+    /**
+     * A scene file that somebody else wrote reads nothing elsewhere. Names that start from the working directory are the
+     * user's choice, and so are those that state themselves that they lead elsewhere: scene files may not contain such names.
+     */
+    private static void refuseLinkOut(Path directory, Path path) {
+        if (directory.toString().isEmpty() || !path.normalize().startsWith(directory.normalize())) {
+            return;
+        }
+        try {
+            if (!path.toRealPath().startsWith(directory.toRealPath())) {
+                throw new InputException("model file " + path + " is a link that leads out of " + directory
+                        + ": keep models beside or below the scene file");
+            }
+        } catch (IOException e) {
+            throw new InputException("model file " + path + " cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    /** What is wrong with a file, as the end of a sentence; empty for nothing. */
+    private static String wrongWith(Path path, long maxBytes) {
+        if (!Files.isRegularFile(path)) {
+            return Files.exists(path) ? "is not a regular file" : "does not exist";
+        }
+        try {
+            long size = Files.size(path);
+            return size <= maxBytes ? "" : "has " + size + " bytes, but may have at most " + maxBytes;
+        } catch (IOException e) {
+            return "cannot be read: " + e.getMessage();
+        }
+    }
+
+    private static Optional<ModelFile> resource(String plainName) {
+        boolean plain = plainName.matches("[\\w.-]+") && !plainName.contains("..");
+        URL url = plain ? ModelFile.class.getResource(RESOURCES + plainName) : null;
+        return Optional.ofNullable(url).map(found -> new ModelFile(plainName, null, found));
+    }
+
+    /**
+     * A file in the same directory or below it: a model never reads files elsewhere, links included. Backslashes separate
+     * directories, as on Windows.
+     *
+     * @throws InputException with the end of a sentence when the name leads elsewhere or there is no such file
+     */
+    ModelFile beside(String sibling) {
+        if (path == null) {
+            return resource(sibling).orElseThrow(() -> new InputException("is not beside it"));
+        }
+        try {
+            Path other = inDirectory(sibling.replace('\\', '/'));
+            String problem = wrongWith(other, MAX_BYTES_BESIDE);
+            if (!problem.isEmpty()) {
+                throw new InputException(problem);
+            }
+            return new ModelFile(other.toString(), other, null);
+        } catch (InvalidPathException | IOException e) {
+            throw new InputException("cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    private Path inDirectory(String sibling) throws IOException {
+        Path directory = path.toAbsolutePath().resolveSibling("").normalize();
+        Path other = directory.resolve(sibling).normalize();
+        if (sibling.startsWith("/") || DRIVE.matcher(sibling).lookingAt() || !other.startsWith(directory)) {
+            throw new InputException(LEADS_ELSEWHERE);
+        }
+        if (!Files.exists(other)) {
+            throw new InputException("is not beside it");
+        }
+        if (!other.toRealPath().startsWith(directory.toRealPath())) {
+            throw new InputException(LEADS_ELSEWHERE);
+        }
+        return other;
+    }
+
+    /** What messages call the file. */
+    String name() {
+        return name;
+    }
+
+    /** Which bytes it has. */
+    FileHash hash() {
+        try (InputStream bytes = open()) {
+            return FileHash.of(shortName(), bytes);
+        } catch (IOException e) {
+            throw new InputException("model file " + name + " cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    private String shortName() {
+        return path == null ? name : String.valueOf(path.getFileName());
+    }
+
+    /** Its text without a byte order mark. */
+    Reader text() throws IOException {
+        InputStream bytes = open();
+        bytes.mark(BYTE_ORDER_MARK.length);
+        if (!Arrays.equals(bytes.readNBytes(BYTE_ORDER_MARK.length), BYTE_ORDER_MARK)) {
+            bytes.reset();
+        }
+        return new InputStreamReader(bytes, StandardCharsets.UTF_8);
+    }
+
+    private InputStream open() throws IOException {
+        return new BufferedInputStream(path != null ? Files.newInputStream(path) : resource.openStream());
+    }
+}

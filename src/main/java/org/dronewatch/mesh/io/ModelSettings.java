@@ -1,0 +1,71 @@
+package org.dronewatch.mesh.io;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.FileName;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * Which model file to load and how to place it. The model is first turned upright, then scaled, then turned to its
+ * heading, then moved.
+ *
+ * @param file path of an .obj file, or {@code packaged:NAME} for a model that comes with the library
+ * @param upAxis which axis of the file points up
+ * @param scale metres for each unit of the file, 1e-6 to 1e6
+ * @param position where the model's origin goes, m
+ * @param heading turn about the vertical, clockwise seen from above as on a compass, rad
+ */
+public record ModelSettings(
+        @FileName(unless = ModelSettings.PACKAGED) String file,
+        UpAxis upAxis,
+        @In(value = Quantity.NUMBER, from = 1e-6, to = 1e6) double scale,
+        Position position,
+        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading) {
+    /** The prefix of models that come with the library. */
+    public static final String PACKAGED = "packaged:";
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public ModelSettings {
+        Limits.check(ModelSettings.class, file, upAxis, scale, position, heading);
+        if (file.isBlank()) {
+            throw new IllegalArgumentException("file is empty: it must name an .obj file");
+        }
+    }
+
+    /** A y-up file in metres, at the origin, as most OBJ files are. */
+    @Defaults("file")
+    public static ModelSettings of(String file) {
+        return new ModelSettings(file, UpAxis.Y, 1.0, new Position(0, 0, 0), 0.0);
+    }
+
+    /** A model that comes with the library, such as {@code hill.obj}. */
+    public static ModelSettings packaged(String name) {
+        return of(PACKAGED + name);
+    }
+
+    /** These settings with another axis up. */
+    public ModelSettings withUpAxis(UpAxis axis) {
+        return new ModelSettings(file, axis, scale, position, heading);
+    }
+
+    /** These settings with another scale, metres for each unit of the file. */
+    public ModelSettings withScale(double factor) {
+        return new ModelSettings(file, upAxis, factor, position, heading);
+    }
+
+    /** These settings with another place, m. */
+    public ModelSettings withPosition(Position place) {
+        return new ModelSettings(file, upAxis, scale, place, heading);
+    }
+
+    /** These settings with another heading, rad clockwise from above. */
+    public ModelSettings withHeading(double angle) {
+        return new ModelSettings(file, upAxis, scale, position, angle);
+    }
+}

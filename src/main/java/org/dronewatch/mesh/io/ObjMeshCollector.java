@@ -1,0 +1,176 @@
+package org.dronewatch.mesh.io;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import org.dronewatch.geometry.Floats;
+import org.dronewatch.geometry.Ints;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.setting.InputException;
+
+/** Takes what an OBJ file states, checks it while its line is still known, and makes a mesh of it. */
+final class ObjMeshCollector {
+    /** The name of the material of faces that name none. */
+    static final String NO_MATERIAL = "default";
+
+    private static final int MAX_TRIANGLES = 50_000_000;
+
+    private final String file;
+    private final ObjLines lines;
+    private final Placement placement;
+    private final Floats vertices = new Floats();
+    private final Ints corners = new Ints();
+    private final Ints ends = new Ints();
+    private final Ints lineOfFace = new Ints();
+    private final Ints materials = new Ints();
+    private final Map<String, Integer> materialNumbers = new LinkedHashMap<>();
+    private final Set<String> libraries = new LinkedHashSet<>();
+    private final Map<String, Integer> skipped = new TreeMap<>();
+    private String material = NO_MATERIAL;
+    private long triangles;
+
+    ObjMeshCollector(String file, ObjLines lines, Placement placement) {
+        this.file = file;
+        this.lines = lines;
+        this.placement = placement;
+    }
+
+    void addVertex(float x, float y, float z) {
+        placement.place(x, y, z, vertices);
+        for (int i = vertices.size() - 3; i < vertices.size(); i++) {
+            if (!(Math.abs(vertices.get(i)) <= TriangleMesh.MAX_COORDINATE)) {
+                throw new InputException(lines.at(file) + "vertex (" + x + ", " + y + ", " + z
+                        + ") must be finite and at most " + TriangleMesh.MAX_COORDINATE + " m from the origin");
+            }
+        }
+    }
+
+    /** A polygon of vertex indices as in the file: from 1, negative ones from the last vertex backwards. */
+    void addFace(Ints indices) {
+        int size = indices.size();
+        if (size < 3) {
+            throw new InputException(lines.at(file) + "face has " + size + " corners, needs 3 or more");
+        }
+        triangles += size - 2;
+        if (triangles > MAX_TRIANGLES) {
+            throw new InputException(lines.at(file) + "more than " + MAX_TRIANGLES + " triangles");
+        }
+        for (int i = 0; i < size; i++) {
+            corners.add(vertex(indices.get(i)));
+        }
+        ends.add(corners.size());
+        lineOfFace.add(lines.line());
+        materials.add(materialNumbers.computeIfAbsent(material, name -> materialNumbers.size()));
+    }
+
+    private int vertex(int index) {
+        if (index == 0) {
+            throw new InputException(lines.at(file) + "vertex index 0, but the first vertex has index 1");
+        }
+        if (index < -vertexCount()) {
+            throw new InputException(lines.at(file) + "vertex index " + index + " points before the first of "
+                    + vertexCount() + " vertices");
+        }
+        return index < 0 ? vertexCount() + index : index - 1;
+    }
+
+    private int vertexCount() {
+        return vertices.size() / 3;
+    }
+
+    void useMaterial(String name) {
+        material = name.isEmpty() ? NO_MATERIAL : name;
+    }
+
+    void addLibrary(String name) {
+        libraries.add(name);
+    }
+
+    /** Counts a statement without effect. */
+    void skip(String word) {
+        skipped.merge(word, 1, Integer::sum);
+    }
+
+    /** Checks what can be known at the end only: a face may come before its vertices. */
+    void finish() {
+        int face = 0;
+        for (int i = 0; i < corners.size(); i++) {
+            if (i == ends.get(face)) {
+                face++;
+            }
+            if (corners.get(i) >= vertexCount()) {
+                throw new InputException(file + ":" + lineOfFace.get(face) + ": vertex index " + (corners.get(i) + 1)
+                        + " is beyond the last of " + vertexCount() + " vertices");
+            }
+        }
+        if (corners.size() == 0) {
+            throw new InputException(file + ": has no faces (" + vertexCount() + " vertices): not a mesh");
+        }
+    }
+
+    /**
+     * The mesh without the triangles that have no area.
+     *
+     * @param warnings takes a line when polygons cross themselves
+     */
+    TriangleMesh toMesh(List<String> warnings) {
+        MeshTriangles mesh = new MeshTriangles(vertices);
+        int uncut = 0;
+        int firstUncut = 0;
+        int start = 0;
+        for (int face = 0; face < materials.size(); face++) {
+            int[] polygon = corners.copyOfRange(start, ends.get(face));
+            start = ends.get(face);
+            if (!mesh.add(polygon, materials.get(face)) && uncut++ == 0) {
+                firstUncut = lineOfFace.get(face);
+            }
+        }
+        if (uncut > 0) {
+            warnings.add(file + ":" + firstUncut
+                    + ": polygon crosses itself or has too many corners close together, and was cut into a fan of triangles"
+                    + (uncut > 1 ? "; so were " + (uncut - 1) + " more" : ""));
+        }
+        if (mesh.size() == 0) {
+            throw new InputException(file + ": none of its " + triangles + " triangles has an area: not a mesh");
+        }
+        return mesh.toMesh(materialNames());
+    }
+
+    /** How many triangles the polygons have, those without area, too. */
+    int triangles() {
+        return (int) triangles;
+    }
+
+    List<String> materialNames() {
+        return List.copyOf(materialNumbers.keySet());
+    }
+
+    /** The names of the material libraries, each once. */
+    Collection<String> libraries() {
+        return libraries;
+    }
+
+    /** How many statements of each word were skipped. */
+    Map<String, Integer> skipped() {
+        return skipped;
+    }
+
+    /** A line when skipped statements would have added surfaces. */
+    List<String> warnings() {
+        List<String> missing = new ArrayList<>();
+        skipped.forEach((word, count) -> {
+            if (ObjWords.isOfSurfaces(word)) {
+                missing.add(count + " " + word);
+            }
+        });
+        return missing.isEmpty()
+                ? List.of()
+                : List.of(file + ": statements that are not read would add surfaces, which are missing: "
+                        + String.join(", ", missing));
+    }
+}

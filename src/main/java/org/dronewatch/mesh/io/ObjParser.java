@@ -1,0 +1,149 @@
+package org.dronewatch.mesh.io;
+
+import java.io.IOException;
+import java.util.Locale;
+import org.dronewatch.geometry.Ints;
+import org.dronewatch.setting.InputException;
+
+/**
+ * Reads the statements of an OBJ file into a collector. Words are read in capitals, too. A statement that cannot be right, or
+ * whose word the format does not have, is an {@link InputException} that names file and line.
+ */
+final class ObjParser {
+    private static final int MOST_DIGITS = 9;
+    private static final int LONGEST_EXCERPT = 40;
+
+    private final String file;
+    private final ObjLines lines;
+    private final ObjMeshCollector collector;
+    private final Ints corners = new Ints();
+    private final float[] coordinates = new float[3];
+    private String line = "";
+    private int next;
+
+    ObjParser(String file, ObjLines lines, ObjMeshCollector collector) {
+        this.file = file;
+        this.lines = lines;
+        this.collector = collector;
+    }
+
+    /** Reads to the end of the file. */
+    void read() throws IOException {
+        for (line = lines.readLine(); line != null; line = lines.readLine()) {
+            next = 0;
+            String word = token();
+            if (!word.isEmpty() && word.charAt(0) != '#') {
+                statement(word);
+            }
+        }
+    }
+
+    private void statement(String word) {
+        String known = word.toLowerCase(Locale.ROOT);
+        switch (known) {
+            case "v" -> vertex();
+            // The outline of a face: what old files have for a face.
+            case "f", "fo" -> face();
+            case "usemtl" -> collector.useMaterial(rest());
+            case "mtllib" -> collector.addLibrary(rest());
+            default -> {
+                if (!ObjWords.isSkipped(known)) {
+                    throw wrong("unknown word " + quoted(word) + ": no statement of the OBJ format begins with it");
+                }
+                collector.skip(known);
+            }
+        }
+    }
+
+    /** Three coordinates; what may follow them, a weight or a colour, must be numbers and has no effect. */
+    private void vertex() {
+        int count = 0;
+        for (String token = token(); !token.isEmpty(); token = token()) {
+            float value = number(token);
+            if (count < coordinates.length) {
+                coordinates[count] = value;
+            }
+            count++;
+        }
+        if (count < coordinates.length) {
+            throw wrong("vertex has " + count + " coordinates, needs 3");
+        }
+        collector.addVertex(coordinates[0], coordinates[1], coordinates[2]);
+    }
+
+    private float number(String token) {
+        try {
+            return Float.parseFloat(token);
+        } catch (NumberFormatException e) {
+            throw new InputException(lines.at(file) + "not a number: " + quoted(token), e);
+        }
+    }
+
+    private void face() {
+        corners.clear();
+        for (String token = token(); !token.isEmpty(); token = token()) {
+            corners.add(corner(token));
+        }
+        collector.addFace(corners);
+    }
+
+    /** The vertex index of a corner such as {@code 3}, {@code -1}, {@code 3/1}, {@code 3//2} or {@code 3/1/2}. */
+    private int corner(String token) {
+        int first = token.indexOf('/');
+        if (first < 0) {
+            return index(token, token);
+        }
+        int second = token.indexOf('/', first + 1);
+        // Texture coordinates and normals have no effect, but must be such.
+        String texture = token.substring(first + 1, second < 0 ? token.length() : second);
+        String normal = second < 0 ? "" : token.substring(second + 1);
+        if (!texture.isEmpty()) {
+            index(texture, token);
+        }
+        if (!normal.isEmpty()) {
+            index(normal, token);
+        }
+        return index(token.substring(0, first), token);
+    }
+
+    private int index(String text, String corner) {
+        int digits = text.startsWith("-") ? 1 : 0;
+        for (int i = digits; i < text.length(); i++) {
+            if (text.charAt(i) < '0' || text.charAt(i) > '9') {
+                throw wrong("not a corner of a face: " + quoted(corner));
+            }
+        }
+        if (text.length() == digits) {
+            throw wrong("not a corner of a face: " + quoted(corner));
+        }
+        if (text.length() - digits > MOST_DIGITS) {
+            throw wrong("index of more than " + MOST_DIGITS + " digits: " + quoted(corner));
+        }
+        return Integer.parseInt(text);
+    }
+
+    /** The next piece of the line without white space; empty at its end. */
+    private String token() {
+        while (next < line.length() && Character.isWhitespace(line.charAt(next))) {
+            next++;
+        }
+        int start = next;
+        while (next < line.length() && !Character.isWhitespace(line.charAt(next))) {
+            next++;
+        }
+        return line.substring(start, next);
+    }
+
+    private String rest() {
+        return line.substring(next).strip();
+    }
+
+    private InputException wrong(String what) {
+        return new InputException(lines.at(file) + what);
+    }
+
+    private static String quoted(String text) {
+        boolean fits = text.length() <= LONGEST_EXCERPT;
+        return "'" + (fits ? text : text.substring(0, LONGEST_EXCERPT) + "...") + "'";
+    }
+}

@@ -1,0 +1,32 @@
+package org.dronewatch.mesh.io;
+
+import org.dronewatch.geometry.Floats;
+import org.dronewatch.geometry.Position;
+
+/** Moves coordinates of a model file to where the world wants them, one vertex at a time. */
+final class Placement {
+    private final boolean yUp;
+    private final double scale;
+    private final double cos;
+    private final double sin;
+    private final Position position;
+
+    Placement(ModelSettings settings) {
+        this.yUp = settings.upAxis() == UpAxis.Y;
+        this.scale = settings.scale();
+        // A compass turns clockwise, mathematics the other way.
+        this.cos = Math.cos(-settings.heading());
+        this.sin = Math.sin(-settings.heading());
+        this.position = settings.position();
+    }
+
+    /** Appends the placed vertex. */
+    void place(float fileX, float fileY, float fileZ, Floats target) {
+        double x = scale * fileX;
+        double y = scale * (yUp ? -fileZ : fileY);
+        double z = scale * (yUp ? fileY : fileZ);
+        target.add((float) (cos * x - sin * y + position.x()));
+        target.add((float) (sin * x + cos * y + position.y()));
+        target.add((float) (z + position.z()));
+    }
+}
