@@ -2,189 +2,89 @@ package org.dronewatch;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
-import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
+import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
-import org.dronewatch.world.DroneSettings;
-import org.dronewatch.world.ThreatLabel;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.ThreatLabel;
 
 /** The rooms of the house and the one way in which they may know each other. */
 @AnalyzeClasses(packages = "org.dronewatch", importOptions = ImportOption.DoNotIncludeTests.class)
 class HouseRulesTest {
+    private static final String HOUSE = "org.dronewatch.";
+
+    /**
+     * The rooms from the roof to the ground. A line is a storey: its rooms lie side by side and do not know each other, but for
+     * those of the ground floor.
+     */
+    private static final List<List<String>> STOREYS = List.of(
+            List.of("app.."),
+            List.of("viewer.."),
+            List.of("report.."),
+            List.of("bench..", "models..", "render.."),
+            List.of("analysis..", "scenes.."),
+            List.of("scene"),
+            List.of("run"),
+            List.of("scenario"),
+            List.of("catalog"),
+            List.of("fusion"),
+            List.of("sensor.camera..", "sensor.thermal..", "sensor.radar..", "sensor.rf..", "sensor.acoustic.."),
+            List.of("sensor.optics"),
+            List.of("sensor"),
+            List.of("positioner"),
+            List.of("drone"),
+            List.of("flight"),
+            List.of("world"),
+            List.of("mesh.io", "geo"),
+            List.of("bvh", "raster"),
+            List.of("kdtree"),
+            List.of("sound", "geometry", "parallel", "setting.."));
 
     @ArchTest
-    static final ArchRule ARROWS_LEAD_DOWN = layeredArchitecture()
-            .consideringOnlyDependenciesInLayers()
-            .layer("app")
-            .definedBy("org.dronewatch.app..")
-            .layer("bench")
-            .definedBy("org.dronewatch.bench..")
-            .layer("models")
-            .definedBy("org.dronewatch.models..")
-            .layer("report")
-            .definedBy("org.dronewatch.report..")
-            .layer("viewer")
-            .definedBy("org.dronewatch.viewer..")
-            .layer("picture")
-            .definedBy("org.dronewatch.picture..")
-            .layer("scenes")
-            .definedBy("org.dronewatch.scenes..")
-            .layer("fusion")
-            .definedBy("org.dronewatch.fusion..")
-            .layer("scene")
-            .definedBy("org.dronewatch.scene..")
-            .layer("catalog")
-            .definedBy("org.dronewatch.catalog..")
-            .layer("camera")
-            .definedBy("org.dronewatch.sensor.camera..")
-            .layer("acoustic")
-            .definedBy("org.dronewatch.sensor.acoustic..")
-            .layer("radar")
-            .definedBy("org.dronewatch.sensor.radar..")
-            .layer("rf")
-            .definedBy("org.dronewatch.sensor.rf..")
-            .layer("thermal")
-            .definedBy("org.dronewatch.sensor.thermal..")
-            .layer("optics")
-            .definedBy("org.dronewatch.sensor.optics..")
-            .layer("positioner")
-            .definedBy("org.dronewatch.sensor.positioner..")
-            .layer("sensor")
-            .definedBy("org.dronewatch.sensor")
-            .layer("world")
-            .definedBy("org.dronewatch.world..")
-            .layer("sound")
-            .definedBy("org.dronewatch.sound..")
-            .layer("kdtree")
-            .definedBy("org.dronewatch.kdtree..")
-            .layer("geometry")
-            .definedBy("org.dronewatch.geometry..")
-            .layer("parallel")
-            .definedBy("org.dronewatch.parallel..")
-            .layer("setting")
-            .definedBy("org.dronewatch.setting..")
-            .whereLayer("app")
-            .mayNotBeAccessedByAnyLayer()
-            .whereLayer("bench")
-            .mayOnlyBeAccessedByLayers("app", "report")
-            .whereLayer("models")
-            .mayOnlyBeAccessedByLayers("app")
-            .whereLayer("viewer")
-            .mayOnlyBeAccessedByLayers("app")
-            .whereLayer("report")
-            .mayOnlyBeAccessedByLayers("app", "viewer")
-            .whereLayer("picture")
-            .mayOnlyBeAccessedByLayers("app", "viewer", "report")
-            .whereLayer("scenes")
-            .mayOnlyBeAccessedByLayers("app")
-            .whereLayer("scene")
-            .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "report", "scenes")
-            .whereLayer("fusion")
-            .mayOnlyBeAccessedByLayers("app", "picture", "report", "scenes", "scene", "viewer")
-            .whereLayer("catalog")
-            .mayOnlyBeAccessedByLayers("picture", "app", "report", "scenes", "scene")
-            .whereLayer("camera")
-            .mayOnlyBeAccessedByLayers("app", "bench", "scenes", "catalog")
-            .whereLayer("thermal")
-            .mayOnlyBeAccessedByLayers("app", "scenes", "catalog")
-            .whereLayer("optics")
-            .mayOnlyBeAccessedByLayers("viewer", "picture", "app", "bench", "scenes", "camera", "thermal")
-            .whereLayer("positioner")
-            .mayOnlyBeAccessedByLayers(
-                    "viewer", "picture", "report", "scene", "catalog", "camera", "optics", "radar", "sensor", "thermal")
-            .whereLayer("acoustic")
-            .mayOnlyBeAccessedByLayers("app", "bench", "scenes", "catalog")
-            .whereLayer("radar")
-            .mayOnlyBeAccessedByLayers("app", "scenes", "catalog")
-            .whereLayer("rf")
-            .mayOnlyBeAccessedByLayers("app", "scenes", "catalog")
-            .whereLayer("sensor")
-            .mayOnlyBeAccessedByLayers(
-                    "viewer",
-                    "picture",
-                    "app",
-                    "bench",
-                    "report",
-                    "scenes",
-                    "scene",
-                    "catalog",
-                    "camera",
-                    "acoustic",
-                    "radar",
-                    "rf",
-                    "optics",
-                    "fusion",
-                    "thermal")
-            .whereLayer("world")
-            .mayOnlyBeAccessedByLayers(
-                    "viewer",
-                    "picture",
-                    "app",
-                    "bench",
-                    "report",
-                    "scenes",
-                    "scene",
-                    "catalog",
-                    "camera",
-                    "acoustic",
-                    "radar",
-                    "rf",
-                    "sensor",
-                    "optics",
-                    "thermal")
-            .whereLayer("sound")
-            .mayOnlyBeAccessedByLayers("scenes", "scene", "acoustic", "sensor", "world")
-            .whereLayer("kdtree")
-            .mayOnlyBeAccessedByLayers(
-                    "viewer",
-                    "picture",
-                    "app",
-                    "bench",
-                    "report",
-                    "scene",
-                    "camera",
-                    "acoustic",
-                    "radar",
-                    "rf",
-                    "world",
-                    "optics")
-            .whereLayer("geometry")
-            .mayOnlyBeAccessedByLayers(
-                    "viewer",
-                    "picture",
-                    "app",
-                    "bench",
-                    "report",
-                    "scenes",
-                    "scene",
-                    "camera",
-                    "acoustic",
-                    "radar",
-                    "rf",
-                    "sensor",
-                    "world",
-                    "kdtree",
-                    "optics",
-                    "positioner",
-                    "fusion",
-                    "thermal")
-            .whereLayer("parallel")
-            .mayOnlyBeAccessedByLayers(
-                    "viewer",
-                    "picture",
-                    "app",
-                    "bench",
-                    "report",
-                    "scene",
-                    "camera",
-                    "acoustic",
-                    "world",
-                    "kdtree",
-                    "optics");
+    static void arrowsLeadDown(JavaClasses house) {
+        int ground = STOREYS.size() - 1;
+        List<String> above = new ArrayList<>();
+        for (int storey = 0; storey <= ground; storey++) {
+            for (String room : STOREYS.get(storey)) {
+                List<String> forbidden = new ArrayList<>(above);
+                if (storey < ground) {
+                    STOREYS.get(storey).stream()
+                            .filter(other -> !other.equals(room))
+                            .forEach(forbidden::add);
+                }
+                if (!forbidden.isEmpty()) {
+                    noClasses()
+                            .that()
+                            .resideInAPackage(HOUSE + room)
+                            .should()
+                            .dependOnClassesThat()
+                            .resideInAnyPackage(forbidden.stream()
+                                    .map(other -> HOUSE + other)
+                                    .toArray(String[]::new))
+                            .allowEmptyShould(true)
+                            .check(house);
+                }
+            }
+            above.addAll(STOREYS.get(storey));
+        }
+    }
+
+    @ArchTest
+    static void everyClassIsInARoom(JavaClasses house) {
+        classes()
+                .should()
+                .resideInAnyPackage(STOREYS.stream()
+                        .flatMap(List::stream)
+                        .map(room -> HOUSE + room)
+                        .toArray(String[]::new))
+                .check(house);
+    }
 
     @ArchTest
     static final ArchRule NO_CIRCLES =

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.dronewatch.scene.PairResult;
-import org.dronewatch.scene.SceneResult;
+import org.dronewatch.run.PairResult;
+import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenes.CameraRange;
 import org.junit.jupiter.api.Test;
 

@@ -4,7 +4,7 @@ import java.util.List;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings.Waypoints;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.scene.RunSettings;
+import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.camera.CameraSettings;
 

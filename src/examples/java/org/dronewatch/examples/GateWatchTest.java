@@ -2,7 +2,7 @@ package org.dronewatch.examples;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import org.dronewatch.scene.SceneResult;
+import org.dronewatch.run.SceneResult;
 import org.junit.jupiter.api.Test;
 
 class GateWatchTest {

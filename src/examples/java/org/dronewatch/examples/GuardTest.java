@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.scene.SceneResult;
+import org.dronewatch.run.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;

@@ -1,13 +1,13 @@
 package org.dronewatch.app;
 
 import java.awt.image.BufferedImage;
-import org.dronewatch.picture.CameraView;
-import org.dronewatch.picture.Film;
-import org.dronewatch.picture.FilmMaker;
-import org.dronewatch.picture.RunHistory;
+import org.dronewatch.render.CameraView;
+import org.dronewatch.render.Film;
+import org.dronewatch.render.FilmMaker;
+import org.dronewatch.render.RunHistory;
 import org.dronewatch.report.WholeFile;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
-import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.PictureSettings;

@@ -2,8 +2,8 @@ package org.dronewatch.app;
 
 import java.util.function.BooleanSupplier;
 import me.tongfei.progressbar.ProgressBar;
-import org.dronewatch.picture.Film;
-import org.dronewatch.picture.FilmMaker;
+import org.dronewatch.render.Film;
+import org.dronewatch.render.FilmMaker;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Option;

@@ -3,9 +3,9 @@ package org.dronewatch.app;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
-import org.dronewatch.scene.Frame;
-import org.dronewatch.scene.RunInfo;
-import org.dronewatch.scene.SceneListener;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.RunInfo;
+import org.dronewatch.run.SceneListener;
 import org.dronewatch.setting.PlainText;
 
 /** A progress bar on standard error, when that is a terminal. */

@@ -2,9 +2,9 @@ package org.dronewatch.app;
 
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
-import org.dronewatch.picture.Film;
-import org.dronewatch.picture.FilmMaker;
-import org.dronewatch.picture.RunHistory;
+import org.dronewatch.render.Film;
+import org.dronewatch.render.FilmMaker;
+import org.dronewatch.render.RunHistory;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Model.CommandSpec;

@@ -1,7 +1,7 @@
 package org.dronewatch.app;
 
 import java.util.function.BooleanSupplier;
-import org.dronewatch.picture.RunHistory;
+import org.dronewatch.render.RunHistory;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 

@@ -2,12 +2,12 @@ package org.dronewatch.app;
 
 import java.awt.image.BufferedImage;
 import javax.imageio.ImageIO;
-import org.dronewatch.picture.Film;
-import org.dronewatch.picture.FilmMaker;
-import org.dronewatch.picture.RunHistory;
+import org.dronewatch.render.Film;
+import org.dronewatch.render.FilmMaker;
+import org.dronewatch.render.RunHistory;
 import org.dronewatch.report.WholeFile;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
-import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Model.CommandSpec;
 

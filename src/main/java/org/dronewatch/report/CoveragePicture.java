@@ -16,10 +16,10 @@ import java.util.Locale;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.dronewatch.analysis.Coverage;
+import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.picture.KindColours;
-import org.dronewatch.scene.Coverage;
-import org.dronewatch.scene.CoverageGrid;
+import org.dronewatch.render.KindColours;
 import org.dronewatch.world.World;
 
 /** A plan of a site, north up: shaded ground, what the sensors of each kind reach, the sensors themselves. */

@@ -6,8 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
-import org.dronewatch.scene.Frame;
-import org.dronewatch.scene.SceneResult;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.SceneResult;
 import org.dronewatch.sensor.Observation;
 
 /** For each sensor, what it measured over the range, with its threshold: shows how close each decision was. */

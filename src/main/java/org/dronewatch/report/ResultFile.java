@@ -2,10 +2,10 @@ package org.dronewatch.report;
 
 import java.util.OptionalDouble;
 import org.dronewatch.geo.Origin;
-import org.dronewatch.scene.AlertResult;
-import org.dronewatch.scene.PairResult;
-import org.dronewatch.scene.SceneResult;
-import org.dronewatch.scene.SweepPoint;
+import org.dronewatch.run.AlertResult;
+import org.dronewatch.run.PairResult;
+import org.dronewatch.run.SceneResult;
+import org.dronewatch.run.SweepPoint;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;

@@ -11,17 +11,17 @@ import java.util.OptionalDouble;
 import javax.imageio.ImageIO;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.picture.Fineness;
-import org.dronewatch.picture.Orbit;
-import org.dronewatch.picture.SitePicture;
-import org.dronewatch.picture.SiteState;
-import org.dronewatch.picture.SiteStyle;
+import org.dronewatch.render.Fineness;
+import org.dronewatch.render.Orbit;
+import org.dronewatch.render.SitePicture;
+import org.dronewatch.render.SiteState;
+import org.dronewatch.render.SiteStyle;
 import org.dronewatch.report.html.Figure;
-import org.dronewatch.scene.AlertResult;
-import org.dronewatch.scene.DetectionEvent;
-import org.dronewatch.scene.Pointings;
-import org.dronewatch.scene.RunResult;
-import org.dronewatch.scene.Stage;
+import org.dronewatch.run.AlertResult;
+import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.Pointings;
+import org.dronewatch.run.RunResult;
+import org.dronewatch.run.Stage;
 
 /** The site of a run at its first alert or detection: all of it, from above, and close up what is to be protected. */
 final class SitePictures {

@@ -15,10 +15,10 @@ import org.dronewatch.report.html.HtmlReport;
 import org.dronewatch.report.html.Looks;
 import org.dronewatch.report.html.RunView;
 import org.dronewatch.report.provenance.Provenance;
-import org.dronewatch.scene.RunResult;
-import org.dronewatch.scene.SceneResult;
-import org.dronewatch.scene.SceneSettings;
-import org.dronewatch.scene.Stage;
+import org.dronewatch.run.RunResult;
+import org.dronewatch.run.SceneResult;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
 
 /** Writes {@code report.html}: draws the site of each run at its first alert and gathers the plots. */
 final class SiteReport {

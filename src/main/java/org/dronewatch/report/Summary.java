@@ -1,6 +1,6 @@
 package org.dronewatch.report;
 
-import org.dronewatch.scene.SceneResult;
+import org.dronewatch.run.SceneResult;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 

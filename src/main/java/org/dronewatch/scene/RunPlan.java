@@ -2,6 +2,11 @@ package org.dronewatch.scene;
 
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.LookTimes;
+import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.Pace;
+import org.dronewatch.run.RunInfo;
 
 /**
  * What a scene needs to know for one run.

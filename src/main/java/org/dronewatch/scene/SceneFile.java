@@ -7,6 +7,8 @@ import java.util.Locale;
 import java.util.Optional;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.scenario.InputFiles;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.setting.file.SettingsFile;

@@ -4,9 +4,9 @@ import java.util.OptionalDouble;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings.Approach;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.scene.RunSettings;
+import org.dronewatch.scenario.RunSettings;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
-import org.dronewatch.scene.SceneSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 
 /**

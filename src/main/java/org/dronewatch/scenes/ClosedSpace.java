@@ -3,7 +3,7 @@ package org.dronewatch.scenes;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.scene.RunSettings;
+import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;

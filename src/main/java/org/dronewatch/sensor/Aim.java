@@ -54,7 +54,7 @@ public sealed interface Aim {
         public static final Direction DEFAULT = new Direction(0.0, 0.0);
 
         /** As a mount points. */
-        public static Direction of(org.dronewatch.sensor.positioner.Direction mount) {
+        public static Direction of(org.dronewatch.positioner.Direction mount) {
             return new Direction(mount.azimuth(), mount.elevation());
         }
 

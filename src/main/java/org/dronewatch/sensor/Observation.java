@@ -4,7 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.sensor.positioner.Sighting;
+import org.dronewatch.positioner.Sighting;
 
 /**
  * What a sensor measured of a drone at one sample.

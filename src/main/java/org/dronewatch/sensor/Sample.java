@@ -2,7 +2,7 @@ package org.dronewatch.sensor;
 
 import java.util.Optional;
 import java.util.random.RandomGenerator;
-import org.dronewatch.sensor.positioner.Pointing;
+import org.dronewatch.positioner.Pointing;
 
 /**
  * One look of one sensor. Its random numbers depend on the run's seed, the names of sensor and drone, the look's index and

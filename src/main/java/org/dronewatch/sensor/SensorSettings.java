@@ -5,9 +5,9 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.positioner.Pointing;
-import org.dronewatch.sensor.positioner.Positioner;
-import org.dronewatch.sensor.positioner.PositionerSettings;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.positioner.Positioner;
+import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.world.World;
 
 /**

@@ -6,14 +6,14 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import org.dronewatch.geometry.Hit;
-import org.dronewatch.picture.CameraView;
-import org.dronewatch.scene.Stage;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.render.CameraView;
+import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.sensor.optics.PictureSettings;
-import org.dronewatch.sensor.positioner.Pointing;
 import org.dronewatch.world.World;
 
 /** One camera of a run, for looking through at any time. For one thread at a time, except {@link #tell}. */

@@ -3,8 +3,8 @@ package org.dronewatch.viewer;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.optics.DronePixels;
-import org.dronewatch.sensor.positioner.Pointing;
 
 /**
  * What a camera shows at one time. Nobody changes it any more.

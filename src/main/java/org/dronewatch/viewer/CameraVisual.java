@@ -15,8 +15,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
+import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.optics.DronePixels;
-import org.dronewatch.sensor.positioner.Pointing;
 
 /**
  * What one camera sees: distances in blues, nearer darker, the sky pale, the drone's pixels in orange, its significant pixels

@@ -11,7 +11,7 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JToolBar;
-import org.dronewatch.scene.SweptValue;
+import org.dronewatch.scenario.SweptValue;
 
 /** Play, pause, step, speed, which run of a sweep, and the time. */
 final class ControlBar extends JToolBar {

@@ -1,7 +1,7 @@
 package org.dronewatch.viewer;
 
 import java.util.Locale;
-import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.sensor.Observation;
 
 /** Detections in words. */

@@ -15,9 +15,9 @@ import javax.swing.ProgressMonitor;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import org.dronewatch.parallel.Workers;
-import org.dronewatch.picture.Backdrop;
-import org.dronewatch.picture.Fineness;
-import org.dronewatch.picture.SiteStyle;
+import org.dronewatch.render.Backdrop;
+import org.dronewatch.render.Fineness;
+import org.dronewatch.render.SiteStyle;
 import org.dronewatch.report.WholeFile;
 
 /** Keeps what is shown: a picture of any part of the window, or the whole run as numbered pictures. */

@@ -7,7 +7,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.text.BadLocationException;
-import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.run.DetectionEvent;
 
 /** What has been read, what looked odd, who was gained and lost, in the order in which it was told. */
 final class LogPanel extends JPanel {

@@ -16,11 +16,11 @@ import javax.swing.JPanel;
 import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
 import javax.swing.SwingUtilities;
-import org.dronewatch.picture.RayCollector;
-import org.dronewatch.picture.RayFilter;
-import org.dronewatch.picture.RaySet;
-import org.dronewatch.scene.SceneSettings;
-import org.dronewatch.scene.Stage;
+import org.dronewatch.render.RayCollector;
+import org.dronewatch.render.RayFilter;
+import org.dronewatch.render.RaySet;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
 
 /** Lets a microphone tell of its rays at the time shown, and chooses which of them are drawn. */
 final class RayPanel extends JPanel {

@@ -5,12 +5,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.picture.RunHistory;
-import org.dronewatch.scene.DetectionEvent;
-import org.dronewatch.scene.Frame;
-import org.dronewatch.scene.RunInfo;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.render.RunHistory;
+import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.RunInfo;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.positioner.Pointing;
 
 /** One run as far as it has been simulated. Written by the thread that simulates, read by any. */
 final class RecordedRun {

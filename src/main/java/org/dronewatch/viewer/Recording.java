@@ -2,10 +2,10 @@ package org.dronewatch.viewer;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronewatch.scene.DetectionEvent;
-import org.dronewatch.scene.Frame;
-import org.dronewatch.scene.RunInfo;
-import org.dronewatch.scene.SceneListener;
+import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.RunInfo;
+import org.dronewatch.run.SceneListener;
 
 /** The runs of a scene while they are simulated. Told by the thread that simulates, read by any. */
 final class Recording implements SceneListener {

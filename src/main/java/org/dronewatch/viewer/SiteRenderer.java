@@ -4,13 +4,13 @@ import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import org.dronewatch.picture.Backdrop;
-import org.dronewatch.picture.Cut;
-import org.dronewatch.picture.Fineness;
-import org.dronewatch.picture.Orbit;
-import org.dronewatch.picture.SitePicture;
-import org.dronewatch.picture.SiteState;
-import org.dronewatch.picture.SiteStyle;
+import org.dronewatch.render.Backdrop;
+import org.dronewatch.render.Cut;
+import org.dronewatch.render.Fineness;
+import org.dronewatch.render.Orbit;
+import org.dronewatch.render.SitePicture;
+import org.dronewatch.render.SiteState;
+import org.dronewatch.render.SiteStyle;
 
 /**
  * Makes the pictures of the site for a window, on threads of its own: one paints the site itself, coarse at first and fine

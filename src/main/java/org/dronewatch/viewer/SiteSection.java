@@ -8,8 +8,8 @@ import java.util.function.Function;
 import javax.swing.Action;
 import javax.swing.JPanel;
 import org.dronewatch.geometry.AABB;
-import org.dronewatch.picture.Cut;
-import org.dronewatch.picture.Orbit;
+import org.dronewatch.render.Cut;
+import org.dronewatch.render.Orbit;
 
 /** The site with the bar that says from where it is seen and how it is cut open. */
 final class SiteSection extends JPanel {

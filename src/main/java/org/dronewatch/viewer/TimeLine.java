@@ -20,8 +20,8 @@ import javax.swing.JViewport;
 import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
 import javax.swing.UIManager;
-import org.dronewatch.picture.KindColours;
-import org.dronewatch.scene.DetectionEvent;
+import org.dronewatch.render.KindColours;
+import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.sensor.Observation;
 
 /**

@@ -5,11 +5,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.picture.RaySet;
-import org.dronewatch.picture.SitePicture;
-import org.dronewatch.picture.SiteState;
-import org.dronewatch.scene.SceneSettings;
-import org.dronewatch.scene.Stage;
+import org.dronewatch.render.RaySet;
+import org.dronewatch.render.SitePicture;
+import org.dronewatch.render.SiteState;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
 
 /** A recorded run with its site, ready to be shown at any time. Any thread may ask. */
 final class ViewedRun {

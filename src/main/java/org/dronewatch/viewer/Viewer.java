@@ -10,8 +10,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import javax.swing.SwingUtilities;
+import org.dronewatch.run.SceneListener;
 import org.dronewatch.scene.Scene;
-import org.dronewatch.scene.SceneListener;
 import org.dronewatch.scene.SceneRunner;
 
 /**

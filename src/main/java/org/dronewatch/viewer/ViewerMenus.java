@@ -10,7 +10,7 @@ import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
-import org.dronewatch.picture.Orbit;
+import org.dronewatch.render.Orbit;
 
 /** The menus, each entry with its key. */
 final class ViewerMenus {

@@ -13,11 +13,11 @@ import javax.swing.JProgressBar;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
-import org.dronewatch.picture.Cut;
-import org.dronewatch.picture.RaySet;
-import org.dronewatch.picture.SiteState;
-import org.dronewatch.scene.SceneSettings;
-import org.dronewatch.scene.Stage;
+import org.dronewatch.render.Cut;
+import org.dronewatch.render.RaySet;
+import org.dronewatch.render.SiteState;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
 /**

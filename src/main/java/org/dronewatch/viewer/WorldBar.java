@@ -8,7 +8,7 @@ import javax.swing.JLabel;
 import javax.swing.JSlider;
 import javax.swing.JToolBar;
 import org.dronewatch.geometry.AABB;
-import org.dronewatch.picture.Cut;
+import org.dronewatch.render.Cut;
 
 /** From where the site is seen, and at which height it is cut open. */
 final class WorldBar extends JToolBar {

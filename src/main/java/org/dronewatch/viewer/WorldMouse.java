@@ -6,7 +6,7 @@ import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
 import javax.swing.SwingUtilities;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.picture.Orbit;
+import org.dronewatch.render.Orbit;
 
 /** What the mouse does with the view of the site. */
 final class WorldMouse extends MouseAdapter {

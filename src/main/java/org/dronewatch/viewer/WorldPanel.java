@@ -14,12 +14,12 @@ import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.picture.Backdrop;
-import org.dronewatch.picture.Cut;
-import org.dronewatch.picture.Orbit;
-import org.dronewatch.picture.SitePicture;
-import org.dronewatch.picture.SiteState;
-import org.dronewatch.picture.SiteStyle;
+import org.dronewatch.render.Backdrop;
+import org.dronewatch.render.Cut;
+import org.dronewatch.render.Orbit;
+import org.dronewatch.render.SitePicture;
+import org.dronewatch.render.SiteState;
+import org.dronewatch.render.SiteStyle;
 import org.jogamp.vecmath.Point2d;
 
 /**

@@ -18,7 +18,7 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings.Approach;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.scene.RunSettings;
+import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
-import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.SettingsForm;

@@ -12,6 +12,8 @@ import java.util.function.Consumer;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.run.SceneResult;
+import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.AcousticSettings;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.dronewatch.run.SceneResult;
 import org.junit.jupiter.api.Test;
 
 /** The attack that the thesis ends with: over cameras and microphones without motors. */

@@ -6,6 +6,7 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings.Approach;
 import org.dronewatch.flight.FlightPathSettings.Waypoints;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 
 /** Two drones, two cameras and two dice on the hill, sampling at rates that meet now and then. */

@@ -17,6 +17,8 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.run.SceneResult;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;

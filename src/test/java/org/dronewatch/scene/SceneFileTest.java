@@ -13,6 +13,8 @@ import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.mesh.io.UpAxis;
+import org.dronewatch.scenario.RunSettings;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Observation;

@@ -9,6 +9,8 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.run.PictureMemory;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.flight.FlightPathSettings.Approach;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenes.AcousticRange;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;

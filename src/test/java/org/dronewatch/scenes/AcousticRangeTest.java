@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronewatch.scene.SceneResult;
+import org.dronewatch.run.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sound.Atmosphere;

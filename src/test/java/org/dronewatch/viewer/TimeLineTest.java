@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JScrollPane;
 import javax.swing.UIManager;
-import org.dronewatch.scene.RunInfo;
+import org.dronewatch.run.RunInfo;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.AfterEach;

@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.DoubleStream;
-import org.dronewatch.scene.AlertResult;
-import org.dronewatch.scene.RunResult;
-import org.dronewatch.scene.Sightline;
+import org.dronewatch.run.AlertResult;
+import org.dronewatch.run.RunResult;
+import org.dronewatch.run.Sightline;
 
 /** When the site of a run is alerted to each drone, and how early that is: a row for each drone or swarm. */
 final class AlertTable {

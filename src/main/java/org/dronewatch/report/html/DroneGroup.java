@@ -6,7 +6,7 @@ import java.util.Map;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.flight.Swarm;
-import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scenario.SceneSettings;
 
 /**
  * What the report treats as one: a drone by itself, or all drones of a swarm.

@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
-import org.dronewatch.scene.SceneSettings;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.Choices;
 
 /** The table of all that flies. */

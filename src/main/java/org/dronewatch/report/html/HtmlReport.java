@@ -10,9 +10,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.scene.ConditionAdvice;
-import org.dronewatch.scene.RunResult;
-import org.dronewatch.scene.SceneResult;
+import org.dronewatch.run.RunResult;
+import org.dronewatch.run.SceneResult;
+import org.dronewatch.scenario.ConditionAdvice;
 
 /**
  * One file for a browser or for paper: the verdict over all runs, who was detected when and by whom, what was missed and why,

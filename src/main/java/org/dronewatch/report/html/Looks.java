@@ -5,10 +5,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.dronewatch.scene.Frame;
-import org.dronewatch.scene.RunInfo;
-import org.dronewatch.scene.RunResult;
-import org.dronewatch.scene.SceneListener;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.RunInfo;
+import org.dronewatch.run.RunResult;
+import org.dronewatch.run.SceneListener;
 import org.dronewatch.sensor.Observation;
 
 /**

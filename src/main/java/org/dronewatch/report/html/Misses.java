@@ -8,9 +8,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.scene.DetectionEvent;
-import org.dronewatch.scene.PairResult;
-import org.dronewatch.scene.RunResult;
+import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.PairResult;
+import org.dronewatch.run.RunResult;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
 

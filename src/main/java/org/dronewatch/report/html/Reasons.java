@@ -14,12 +14,12 @@ import java.util.stream.Collectors;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.scene.Pointings;
-import org.dronewatch.scene.SceneSettings;
-import org.dronewatch.scene.Sightline;
-import org.dronewatch.scene.Stage;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.run.Pointings;
+import org.dronewatch.run.Sightline;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.sensor.positioner.Pointing;
 
 /**
  * Says why a sensor did not detect a drone, and for which fraction of the time: out of range, out of its field of view, hidden

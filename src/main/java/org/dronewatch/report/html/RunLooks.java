@@ -4,8 +4,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.scene.Frame;
-import org.dronewatch.scene.Pointings;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.Pointings;
 import org.dronewatch.sensor.Observation;
 
 /** Of one run: of all looks of a sensor at a drone the best, how many of them detected it, and where positioners pointed. */

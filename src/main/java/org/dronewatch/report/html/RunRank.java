@@ -3,9 +3,9 @@ package org.dronewatch.report.html;
 import java.util.Comparator;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.dronewatch.scene.AlertResult;
-import org.dronewatch.scene.PairResult;
-import org.dronewatch.scene.RunResult;
+import org.dronewatch.run.AlertResult;
+import org.dronewatch.run.PairResult;
+import org.dronewatch.run.RunResult;
 
 /**
  * How well a run went for who is to be warned. Attacking drones count; where none attacks, all do.

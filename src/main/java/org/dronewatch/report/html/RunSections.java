@@ -1,7 +1,7 @@
 package org.dronewatch.report.html;
 
 import java.util.stream.Collectors;
-import org.dronewatch.scene.RunResult;
+import org.dronewatch.run.RunResult;
 
 /** The part of the report that is about one run: pictures, alert, detections, time line, what was missed. */
 final class RunSections {

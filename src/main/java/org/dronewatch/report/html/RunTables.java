@@ -12,9 +12,9 @@ import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
-import org.dronewatch.scene.DetectionEvent;
-import org.dronewatch.scene.PairResult;
-import org.dronewatch.scene.RunResult;
+import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.PairResult;
+import org.dronewatch.run.RunResult;
 
 /** Which sensor of a run detects which drone: a row for each sensor with each drone or swarm, a fold with each swarm's drones. */
 final class RunTables {

@@ -1,7 +1,7 @@
 package org.dronewatch.report.html;
 
 import java.util.List;
-import org.dronewatch.scene.Stage;
+import org.dronewatch.run.Stage;
 
 /**
  * What the report needs of one run besides its result.

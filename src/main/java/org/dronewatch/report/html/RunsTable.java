@@ -11,9 +11,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.dronewatch.scene.AlertResult;
-import org.dronewatch.scene.PairResult;
-import org.dronewatch.scene.RunResult;
+import org.dronewatch.run.AlertResult;
+import org.dronewatch.run.PairResult;
+import org.dronewatch.run.RunResult;
 
 /** All runs of a sweep, a row each, with what counts: drones detected, alerts, warning, in time. */
 final class RunsTable {

@@ -8,10 +8,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Predicate;
 import org.dronewatch.fusion.AlertSettings;
-import org.dronewatch.scene.AlertResult;
-import org.dronewatch.scene.RunResult;
-import org.dronewatch.scene.SweepSettings;
-import org.dronewatch.scene.SweptValue;
+import org.dronewatch.run.AlertResult;
+import org.dronewatch.run.RunResult;
+import org.dronewatch.scenario.SweepSettings;
+import org.dronewatch.scenario.SweptValue;
 
 /** What all runs of a sweep come to: in how many of them the alert came, and in time, and how the worst went. */
 final class SweepVerdict {

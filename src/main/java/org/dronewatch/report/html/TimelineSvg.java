@@ -4,9 +4,9 @@ import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.dronewatch.picture.KindColours;
-import org.dronewatch.scene.DetectionEvent;
-import org.dronewatch.scene.RunResult;
+import org.dronewatch.render.KindColours;
+import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.RunResult;
 import org.dronewatch.sensor.Observation;
 
 /** A run over time as a drawing: a row for each sensor, with a bar for each stretch in which it detects a drone. */

@@ -10,9 +10,9 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.fusion.AlertSettings;
-import org.dronewatch.scene.AlertResult;
-import org.dronewatch.scene.PairResult;
-import org.dronewatch.scene.RunResult;
+import org.dronewatch.run.AlertResult;
+import org.dronewatch.run.PairResult;
+import org.dronewatch.run.RunResult;
 
 /** What one run comes to: a few sentences for each drone and each swarm. */
 final class Verdict {

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.dronewatch.scene.SceneResult;
-import org.dronewatch.scene.Stage;
+import org.dronewatch.run.SceneResult;
+import org.dronewatch.run.Stage;
 
 /**
  * A map of a run, for programs that show maps: sensors, what they look into, the flights, and where each drone was when a

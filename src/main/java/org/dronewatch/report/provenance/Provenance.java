@@ -7,8 +7,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import org.dronewatch.scene.InputFiles;
-import org.dronewatch.scene.SceneResult;
+import org.dronewatch.run.SceneResult;
+import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.setting.file.FileHash;
 
 /**

@@ -2,8 +2,8 @@ package org.dronewatch.report.provenance;
 
 import java.util.List;
 import java.util.Map;
-import org.dronewatch.scene.SceneResult;
-import org.dronewatch.scene.Timing;
+import org.dronewatch.run.SceneResult;
+import org.dronewatch.run.Timing;
 import org.dronewatch.setting.file.FileHash;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;

@@ -2,13 +2,13 @@ package org.dronewatch.sensor.optics;
 
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Direction;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.positioner.Positioner;
+import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.sensor.positioner.Direction;
-import org.dronewatch.sensor.positioner.Pointing;
-import org.dronewatch.sensor.positioner.Positioner;
-import org.dronewatch.sensor.positioner.PositionerSettings;
 import org.dronewatch.setting.Quantity;
 
 /**

@@ -6,10 +6,10 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
-import org.dronewatch.sensor.positioner.Sighting;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
 

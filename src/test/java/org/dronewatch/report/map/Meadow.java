@@ -13,7 +13,7 @@ import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.UpAxis;
-import org.dronewatch.scene.RunSettings;
+import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.acoustic.AcousticSettings;

@@ -18,7 +18,7 @@ import java.util.List;
 import java.util.Optional;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.dronewatch.geo.Origin;
-import org.dronewatch.scene.SceneResult;
+import org.dronewatch.run.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;

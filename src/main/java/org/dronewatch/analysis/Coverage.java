@@ -1,0 +1,175 @@
+package org.dronewatch.analysis;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.IntConsumer;
+import java.util.function.Supplier;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightState;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.World;
+
+/**
+ * Where over a site each sensor detects a drone. The drone is put at every point of a grid, its nose and its speed towards
+ * the sensor, and the sensor looks once: what stands in the way, pixels, levels and echoes are those of a run.
+ */
+public final class Coverage {
+    private final CoverageGrid grid;
+    private final Map<String, SensorSettings<?>> sensors;
+    private final Map<String, boolean[]> reached = new LinkedHashMap<>();
+
+    private Coverage(CoverageGrid grid, Map<String, SensorSettings<?>> sensors) {
+        this.grid = grid;
+        this.sensors = sensors;
+    }
+
+    /**
+     * Lets all sensors of a scene look at all points, on the threads of the {@link Workers} that call; the same for any number
+     * of them.
+     *
+     * @param settings of one run
+     * @param stage its world and drones
+     * @param drone id of the drone that is put at the points
+     * @param progress is told how many points a sensor has looked at since it was last told; by any thread
+     * @throws IllegalArgumentException when there is no such drone
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; it stays so
+     */
+    public static Coverage of(
+            SceneSettings settings, Stage stage, String drone, CoverageGrid grid, IntConsumer progress) {
+        Drone sample = stage.dronesAt(0.0).stream()
+                .filter(one -> one.id().equals(drone))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'; the scene has "
+                        + String.join(", ", settings.fliers().keySet())));
+        Coverage coverage = new Coverage(grid, settings.enabledSensors());
+        Heights heights = new Heights(stage.world(), grid);
+        List<Supplier<boolean[]>> tasks = new ArrayList<>();
+        settings.enabledSensors().forEach((id, sensor) -> {
+            Prober prober = new Prober(
+                    grid,
+                    heights,
+                    stage.world(),
+                    sample,
+                    sensor,
+                    id,
+                    settings.run().seed());
+            tasks.add(() -> prober.probe(progress));
+        });
+        boolean[][] results = new boolean[tasks.size()][];
+        Workers.forEach(results.length, i -> results[i] = tasks.get(i).get());
+        int next = 0;
+        for (String id : settings.enabledSensors().keySet()) {
+            coverage.reached.put(id, results[next++]);
+        }
+        return coverage;
+    }
+
+    /** The grid. */
+    public CoverageGrid grid() {
+        return grid;
+    }
+
+    /** The sensors by id, in the scene's order. */
+    public Map<String, SensorSettings<?>> sensors() {
+        return sensors;
+    }
+
+    /** Whether a sensor detects the drone in a cell: columns from the west, rows from the north. */
+    public boolean isReached(String sensor, int column, int row) {
+        return reached.get(sensor)[row * grid.cells() + column];
+    }
+
+    /** How many sensors of a kind detect the drone in a cell. */
+    public int count(String kind, int column, int row) {
+        int count = 0;
+        for (Map.Entry<String, SensorSettings<?>> sensor : sensors.entrySet()) {
+            boolean counts = sensor.getValue().kind().equals(kind) && isReached(sensor.getKey(), column, row);
+            count += counts ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** The area in which a sensor detects the drone, m2. */
+    public double area(String sensor) {
+        int cells = 0;
+        for (boolean cell : reached.get(sensor)) {
+            cells += cell ? 1 : 0;
+        }
+        return cells * grid.cellArea();
+    }
+
+    /** The area in which any sensor of a kind detects the drone, m2. */
+    public double areaOfKind(String kind) {
+        int cells = 0;
+        for (int row = 0; row < grid.cells(); row++) {
+            for (int column = 0; column < grid.cells(); column++) {
+                cells += count(kind, column, row) > 0 ? 1 : 0;
+            }
+        }
+        return cells * grid.cellArea();
+    }
+
+    /** The height of the highest surface in each cell, NaN where there is none. */
+    private static final class Heights {
+        private final double[] height;
+
+        Heights(World world, CoverageGrid grid) {
+            height = new double[grid.cells() * grid.cells()];
+            for (int row = 0; row < grid.cells(); row++) {
+                Workers.checkInterrupted();
+                for (int column = 0; column < grid.cells(); column++) {
+                    OptionalDouble surface = world.surfaceHeight(grid.x(column), grid.y(row));
+                    height[row * grid.cells() + column] = surface.orElse(Double.NaN);
+                }
+            }
+        }
+    }
+
+    /** One sensor that looks at all points, one after the other. */
+    private record Prober(
+            CoverageGrid grid,
+            Heights heights,
+            World world,
+            Drone drone,
+            SensorSettings<?> settings,
+            String id,
+            long seed) {
+
+        boolean[] probe(IntConsumer progress) {
+            Sensor sensor = settings.create();
+            boolean[] cells = new boolean[grid.cells() * grid.cells()];
+            for (int row = 0; row < grid.cells(); row++) {
+                Workers.checkInterrupted();
+                for (int column = 0; column < grid.cells(); column++) {
+                    int cell = row * grid.cells() + column;
+                    double ground = heights.height[cell];
+                    if (!Double.isNaN(ground)) {
+                        Position place = new Position(grid.x(column), grid.y(row), ground + grid.height());
+                        Sample look = Sample.of(seed, id, cell, 0.0).withPointing(settings.turnedTo(place));
+                        cells[cell] = sensor.observe(world, List.of(comingFrom(place)), look)
+                                .get(0)
+                                .isDetected();
+                    }
+                }
+                progress.accept(grid.cells());
+            }
+            return cells;
+        }
+
+        private Drone comingFrom(Position place) {
+            Position way = settings.position().minus(place);
+            double length = Math.max(way.length(), Double.MIN_NORMAL);
+            Position velocity = way.times(drone.settings().speed() / length);
+            return drone.at(new FlightState(place, velocity, Math.atan2(way.x(), way.y())));
+        }
+    }
+}

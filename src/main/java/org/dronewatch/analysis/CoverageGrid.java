@@ -1,0 +1,46 @@
+package org.dronewatch.analysis;
+
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A square of points at one height over the ground, at each of which a drone is put.
+ *
+ * @param east of the middle, -100 to 100 km, m
+ * @param north of the middle, -100 to 100 km, m
+ * @param side length of a side, above 0 and at most 100 km, m
+ * @param cells how many points to a side, 2 to 2000
+ * @param height of the points over the highest surface below, above 0 and at most 10 km, m
+ */
+public record CoverageGrid(
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double east,
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double north,
+        @In(value = Quantity.LENGTH, above = 0, to = 100_000) double side,
+        @In(value = Quantity.NUMBER, from = 2, to = 2000) int cells,
+        @In(value = Quantity.LENGTH, above = 0, to = 10_000) double height) {
+    /** Checks the limits. */
+    public CoverageGrid {
+        Limits.check(CoverageGrid.class, east, north, side, cells, height);
+    }
+
+    /** Length of a cell's side, m. */
+    public double step() {
+        return side / cells;
+    }
+
+    /** Area of a cell, m2. */
+    public double cellArea() {
+        return step() * step();
+    }
+
+    /** East coordinate of the middle of a column from the west, m. */
+    public double x(int column) {
+        return east - 0.5 * side + (column + 0.5) * step();
+    }
+
+    /** North coordinate of the middle of a row from the north, m. */
+    public double y(int row) {
+        return north + 0.5 * side - (row + 0.5) * step();
+    }
+}

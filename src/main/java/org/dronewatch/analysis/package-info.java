@@ -1,0 +1,2 @@
+/** What a layout can do before anything flies: coverage. */
+package org.dronewatch.analysis;

@@ -1,0 +1,116 @@
+package org.dronewatch.positioner;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+
+/**
+ * A mount while a run goes on: where it points, what it has been told, whom it follows. Its sensor tells it what it sees
+ * itself, and the sensors it listens to what they detect; both act from the next look on. One run, one thread.
+ */
+public final class Positioner {
+    /** What its own camera saw so long ago no longer counts, s; of a slow camera it is a look and a half. */
+    private static final double OWN = 0.5;
+
+    private static final double LOOKS = 1.5;
+
+    private record Cue(double due, String drone, Sighting sighting, double time) {}
+
+    private final PositionerSettings settings;
+    private final Position place;
+    private final Direction rest;
+    private final double widest;
+    private final double fresh;
+    private final Deque<Cue> cues = new ArrayDeque<>();
+
+    private double time;
+    private Direction direction;
+    private double fov;
+    private Optional<Track> track = Optional.empty();
+    private Direction own;
+    private double ownTime = Double.NEGATIVE_INFINITY;
+
+    /**
+     * A mount at the start of a run.
+     *
+     * @param place where it stands, m
+     * @param rest the direction of its sensor's own aim
+     * @param widest its sensor's own field of view, rad
+     * @param interval between two looks of its sensor, s
+     */
+    public Positioner(PositionerSettings settings, Position place, Direction rest, double widest, double interval) {
+        this.settings = settings;
+        this.place = place;
+        this.rest = rest;
+        this.widest = widest;
+        this.fresh = Math.max(OWN, LOOKS * interval);
+        this.own = rest;
+        this.direction = settings.tilted(settings.search().at(rest, 0.0));
+        this.fov = widest;
+    }
+
+    /**
+     * Another sensor has detected a drone.
+     *
+     * @param detected when it knew, s
+     */
+    public void cue(String drone, Sighting sighting, double detected) {
+        cues.add(new Cue(detected + settings.delay(), drone, sighting, detected));
+    }
+
+    /** The mount's own sensor has seen a drone, at its last look. */
+    public void see(String drone, Sighting sighting, double seen) {
+        follow(drone, sighting, seen, seen);
+        if (track.filter(followed -> followed.drone().equals(drone)).isPresent()) {
+            own = sighting.direction();
+            ownTime = seen;
+        }
+    }
+
+    private void follow(String drone, Sighting sighting, double seen, double told) {
+        if (track.isEmpty()) {
+            track = Optional.of(new Track(drone, sighting, seen, told));
+            ownTime = Double.NEGATIVE_INFINITY;
+        } else if (track.get().drone().equals(drone)) {
+            track.get().add(sighting, seen, told);
+        }
+    }
+
+    /** Turns, tilts and zooms for as long as there is until a time, not before the last one, and says where it points then. */
+    public Pointing moveTo(double now) {
+        track = track.filter(followed -> now - followed.told() <= settings.hold());
+        while (!cues.isEmpty() && cues.peek().due() <= now) {
+            Cue cue = cues.poll();
+            if (now - cue.due() <= settings.hold()) {
+                follow(cue.drone(), cue.sighting(), cue.time(), cue.due());
+            }
+        }
+        boolean holds = track.isPresent() && now - ownTime <= fresh;
+        Direction seen = own;
+        Direction wanted = settings.tilted(
+                track.map(followed -> holds ? seen : followed.from(place, now, settings.hold() + settings.delay()))
+                        .orElseGet(() -> settings.search().at(rest, now)));
+        double since = now - time;
+        double turned = limited(Direction.turn(direction.azimuth(), wanted.azimuth()), settings.panSpeed() * since);
+        double tilted = limited(wanted.elevation() - direction.elevation(), settings.tiltSpeed() * since);
+        direction = direction.turned(turned, tilted);
+        settings.zoom().ifPresent(lens -> zoom(lens, holds, since));
+        time = now;
+        boolean moved = since > 0.0;
+        return new Pointing(
+                direction, moved ? turned / since : 0.0, moved ? tilted / since : 0.0, fov, track.map(Track::drone));
+    }
+
+    /** The field of view changes by the same factor in the same time. */
+    private void zoom(ZoomSettings lens, boolean holds, double since) {
+        double wanted = track.isEmpty() ? widest : holds ? lens.tracked() : lens.cued();
+        double narrowest = Math.min(widest, Math.min(lens.cued(), lens.tracked()));
+        double most = lens.time() > 0.0 ? since / lens.time() * Math.log(widest / narrowest) : Double.POSITIVE_INFINITY;
+        fov *= Math.exp(limited(Math.log(wanted / fov), most));
+    }
+
+    private static double limited(double wanted, double most) {
+        return Math.max(-most, Math.min(most, wanted));
+    }
+}

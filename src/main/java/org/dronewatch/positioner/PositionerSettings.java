@@ -1,0 +1,117 @@
+package org.dronewatch.positioner;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A mount that turns all round and tilts. It searches until a sensor that it listens to detects a drone and tells where;
+ * then it turns there, as fast as it can, and follows. First come, first served: another drone has to wait until this one
+ * has not been seen for a while.
+ *
+ * @param cues names of the sensors that it listens to; they must tell directions, as radars and cameras do
+ * @param panSpeed how fast it turns, above 0 and at most 600 degrees per second, rad/s
+ * @param tiltSpeed how fast it tilts, above 0 and at most 600 degrees per second, rad/s
+ * @param lowest elevation, -pi/2 to pi/2, rad
+ * @param highest elevation; not below the lowest, -pi/2 to pi/2, rad
+ * @param delay from another sensor's detection until the mount begins to turn, 0 to 60 s
+ * @param hold for how long it waits for a drone that is not seen any more, 0 to 3600 s
+ * @param lock how many pixels of a drone its own camera needs to follow it by itself, 1 or more
+ * @param search what it does meanwhile
+ * @param zoom how its lens follows, or empty for a fixed one
+ */
+public record PositionerSettings(
+        List<String> cues,
+        @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double panSpeed,
+        @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double tiltSpeed,
+        @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double lowest,
+        @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double highest,
+        @In(value = Quantity.DURATION, from = 0, to = 60) double delay,
+        @In(value = Quantity.DURATION, from = 0, to = 3600) double hold,
+        @In(value = Quantity.PIXELS, from = 1, to = 1e6) double lock,
+        SearchPattern search,
+        Optional<ZoomSettings> zoom) {
+    /** What the model of a mount leaves out, for a report. */
+    public static final String LEFT_OUT =
+            "A mount here needs no time to speed up and does not shake; its own camera tells directions without errors.";
+
+    /**
+     * 60 degrees a second, from 50 degrees below the horizon to 60 above; half a second of delay, 3 seconds of patience, 6
+     * pixels to follow by itself, at rest until it is told where to look.
+     */
+    @Defaults
+    public static final PositionerSettings DEFAULT = new PositionerSettings(
+            List.of(),
+            Math.toRadians(60.0),
+            Math.toRadians(60.0),
+            Math.toRadians(-50.0),
+            Math.toRadians(60.0),
+            0.5,
+            3.0,
+            6.0,
+            new SearchPattern.Rest(),
+            Optional.empty());
+
+    /**
+     * Checks the limits and keeps its own list.
+     *
+     * @throws IllegalArgumentException when one does not hold
+     */
+    public PositionerSettings {
+        Limits.check(
+                PositionerSettings.class, cues, panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, search, zoom);
+        cues = List.copyOf(cues);
+        if (new HashSet<>(cues).size() < cues.size()) {
+            throw new IllegalArgumentException("cues " + cues + " must not name a sensor twice");
+        }
+        if (lowest > highest) {
+            throw new IllegalArgumentException("lowest " + Quantity.ANGLE.inWords(lowest) + " must be at most highest "
+                    + Quantity.ANGLE.inWords(highest));
+        }
+    }
+
+    /**
+     * Where it points once it has turned to a place and zoomed in as far as it may.
+     *
+     * @param mount where it stands, m
+     * @param widest its sensor's own field of view, rad
+     * @return the pointing; one that does not reach the place when that is too high or too low for it
+     */
+    public Pointing turnedTo(Position mount, Position place, double widest) {
+        Position way = place.minus(mount);
+        Direction wanted = way.length() > 0.0 ? Direction.of(way) : new Direction(0.0, 0.0);
+        return Pointing.still(tilted(wanted), zoom.map(ZoomSettings::tracked).orElse(widest), Optional.empty());
+    }
+
+    /** A direction as far up or down as the mount can tilt. */
+    Direction tilted(Direction wanted) {
+        return new Direction(wanted.azimuth(), Math.max(lowest, Math.min(highest, wanted.elevation())));
+    }
+
+    /** These settings listening to some sensors. */
+    public PositionerSettings withCues(String... sensors) {
+        return new PositionerSettings(
+                List.of(sensors), panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, search, zoom);
+    }
+
+    /** These settings with other speeds, rad/s. */
+    public PositionerSettings withSpeed(double pan, double tilt) {
+        return new PositionerSettings(cues, pan, tilt, lowest, highest, delay, hold, lock, search, zoom);
+    }
+
+    /** These settings with another way to search. */
+    public PositionerSettings withSearch(SearchPattern pattern) {
+        return new PositionerSettings(cues, panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, pattern, zoom);
+    }
+
+    /** These settings with a lens that zooms. */
+    public PositionerSettings withZoom(ZoomSettings lens) {
+        return new PositionerSettings(
+                cues, panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, search, Optional.of(lens));
+    }
+}

@@ -1,0 +1,90 @@
+package org.dronewatch.positioner;
+
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/** How a mount looks about while nobody tells it where to look: about the direction of the sensor's own aim. */
+public sealed interface SearchPattern {
+
+    /**
+     * Where it looks.
+     *
+     * @param aim the direction of the sensor's own aim
+     * @param time seconds since the start of the run
+     */
+    Direction at(Direction aim, double time);
+
+    /** How far something is that goes to and fro between 0 and a length, having gone a way. */
+    private static double toAndFro(double way, double length) {
+        double phase = way - 2.0 * length * Math.floor(way / (2.0 * length));
+        return phase <= length ? phase : 2.0 * length - phase;
+    }
+
+    /** Looks where the sensor's aim is, and waits. */
+    record Rest() implements SearchPattern {
+        @Override
+        public Direction at(Direction aim, double time) {
+            return aim;
+        }
+    }
+
+    /**
+     * Turns round and round, clockwise.
+     *
+     * @param speed how fast it turns, above 0 and at most 600 degrees per second, rad/s
+     */
+    record Round(@In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double speed)
+            implements SearchPattern {
+        /** Once in 36 s. */
+        @Defaults
+        public static final Round DEFAULT = new Round(Math.toRadians(10.0));
+
+        /** Checks the limits. */
+        public Round {
+            Limits.check(Round.class, speed);
+        }
+
+        @Override
+        public Direction at(Direction aim, double time) {
+            return aim.turned(speed * time, 0.0);
+        }
+    }
+
+    /**
+     * Turns to and fro, or covers a field row by row from below and back again. It begins at the left.
+     *
+     * @param width of the field, about the aim, 0.1 degrees to 2 pi, rad
+     * @param height of the field, about the aim, 0 to pi/2 rad
+     * @param rows how many, 1 to 100; one row is in the middle of the height
+     * @param speed how fast it turns, above 0 and at most 600 degrees per second, rad/s
+     */
+    record Sweep(
+            @In(value = Quantity.ANGLE, from = Math.PI / 1800, to = 2 * Math.PI) double width,
+            @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 2) double height,
+            @In(value = Quantity.NUMBER, from = 1, to = 100) int rows,
+            @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double speed)
+            implements SearchPattern {
+        /** Checks the limits. */
+        public Sweep {
+            Limits.check(Sweep.class, width, height, rows, speed);
+        }
+
+        /** To and fro in one row at 10 degrees a second. */
+        @Defaults("width")
+        public static Sweep of(double width) {
+            return new Sweep(width, 0.0, 1, Math.toRadians(10.0));
+        }
+
+        @Override
+        public Direction at(Direction aim, double time) {
+            double way = toAndFro(speed * time, rows * width);
+            int row = Math.min(rows - 1, (int) (way / width));
+            double inRow = way - row * width;
+            double across = row % 2 == 0 ? inRow : width - inRow;
+            double up = rows == 1 ? 0.0 : height * (row / (rows - 1.0) - 0.5);
+            return aim.turned(across - 0.5 * width, up);
+        }
+    }
+}

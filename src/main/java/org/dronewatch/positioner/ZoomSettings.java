@@ -1,0 +1,34 @@
+package org.dronewatch.positioner;
+
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A lens that zooms in on what it follows. While it searches, it shows the sensor's own field of view.
+ *
+ * @param cued field of view while another sensor tells where to look: wide enough for that sensor's errors, 0.01 to 179
+ *     degrees, rad
+ * @param tracked field of view while the sensor itself holds the drone, 0.01 to 179 degrees, rad
+ * @param time that it takes from the sensor's own field of view to the narrowest, 0 to 60 s
+ */
+public record ZoomSettings(
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double cued,
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double tracked,
+        @In(value = Quantity.DURATION, from = 0, to = 60) double time) {
+    /** Checks the limits. */
+    public ZoomSettings {
+        Limits.check(ZoomSettings.class, cued, tracked, time);
+        if (tracked > cued) {
+            throw new IllegalArgumentException("tracked " + Quantity.ANGLE.inWords(tracked) + " must be at most cued "
+                    + Quantity.ANGLE.inWords(cued) + ": it zooms in");
+        }
+    }
+
+    /** Two seconds from end to end. */
+    @Defaults({"cued", "tracked"})
+    public static ZoomSettings of(double cued, double tracked) {
+        return new ZoomSettings(cued, tracked, 2.0);
+    }
+}

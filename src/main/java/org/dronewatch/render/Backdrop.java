@@ -1,0 +1,92 @@
+package org.dronewatch.render;
+
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.optics.CameraObject;
+
+/** The site alone, painted from one place: what stays the same while time goes on. Immutable to whoever holds it. */
+public final class Backdrop {
+    private final Orbit orbit;
+    private final int width;
+    private final int height;
+    private final Optional<Cut> cut;
+    private final Fineness fineness;
+    private final CameraObject camera;
+    private final Canvas canvas;
+
+    Backdrop(
+            Orbit orbit,
+            int width,
+            int height,
+            Optional<Cut> cut,
+            Fineness fineness,
+            CameraObject camera,
+            Canvas canvas) {
+        this.orbit = orbit;
+        this.width = width;
+        this.height = height;
+        this.cut = cut;
+        this.fineness = fineness;
+        this.camera = camera;
+        this.canvas = canvas;
+    }
+
+    /** From where it is seen. */
+    public Orbit orbit() {
+        return orbit;
+    }
+
+    /** Columns of its pictures. */
+    public int width() {
+        return width;
+    }
+
+    /** Rows of its pictures. */
+    public int height() {
+        return height;
+    }
+
+    /** What is cut away. */
+    public Optional<Cut> cut() {
+        return cut;
+    }
+
+    /** How finely it is painted. */
+    public Fineness fineness() {
+        return fineness;
+    }
+
+    /** The place of the world that a pixel of the picture shows; empty for the sky. */
+    public Optional<Position> placeAt(int column, int row) {
+        if (column < 0 || row < 0 || column >= width || row >= height) {
+            return Optional.empty();
+        }
+        int x = Math.min(canvas.width - 1, column * canvas.width / width);
+        int y = Math.min(canvas.height - 1, row * canvas.height / height);
+        float depth = canvas.depth[y * canvas.width + x];
+        if (depth == Float.POSITIVE_INFINITY) {
+            return Optional.empty();
+        }
+        double[] d = new double[3];
+        camera.direction(x, y, d);
+        double along = depth * camera.obliqueness(x, y);
+        return Optional.of(camera.position().plus(new Position(d[0], d[1], d[2]).times(along)));
+    }
+
+    /** The same with one depth a pixel: less to copy for each picture, for which its lines have no softer edges. */
+    public Backdrop flat() {
+        if (canvas.width <= width) {
+            return this;
+        }
+        return new Backdrop(
+                orbit, width, height, cut, fineness, orbit.camera(width, height), canvas.shrunk(width, height));
+    }
+
+    CameraObject camera() {
+        return camera;
+    }
+
+    Canvas canvas() {
+        return canvas;
+    }
+}

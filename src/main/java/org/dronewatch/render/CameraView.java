@@ -1,0 +1,83 @@
+package org.dronewatch.render;
+
+import java.util.Optional;
+import java.util.function.DoubleFunction;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.DepthImage;
+import org.dronewatch.sensor.optics.DronePicture;
+import org.dronewatch.sensor.optics.PictureSettings;
+
+/**
+ * Draws what a camera of a run sees. One on a positioner looks where that pointed at its last look, which the run's
+ * history holds; one on a fixed mount needs no history. One thread at a time.
+ */
+public final class CameraView {
+    /** Times that are equal but for rounding are the same look, as a fraction of the interval between looks. */
+    private static final double SAME = 1e-6;
+
+    private final SensorSettings<?> sensor;
+    private final Stage stage;
+    private final DoubleFunction<Optional<Pointing>> pointings;
+    private Optional<Pointing> pointing = Optional.empty();
+    private DronePicture picture;
+
+    /**
+     * The view of a camera.
+     *
+     * @param id of the camera in its scene
+     * @param sensor settings of a sensor that takes pictures
+     * @param history of the run, at least up to the times that are drawn
+     * @throws IllegalArgumentException when the sensor takes no pictures
+     */
+    public CameraView(String id, SensorSettings<?> sensor, Stage stage, RunHistory history) {
+        this(id, sensor, stage, time -> history.pointing(id, time));
+    }
+
+    /**
+     * The view of a camera.
+     *
+     * @param id of the camera in its scene
+     * @param sensor settings of a sensor that takes pictures
+     * @param pointings where its positioner pointed at a time; empty for a camera on a fixed mount
+     * @throws IllegalArgumentException when the sensor takes no pictures
+     */
+    public CameraView(String id, SensorSettings<?> sensor, Stage stage, DoubleFunction<Optional<Pointing>> pointings) {
+        if (!(sensor instanceof PictureSettings)) {
+            throw new IllegalArgumentException("sensor '" + id + "' takes no pictures");
+        }
+        this.sensor = sensor;
+        this.stage = stage;
+        this.pointings = pointings;
+        this.picture = new DronePicture(new CameraObject((PictureSettings) sensor));
+    }
+
+    /**
+     * When a sensor's last look up to a time was.
+     *
+     * @param time seconds since the start of the run, 0 or more
+     */
+    public static double lookTime(SensorSettings<?> sensor, double time) {
+        return Math.floor(time * sensor.rate() + SAME) / sensor.rate();
+    }
+
+    /**
+     * What the camera sees with the drones as they are at a time.
+     *
+     * @param time seconds since the start of the run; for the picture that the run had, a {@link #lookTime}
+     */
+    public DepthImage draw(double time) {
+        turn(pointings.apply(time));
+        return picture.depthImage(stage.world(), stage.dronesAt(time));
+    }
+
+    private void turn(Optional<Pointing> next) {
+        if (!next.equals(pointing)) {
+            pointing = next;
+            SensorSettings<?> pointed = next.isPresent() ? sensor.pointed(next.get()) : sensor;
+            picture = new DronePicture(new CameraObject((PictureSettings) pointed));
+        }
+    }
+}

@@ -1,0 +1,43 @@
+package org.dronewatch.render;
+
+import org.dronewatch.geometry.Position;
+
+/**
+ * A plane that cuts a part of the site away, so that one sees inside: what lies beyond it, where its normal points, is not
+ * shown.
+ *
+ * @param normal unit vector towards what is cut away
+ * @param offset where the plane is: its points have this product with the normal, m
+ */
+public record Cut(Position normal, double offset) {
+
+    /** Takes away all above a height, m. */
+    public static Cut above(double height) {
+        return new Cut(new Position(0, 0, 1), height);
+    }
+
+    /** Takes away all that lies from a place on in a direction, of any length but 0. */
+    public static Cut from(Position place, Position direction) {
+        Position normal = direction.times(1.0 / direction.length());
+        return new Cut(normal, dot(normal, place));
+    }
+
+    private static double dot(Position a, Position b) {
+        return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+    }
+
+    /** How far a point lies in what is cut away; negative for what is kept, m. */
+    double depth(double x, double y, double z) {
+        return normal.x() * x + normal.y() * y + normal.z() * z - offset;
+    }
+
+    /** Whether a point is shown. */
+    boolean keeps(Position point) {
+        return depth(point.x(), point.y(), point.z()) <= 0.0;
+    }
+
+    /** How fast a direction leads into what is cut away. */
+    double rate(double dx, double dy, double dz) {
+        return normal.x() * dx + normal.y() * dy + normal.z() * dz;
+    }
+}

@@ -1,0 +1,62 @@
+package org.dronewatch.render;
+
+/** How surfaces and the sky look by day: the sun in the south-west, light from all of the sky, and some from the eye. */
+final class Daylight {
+    /** Unit vector to the sun. */
+    static final double SUN_X = -0.46;
+
+    static final double SUN_Y = -0.38;
+    static final double SUN_Z = Math.sqrt(1.0 - SUN_X * SUN_X - SUN_Y * SUN_Y);
+
+    private static final double SKY = 0.46;
+    private static final double SUN = 0.52;
+    private static final double EYE = 0.16;
+
+    private static final int HORIZON = 0xf1f5f9;
+    private static final int ZENITH = 0xa9c6e6;
+    private static final int BELOW = 0xdbe1e6;
+
+    private Daylight() {}
+
+    /**
+     * The colour of a surface.
+     *
+     * @param colour in full light
+     * @param nx unit normal, to either side
+     * @param ny unit normal
+     * @param nz unit normal
+     * @param dx from the eye to it, of unit length
+     * @param dy from the eye to it
+     * @param dz from the eye to it
+     * @param sun how much of the sun it sees, 0 to 1
+     */
+    static int shade(int colour, double nx, double ny, double nz, double dx, double dy, double dz, double sun) {
+        double facing = nx * dx + ny * dy + nz * dz;
+        double side = facing > 0.0 ? -1.0 : 1.0;
+        double sky = 0.62 + 0.38 * side * nz;
+        double direct = Math.max(0.0, side * (nx * SUN_X + ny * SUN_Y + nz * SUN_Z));
+        return scaled(colour, SKY * sky + SUN * sun * direct + EYE * Math.abs(facing));
+    }
+
+    /** Whether a surface is turned to the sun, seen from where a direction comes from. */
+    static boolean isTurnedToSun(double nx, double ny, double nz, double dx, double dy, double dz) {
+        boolean front = nx * dx + ny * dy + nz * dz < 0.0;
+        return nx * SUN_X + ny * SUN_Y + nz * SUN_Z > 0.0 == front;
+    }
+
+    /** A colour with so much of its light. */
+    static int scaled(int colour, double light) {
+        int weight = (int) (256.0 * light);
+        int r = Math.min(255, (colour >> 16 & 255) * weight >> 8);
+        int g = Math.min(255, (colour >> 8 & 255) * weight >> 8);
+        int b = Math.min(255, (colour & 255) * weight >> 8);
+        return r << 16 | g << 8 | b;
+    }
+
+    /** The sky in a direction whose vertical part, of 1, is this. */
+    static int sky(double up) {
+        return up >= 0.0
+                ? Canvas.mix(HORIZON, ZENITH, Math.min(1.0, 1.4 * up))
+                : Canvas.mix(HORIZON, BELOW, Math.min(1.0, -6.0 * up));
+    }
+}

@@ -1,0 +1,21 @@
+package org.dronewatch.render;
+
+import java.util.List;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+
+/**
+ * A drone as a picture shows it.
+ *
+ * @param drone as it is now
+ * @param flown where it has been, up to now
+ * @param toCome where it will be, from now on
+ * @param detected whether a sensor detects it now
+ */
+public record DroneMark(Drone drone, List<Position> flown, List<Position> toCome, boolean detected) {
+    /** Keeps its own lists. */
+    public DroneMark {
+        flown = List.copyOf(flown);
+        toCome = List.copyOf(toCome);
+    }
+}

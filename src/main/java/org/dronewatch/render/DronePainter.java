@@ -1,0 +1,79 @@
+package org.dronewatch.render;
+
+import java.util.Map;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.kdtree.TileTraversal;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.ModelGrid;
+import org.jogamp.vecmath.Matrix4d;
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Vector3d;
+
+/** Paints a drone into a canvas where it stands before what is there. */
+final class DronePainter {
+    private final Drone drone;
+    private final int colour;
+    private final Facets facets;
+    private final Matrix4d toWorld;
+    private final Vector3d normal = new Vector3d();
+
+    DronePainter(Drone drone, int colour) {
+        this.drone = drone;
+        this.colour = colour;
+        this.facets = new Facets(drone.tree().mesh(), Map.of());
+        this.toWorld = drone.modelMatrix();
+    }
+
+    void paint(CameraObject camera, Canvas canvas) {
+        Point3d at = drone.position();
+        double reach = drone.reach();
+        if (camera.isOutside(at.x, at.y, at.z, reach)) {
+            return;
+        }
+        double[] view = new double[3];
+        camera.toView(at.x, at.y, at.z, view, 0);
+        double near = Math.max(CameraObject.NEAR, view[2] - reach);
+        double radius = camera.focalLength() * reach / near + 1.0;
+        double column = 0.5 * camera.width() + camera.focalLength() * view[0] / near;
+        double row = 0.5 * camera.height() - camera.focalLength() * view[1] / near;
+        double aside = Math.abs(column - (0.5 * camera.width() + camera.focalLength() * view[0] / (view[2] + reach)));
+        double above = Math.abs(row - (0.5 * camera.height() - camera.focalLength() * view[1] / (view[2] + reach)));
+        paint(
+                camera,
+                canvas,
+                (int) Math.max(0.0, column - radius - aside),
+                (int) Math.max(0.0, row - radius - above),
+                (int) Math.min(canvas.width, column + radius + aside + 1.0),
+                (int) Math.min(canvas.height, row + radius + above + 1.0));
+    }
+
+    private void paint(CameraObject camera, Canvas canvas, int left, int top, int right, int bottom) {
+        TileTraversal tiles = new TileTraversal(drone.tree());
+        new ModelGrid(camera).setPicture(tiles, drone.worldToModel());
+        double[] direction = new double[3];
+        for (int y = top; y < bottom; y += TileTraversal.HEIGHT) {
+            for (int x = left; x < right; x += TileTraversal.WIDTH) {
+                int columns = Math.min(TileTraversal.WIDTH, right - x);
+                int rows = Math.min(TileTraversal.HEIGHT, bottom - y);
+                tiles.trace(x, y, columns, rows);
+                for (int i = 0; i < columns * rows; i++) {
+                    int column = i % columns;
+                    int row = i / columns;
+                    int pixel = (y + row) * canvas.width + x + column;
+                    if (tiles.hits(column, row) && tiles.parameter(column, row) < canvas.depth[pixel]) {
+                        camera.direction(x + column, y + row, direction);
+                        canvas.depth[pixel] = (float) tiles.parameter(column, row);
+                        canvas.rgb[pixel] = shade(tiles.triangle(column, row), direction);
+                    }
+                }
+            }
+        }
+    }
+
+    private int shade(int triangle, double[] d) {
+        normal.set(facets.normal(triangle, 0), facets.normal(triangle, 1), facets.normal(triangle, 2));
+        toWorld.transform(normal);
+        normal.normalize();
+        return Daylight.shade(colour, normal.x, normal.y, normal.z, d[0], d[1], d[2], 1.0);
+    }
+}

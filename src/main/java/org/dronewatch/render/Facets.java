@@ -1,0 +1,65 @@
+package org.dronewatch.render;
+
+import java.util.Map;
+import org.dronewatch.geometry.TriangleMesh;
+
+/** What a mesh's triangles look like: their unit normals and their colours. Immutable. */
+final class Facets {
+    /** Of materials that name no colour: a pale stone. */
+    private static final int UNNAMED = 0xb9b4aa;
+
+    /** Screens show the dull colours of materials darker than daylight does. */
+    private static final double BRIGHTER = 1.0 / 1.35;
+
+    private final float[] normals;
+    private final int[] colourOfMaterial;
+    private final TriangleMesh mesh;
+
+    /** Facets of a mesh whose materials look as named. */
+    Facets(TriangleMesh mesh, Map<String, Integer> colours) {
+        this.mesh = mesh;
+        this.normals = new float[3 * mesh.triangleCount()];
+        double[] scratch = new double[3];
+        for (int i = 0; i < mesh.triangleCount(); i++) {
+            setNormal(i, scratch);
+        }
+        this.colourOfMaterial = mesh.materialNames().stream()
+                .mapToInt(name -> brighter(colours.getOrDefault(name, UNNAMED)))
+                .toArray();
+    }
+
+    private static int brighter(int colour) {
+        int rgb = 0;
+        for (int shift = 16; shift >= 0; shift -= 8) {
+            double share = (colour >> shift & 255) / 255.0;
+            rgb |= (int) Math.round(255.0 * Math.pow(share, BRIGHTER)) << shift;
+        }
+        return rgb;
+    }
+
+    private void setNormal(int triangle, double[] n) {
+        mesh.normal(triangle, n);
+        double length = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        double scale = 1.0 / Math.max(Double.MIN_NORMAL, length);
+        for (int axis = 0; axis < 3; axis++) {
+            normals[3 * triangle + axis] = (float) (n[axis] * scale);
+        }
+    }
+
+    /** One coordinate of a triangle's unit normal, to the side from which its corners run counter-clockwise. */
+    double normal(int triangle, int axis) {
+        return normals[3 * triangle + axis];
+    }
+
+    /** The cosine of the angle between two triangles' normals. */
+    double cosine(int one, int other) {
+        return normal(one, 0) * normal(other, 0)
+                + normal(one, 1) * normal(other, 1)
+                + normal(one, 2) * normal(other, 2);
+    }
+
+    /** A triangle's colour in full light. */
+    int colour(int triangle) {
+        return colourOfMaterial[mesh.material(triangle)];
+    }
+}

@@ -1,0 +1,82 @@
+package org.dronewatch.render;
+
+import java.util.Locale;
+
+/**
+ * Which times of a run a film shows.
+ *
+ * @param from simulated time of its first frame, 0 or more, s
+ * @param to simulated time that it does not pass, from {@code from} on, s
+ * @param fps frames a second, {@value #LEAST_FPS} to {@value #MOST_FPS}
+ * @param speed how many times as fast as real time the run goes by, 0.01 to 1000
+ */
+public record Film(double from, double to, int fps, double speed) {
+    /** The fewest frames a second. */
+    public static final int LEAST_FPS = 1;
+
+    /** The most frames a second. */
+    public static final int MOST_FPS = 60;
+
+    /** The most frames of a film: 24 minutes at 25 frames a second. */
+    public static final int MOST_FRAMES = 36_000;
+
+    /** The longest side of a frame, pixels: what players decode. */
+    public static final int LONGEST_SIDE = 4096;
+
+    private static final double SLOWEST = 0.01;
+    private static final double FASTEST = 1000.0;
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException naming the value and its limit
+     */
+    public Film {
+        if (!(from >= 0.0 && from <= to && to < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException(
+                    "a film from " + from + " s to " + to + " s: must not end before it begins");
+        }
+        if (fps < LEAST_FPS || fps > MOST_FPS) {
+            throw new IllegalArgumentException(
+                    "fps " + fps + ": must be " + LEAST_FPS + " to " + MOST_FPS + " frames a second");
+        }
+        if (!(speed >= SLOWEST && speed <= FASTEST)) {
+            throw new IllegalArgumentException("speed " + speed + ": must be " + SLOWEST + " to " + (int) FASTEST);
+        }
+        double frames = Math.floor((to - from) * fps / speed) + 1.0;
+        if (frames > MOST_FRAMES) {
+            throw new IllegalArgumentException(String.format(
+                    Locale.ROOT,
+                    "a film of %.0f frames: must be at most %d; show less of the run, or at a higher speed",
+                    frames,
+                    MOST_FRAMES));
+        }
+    }
+
+    /**
+     * Checks the size of frames, pixels.
+     *
+     * @throws IllegalArgumentException when a side is longer than {@link #LONGEST_SIDE}
+     */
+    public static void checkSize(int width, int height) {
+        if (width > LONGEST_SIDE || height > LONGEST_SIDE) {
+            throw new IllegalArgumentException(
+                    "a film of " + width + " x " + height + " pixels: each side must be at most " + LONGEST_SIDE);
+        }
+    }
+
+    /** How many frames it has, at least 1. */
+    public int frames() {
+        return (int) Math.floor((to - from) * fps / speed + 1e-9) + 1;
+    }
+
+    /**
+     * Simulated time that a frame shows, s.
+     *
+     * @param frame its index, from 0
+     */
+    public double time(int frame) {
+        // From the index: adding up intervals drifts.
+        return Math.min(to, from + frame * speed / fps);
+    }
+}

@@ -1,0 +1,60 @@
+package org.dronewatch.render;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.channels.ClosedByInterruptException;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import java.util.function.DoubleFunction;
+import java.util.function.IntConsumer;
+
+/** Makes films of runs: MP4 files with H.264, which browsers and slides play. */
+public final class FilmMaker {
+    private final Film film;
+    private final DoubleFunction<BufferedImage> pictures;
+
+    /**
+     * Of pictures, all of one size.
+     *
+     * @param pictures gives the picture at a simulated time, s; asked once for each frame, in order of time
+     */
+    public FilmMaker(Film film, DoubleFunction<BufferedImage> pictures) {
+        this.film = film;
+        this.pictures = pictures;
+    }
+
+    /** Which times it shows. */
+    public Film film() {
+        return film;
+    }
+
+    /**
+     * Writes the film into a file. The same pictures give the same bytes.
+     *
+     * @param file an empty file
+     * @param progress is given how many frames are written
+     * @param cancelled asked before each frame
+     * @throws CancellationException once {@code cancelled} is true or the thread is interrupted; the file is then incomplete
+     * @throws IllegalArgumentException when a picture is too large for a film
+     * @throws IOException when the disk refuses
+     */
+    public void write(Path file, IntConsumer progress, BooleanSupplier cancelled) throws IOException {
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
+            FilmEncoder encoder = new FilmEncoder(channel, film.fps());
+            for (int frame = 0; frame < film.frames(); frame++) {
+                if (cancelled.getAsBoolean()) {
+                    throw new CancellationException("the film was given up");
+                }
+                encoder.add(pictures.apply(film.time(frame)));
+                progress.accept(frame + 1);
+            }
+            encoder.finish();
+        } catch (ClosedByInterruptException e) {
+            // Whoever asks a command to end interrupts what it waits for, too.
+            throw new CancellationException("the film was given up");
+        }
+    }
+}

@@ -1,0 +1,59 @@
+package org.dronewatch.render;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+
+/** The ways of a scene's drones, sampled evenly in time. Immutable. */
+public final class Flights {
+    private static final int STEPS = 600;
+
+    /** A site is looked at with this much about its sensors and drones at least, m. */
+    private static final double ROOM = 5.0;
+
+    private final Map<String, List<Position>> places = new LinkedHashMap<>();
+    private final double step;
+
+    /** The flights of one run. */
+    public Flights(SceneSettings settings, Stage stage) {
+        this.step = settings.run().duration() / STEPS;
+        for (int i = 0; i <= STEPS; i++) {
+            for (Drone drone : stage.dronesAt(i * step)) {
+                places.computeIfAbsent(drone.id(), id -> new ArrayList<>()).add(Position.of(drone.position()));
+            }
+        }
+    }
+
+    /** A drone as it is at a time, with its way. */
+    public DroneMark mark(Drone drone, double time, boolean detected) {
+        List<Position> way = places.get(drone.id());
+        Position now = Position.of(drone.position());
+        int next = (int) Math.min(STEPS, Math.floor(time / step) + 1.0);
+        List<Position> flown = new ArrayList<>(way.subList(0, next));
+        flown.add(now);
+        List<Position> toCome = new ArrayList<>();
+        toCome.add(now);
+        toCome.addAll(way.subList(next, way.size()));
+        return new DroneMark(drone, flown, toCome, detected);
+    }
+
+    /** The box around all sensors and all flights, with some room about it. */
+    public AABB interest(SceneSettings settings) {
+        List<Position> all = new ArrayList<>();
+        places.values().forEach(all::addAll);
+        settings.enabledSensors().values().forEach(sensor -> all.add(sensor.position()));
+        double lowX = all.stream().mapToDouble(Position::x).min().orElse(0.0);
+        double lowY = all.stream().mapToDouble(Position::y).min().orElse(0.0);
+        double lowZ = all.stream().mapToDouble(Position::z).min().orElse(0.0);
+        double highX = all.stream().mapToDouble(Position::x).max().orElse(0.0);
+        double highY = all.stream().mapToDouble(Position::y).max().orElse(0.0);
+        double highZ = all.stream().mapToDouble(Position::z).max().orElse(0.0);
+        return new AABB(lowX - ROOM, lowY - ROOM, lowZ - ROOM, highX + ROOM, highY + ROOM, highZ + ROOM);
+    }
+}

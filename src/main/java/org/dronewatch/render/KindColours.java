@@ -1,0 +1,60 @@
+package org.dronewatch.render;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.sensor.SensorSettings;
+
+/**
+ * One colour for each kind of sensor: for those of the library the same in all pictures of all scenes, for others the same in
+ * all pictures of a scene. Immutable.
+ */
+public final class KindColours {
+    /** Drones and their ways have this colour in all pictures. */
+    public static final Color DRONE = new Color(0xd62f1f);
+
+    private static final Color[] COLOURS = {
+        new Color(0x1f5fbf), new Color(0xff6a00), new Color(0x2a9d5c), new Color(0x9b3fb5), new Color(0xb58900),
+    };
+
+    private final Map<String, Color> colours = new LinkedHashMap<>();
+
+    private KindColours(Collection<SensorSettings<?>> sensors) {
+        List<String> known = new ArrayList<>(SensorKinds.all().keySet());
+        for (SensorSettings<?> sensor : sensors) {
+            if (!known.contains(sensor.kind())) {
+                known.add(sensor.kind());
+            }
+            colours.computeIfAbsent(sensor.kind(), kind -> COLOURS[known.indexOf(kind) % COLOURS.length]);
+        }
+    }
+
+    /** For the kinds of some sensors, in the order of their first. */
+    public static KindColours of(Collection<SensorSettings<?>> sensors) {
+        return new KindColours(sensors);
+    }
+
+    /**
+     * The colour of a kind.
+     *
+     * @throws IllegalArgumentException when no sensor is of this kind
+     */
+    public Color of(String kind) {
+        Color colour = colours.get(kind);
+        if (colour == null) {
+            throw new IllegalArgumentException("no sensor of the kind '" + kind + "' in " + colours.keySet());
+        }
+        return colour;
+    }
+
+    /** The kinds, in the order of their first sensors. */
+    public Set<String> kinds() {
+        return Collections.unmodifiableSet(colours.keySet());
+    }
+}

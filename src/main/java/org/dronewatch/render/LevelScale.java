@@ -1,0 +1,47 @@
+package org.dronewatch.render;
+
+/**
+ * Colours for levels, from violet for faint to red for loud: each change of level is seen, also by those who do not tell
+ * red from green, since it goes with a change of lightness at both ends.
+ *
+ * @param low the faintest level that has a colour of its own, dB
+ * @param high the loudest, dB
+ */
+public record LevelScale(double low, double high) {
+    private static final int[] COLOURS = {0x3b2f8f, 0x2f6fd0, 0x2fb3c8, 0x6fce6a, 0xe6d93c, 0xf59a23, 0xe03a1e, 0x98103a
+    };
+
+    /** Checks the order. */
+    public LevelScale {
+        if (!(low < high)) {
+            throw new IllegalArgumentException("low " + low + " dB must be below high " + high + " dB");
+        }
+    }
+
+    /** The scale that has all levels in it, dB, in steps of 5 dB. */
+    static LevelScale of(float[] levels) {
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        for (float level : levels) {
+            if (Float.isFinite(level)) {
+                low = Math.min(low, level);
+                high = Math.max(high, level);
+            }
+        }
+        if (!(low <= high)) {
+            return new LevelScale(0.0, 60.0);
+        }
+        double top = 5.0 * Math.ceil(high / 5.0);
+        // Fainter than 60 dB below the loudest is all the same to the eye.
+        double bottom = Math.max(top - 60.0, 5.0 * Math.floor(low / 5.0));
+        return new LevelScale(Math.min(bottom, top - 5.0), top);
+    }
+
+    /** The colour of a level, red, green and blue in the lowest 24 bits. */
+    public int colour(double level) {
+        double share = Math.max(0.0, Math.min(1.0, (level - low) / (high - low)));
+        double place = share * (COLOURS.length - 1);
+        int below = (int) Math.min(COLOURS.length - 2.0, place);
+        return Canvas.mix(COLOURS[below], COLOURS[below + 1], place - below);
+    }
+}

@@ -1,0 +1,132 @@
+package org.dronewatch.render;
+
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.optics.CameraObject;
+
+/**
+ * Where the picture of a site is taken from: on a sphere about what it shows. Immutable.
+ *
+ * @param target the place in the middle of the picture, m
+ * @param bearing where the eye stands as seen from the target, clockwise from north, rad
+ * @param elevation of the eye above the target's horizon, -pi/2 to pi/2, rad
+ * @param distance from eye to target, above 0, m
+ * @param fov vertical field of view, rad
+ */
+public record Orbit(Position target, double bearing, double elevation, double distance, double fov) {
+    /** What a person would call neither wide nor narrow, rad. */
+    private static final double NATURAL = Math.toRadians(38.0);
+
+    /** So narrow that parallel lines stay parallel to the eye: plans and side views are taken from far away, rad. */
+    private static final double NARROW = Math.toRadians(2.0);
+
+    /** Straight up or down, a horizon has no bearing: the orbit ends shortly before, rad. */
+    private static final double STEEPEST = Math.toRadians(89.9);
+
+    private static final double NEAREST = 0.05;
+    private static final double FARTHEST = 1e7;
+
+    /** Room about what is to be seen, as a factor. */
+    private static final double MARGIN = 1.2;
+
+    /** Checks the limits. */
+    public Orbit {
+        elevation = Math.max(-0.5 * Math.PI, Math.min(0.5 * Math.PI, elevation));
+        distance = Math.max(NEAREST, Math.min(FARTHEST, distance));
+        bearing = Math.IEEEremainder(bearing, 2.0 * Math.PI);
+    }
+
+    /** From the south-west and above, with all of a box in the picture. */
+    public static Orbit about(AABB box, double aspect) {
+        double narrow = 2.0 * Math.atan(Math.tan(0.5 * NATURAL) * Math.min(1.0, aspect));
+        double radius = 0.5 * Math.max(1e-3, box.diagonal());
+        return new Orbit(
+                Position.of(box.center()),
+                Math.toRadians(215.0),
+                Math.toRadians(28.0),
+                0.9 * radius / Math.sin(0.5 * narrow),
+                NATURAL);
+    }
+
+    /** A plan, north up, with all of a box in the picture. */
+    public static Orbit top(AABB box, double aspect) {
+        double high = Math.max(box.maxY() - box.minY(), (box.maxX() - box.minX()) / aspect);
+        // As if the eye had come from the south and risen: then north is up, and turning goes on from there.
+        return flat(box, Math.PI, 0.5 * Math.PI, high);
+    }
+
+    /** From the level, with all of a box in the picture; the eye stands on a bearing from the box. */
+    public static Orbit side(AABB box, double aspect, double bearing) {
+        double across = Math.abs(Math.cos(bearing)) * (box.maxX() - box.minX())
+                + Math.abs(Math.sin(bearing)) * (box.maxY() - box.minY());
+        return flat(box, bearing, 0.0, Math.max(box.maxZ() - box.minZ(), across / aspect));
+    }
+
+    private static Orbit flat(AABB box, double bearing, double elevation, double high) {
+        double distance = MARGIN * 0.5 * Math.max(1e-3, high) / Math.tan(0.5 * NARROW);
+        return new Orbit(Position.of(box.center()), bearing, elevation, distance, NARROW);
+    }
+
+    /** This orbit with the eye elsewhere on its sphere, rad. */
+    public Orbit turned(double clockwise, double upwards) {
+        double steep = Math.max(-STEEPEST, Math.min(STEEPEST, elevation + upwards));
+        return new Orbit(target, bearing + clockwise, steep, distance, fov);
+    }
+
+    /** This orbit nearer to its target, or farther from it, by a factor. */
+    public Orbit zoomed(double factor) {
+        return new Orbit(target, bearing, elevation, distance * factor, fov);
+    }
+
+    /** This orbit about another place. */
+    public Orbit at(Position place) {
+        return new Orbit(place, bearing, elevation, distance, fov);
+    }
+
+    /** This orbit so near that its picture is so many metres high at its target. */
+    public Orbit showing(double high) {
+        return new Orbit(target, bearing, elevation, 0.5 * high / Math.tan(0.5 * fov), fov);
+    }
+
+    /** This orbit displaced in the plane of the picture, m. */
+    public Orbit panned(double right, double up) {
+        double level = Math.sin(elevation);
+        Position aside = new Position(-Math.cos(bearing), Math.sin(bearing), 0.0).times(right);
+        Position above =
+                new Position(-level * Math.sin(bearing), -level * Math.cos(bearing), Math.cos(elevation)).times(up);
+        return at(target.plus(aside).plus(above));
+    }
+
+    /** This orbit displaced level: ahead, and to the right, m. */
+    public Orbit walked(double ahead, double right) {
+        double x = -Math.sin(bearing) * ahead - Math.cos(bearing) * right;
+        double y = -Math.cos(bearing) * ahead + Math.sin(bearing) * right;
+        return at(target.plus(new Position(x, y, 0.0)));
+    }
+
+    /** This orbit with its eye where it is and turned about: the target goes round. */
+    public Orbit lookedAbout(double clockwise, double upwards) {
+        Orbit next = turned(clockwise, -upwards);
+        return next.at(target.plus(eye().minus(next.eye())));
+    }
+
+    /** Where the eye is, m. */
+    public Position eye() {
+        double level = Math.cos(elevation);
+        return target.plus(new Position(
+                distance * level * Math.sin(bearing),
+                distance * level * Math.cos(bearing),
+                distance * Math.sin(elevation)));
+    }
+
+    /** The camera of a picture of a size in pixels. */
+    public CameraObject camera(int width, int height) {
+        Position eye = eye();
+        return new CameraObject(eye, target.minus(eye), width, height, 0.5 * height / Math.tan(0.5 * fov));
+    }
+
+    /** How many metres a pixel shows at the target, in a picture of so many rows. */
+    public double metresPerPixel(int height) {
+        return 2.0 * distance * Math.tan(0.5 * fov) / height;
+    }
+}

@@ -1,0 +1,89 @@
+package org.dronewatch.render;
+
+import java.util.List;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Outline;
+
+/** Draws what sensors look into as lines in the world: pyramids, sectors and balls. */
+final class OutlinePainter {
+    /** A full turn is drawn with so many straight lines. */
+    private static final int STEPS = 72;
+
+    private final LinePainter lines;
+    private final double length;
+
+    /**
+     * A painter of one picture.
+     *
+     * @param length how far pyramids and sectors are drawn at most, m, because they have no natural end
+     */
+    OutlinePainter(LinePainter lines, double length) {
+        this.lines = lines;
+        this.length = length;
+    }
+
+    /** Draws what one sensor looks into. */
+    void draw(Position at, Outline outline, double width, int colour, double share) {
+        if (outline instanceof Outline.Pyramid pyramid) {
+            drawPyramid(at, pyramid, width, colour, share);
+        } else if (outline instanceof Outline.Sector sector) {
+            drawSector(at, sector, width, colour, share);
+        } else if (outline instanceof Outline.Ball ball) {
+            drawBall(at, ball.radius(), width, colour, share);
+        }
+    }
+
+    private void drawPyramid(Position at, Outline.Pyramid pyramid, double width, int colour, double share) {
+        List<Position> corners = pyramid.corners(at, length);
+        for (int i = 0; i < corners.size(); i++) {
+            lines.line(at, corners.get(i), width, colour, share);
+            lines.line(corners.get(i), corners.get((i + 1) % corners.size()), width, colour, share);
+        }
+    }
+
+    /** Its outer edge at its top, middle and bottom, and its sides unless it goes all round. */
+    private void drawSector(Position at, Outline.Sector sector, double width, int colour, double share) {
+        double range = Math.min(sector.maxRange(), 3.0 * length);
+        double first = sector.azimuth() - 0.5 * sector.azimuthWidth();
+        boolean round = sector.azimuthWidth() > 2.0 * Math.PI - 1e-6;
+        int steps = Math.max(2, (int) Math.ceil(STEPS * sector.azimuthWidth() / (2.0 * Math.PI)));
+        for (int level = -1; level <= 1; level++) {
+            double elevation = sector.elevation() + 0.5 * level * sector.elevationWidth();
+            double weight = level == 0 ? share : 0.6 * share;
+            for (int i = 0; i < steps; i++) {
+                double from = first + sector.azimuthWidth() * i / steps;
+                double to = first + sector.azimuthWidth() * (i + 1) / steps;
+                lines.line(place(at, from, elevation, range), place(at, to, elevation, range), width, colour, weight);
+            }
+            for (int side = 0; side <= 1 && !round; side++) {
+                double azimuth = first + side * sector.azimuthWidth();
+                lines.line(
+                        place(at, azimuth, elevation, Math.min(range, sector.minRange())),
+                        place(at, azimuth, elevation, range),
+                        width,
+                        colour,
+                        weight);
+            }
+        }
+    }
+
+    private static Position place(Position at, double azimuth, double elevation, double range) {
+        double level = range * Math.cos(elevation);
+        return at.plus(new Position(level * Math.sin(azimuth), level * Math.cos(azimuth), range * Math.sin(elevation)));
+    }
+
+    /** Its three great circles. */
+    private void drawBall(Position at, double radius, double width, int colour, double share) {
+        for (int i = 0; i < STEPS; i++) {
+            double a = 2.0 * Math.PI * i / STEPS;
+            double b = 2.0 * Math.PI * (i + 1) / STEPS;
+            double ca = radius * Math.cos(a);
+            double sa = radius * Math.sin(a);
+            double cb = radius * Math.cos(b);
+            double sb = radius * Math.sin(b);
+            lines.line(at.plus(new Position(ca, sa, 0)), at.plus(new Position(cb, sb, 0)), width, colour, share);
+            lines.line(at.plus(new Position(ca, 0, sa)), at.plus(new Position(cb, 0, sb)), width, colour, share);
+            lines.line(at.plus(new Position(0, ca, sa)), at.plus(new Position(0, cb, sb)), width, colour, share);
+        }
+    }
+}

@@ -1,0 +1,43 @@
+package org.dronewatch.render;
+
+import java.util.stream.IntStream;
+
+/**
+ * Which pieces of rays are drawn.
+ *
+ * @param fewest surfaces that their ray has met before, from this on
+ * @param most surfaces that their ray has met before, up to this
+ * @param heardOnly only paths that reached the sensor
+ */
+public record RayFilter(int fewest, int most, boolean heardOnly) {
+    /** All of them. */
+    public static final RayFilter ALL = new RayFilter(0, Integer.MAX_VALUE, false);
+
+    /** Whether a piece is drawn. */
+    public boolean shows(RaySet rays, int piece) {
+        int order = rays.order(piece);
+        return order >= fewest && order <= most && (!heardOnly || rays.isHeard(piece));
+    }
+
+    /** The numbers of the pieces that are drawn; where those are more than a number, evenly chosen ones. */
+    int[] pieces(RaySet rays, int most) {
+        int[] all = IntStream.range(0, rays.count())
+                .filter(piece -> shows(rays, piece))
+                .toArray();
+        if (all.length <= most) {
+            return all;
+        }
+        return IntStream.range(0, most)
+                .map(i -> all[(int) ((long) i * all.length / most)])
+                .toArray();
+    }
+
+    /** How many pieces are drawn. */
+    public int count(RaySet rays) {
+        int shown = 0;
+        for (int i = 0; i < rays.count(); i++) {
+            shown += shows(rays, i) ? 1 : 0;
+        }
+        return shown;
+    }
+}

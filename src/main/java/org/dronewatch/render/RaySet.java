@@ -1,0 +1,136 @@
+package org.dronewatch.render;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The straight pieces of the rays of sound that one sensor followed from one drone. Immutable. */
+public final class RaySet {
+    /** Coordinates of the two ends of a piece. */
+    static final int ENDS = 6;
+
+    /** Pieces that meet at a point differ there by rounding, m. */
+    private static final double SAME = 1e-3;
+
+    private final String sensor;
+    private final String drone;
+    private final double time;
+    private final float[] ends;
+    private final float[] levels;
+    private final int[] orders;
+    private final BitSet heard;
+    private final long leftOut;
+    private final int maxOrder;
+    private final LevelScale scale;
+
+    /** From arrays that are handed over. */
+    RaySet(
+            String sensor,
+            String drone,
+            double time,
+            float[] ends,
+            float[] levels,
+            int[] orders,
+            BitSet received,
+            long leftOut) {
+        this.sensor = sensor;
+        this.drone = drone;
+        this.time = time;
+        this.ends = ends;
+        this.levels = levels;
+        this.orders = orders;
+        this.leftOut = leftOut;
+        this.maxOrder = Arrays.stream(orders).max().orElse(0);
+        this.heard = findHeard(received);
+        this.scale = LevelScale.of(levels);
+    }
+
+    /** Name of the sensor. */
+    public String sensor() {
+        return sensor;
+    }
+
+    /** Name of the drone. */
+    public String drone() {
+        return drone;
+    }
+
+    /** Time for which they were traced, seconds since the start of the run. */
+    public double time() {
+        return time;
+    }
+
+    /** How many pieces are kept. */
+    public int count() {
+        return levels.length;
+    }
+
+    /** How many pieces were too many to keep. */
+    public long leftOut() {
+        return leftOut;
+    }
+
+    /**
+     * One coordinate of an end of a piece, m.
+     *
+     * @param piece its number
+     * @param which 0 to 2 for x, y, z where it begins, 3 to 5 for where it ends
+     */
+    public float end(int piece, int which) {
+        return ends[ENDS * piece + which];
+    }
+
+    /** The level of a piece where it ends, dB. */
+    public float level(int piece) {
+        return levels[piece];
+    }
+
+    /** How many surfaces a piece's ray had met before it. */
+    public int order(int piece) {
+        return orders[piece];
+    }
+
+    /** The largest order. */
+    public int maxOrder() {
+        return maxOrder;
+    }
+
+    /** Colours for its levels. */
+    public LevelScale scale() {
+        return scale;
+    }
+
+    /** Whether a piece is part of a path that reached the sensor: its end, or what led there. */
+    public boolean isHeard(int piece) {
+        return heard.get(piece);
+    }
+
+    /** Goes back from each piece that reached the sensor: what led there ends where it begins. */
+    private BitSet findHeard(BitSet received) {
+        Map<List<Long>, Integer> endingAt = new HashMap<>();
+        for (int i = 0; i < count(); i++) {
+            if (!received.get(i)) {
+                endingAt.putIfAbsent(place(i, 3, orders[i]), i);
+            }
+        }
+        BitSet found = new BitSet(count());
+        for (int i = received.nextSetBit(0); i >= 0; i = received.nextSetBit(i + 1)) {
+            Integer piece = i;
+            while (piece != null && !found.get(piece)) {
+                found.set(piece);
+                piece = orders[piece] == 0 ? null : endingAt.get(place(piece, 0, orders[piece] - 1));
+            }
+        }
+        return found;
+    }
+
+    private List<Long> place(int piece, int first, int order) {
+        return List.of(
+                Math.round(end(piece, first) / SAME),
+                Math.round(end(piece, first + 1) / SAME),
+                Math.round(end(piece, first + 2) / SAME),
+                (long) order);
+    }
+}

@@ -1,0 +1,60 @@
+package org.dronewatch.render;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.Pointings;
+import org.dronewatch.run.SceneListener;
+import org.dronewatch.sensor.Observation;
+
+/**
+ * What pictures of one run need to know of it besides its site: where positioners pointed and which sensor detected which
+ * drone, at any time so far. It listens to a single run. One thread at a time.
+ */
+public final class RunHistory implements SceneListener {
+    private final Pointings pointings = new Pointings();
+    private final Map<List<String>, List<DetectionEvent>> events = new HashMap<>();
+
+    @Override
+    public void observed(Frame frame) {
+        pointings.add(frame);
+    }
+
+    @Override
+    public void detectionChanged(DetectionEvent event) {
+        Observation observation = event.observation();
+        events.computeIfAbsent(List.of(observation.sensor(), observation.drone()), pair -> new ArrayList<>())
+                .add(event);
+    }
+
+    /**
+     * Where the positioner of a sensor pointed at its last look up to a time; empty for a sensor on a fixed mount, and
+     * before the first look.
+     *
+     * @param time seconds since the start of the run
+     */
+    public Optional<Pointing> pointing(String sensor, double time) {
+        return pointings.at(sensor, time);
+    }
+
+    /**
+     * Whether a sensor detects a drone at a time; sound counts from its arrival.
+     *
+     * @param time seconds since the start of the run
+     */
+    public boolean isDetected(String sensor, String drone, double time) {
+        boolean detected = false;
+        for (DetectionEvent event : events.getOrDefault(List.of(sensor, drone), List.of())) {
+            if (event.observation().arrival() > time) {
+                break;
+            }
+            detected = event.gained();
+        }
+        return detected;
+    }
+}

@@ -1,0 +1,16 @@
+package org.dronewatch.render;
+
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Outline;
+
+/**
+ * A sensor as a picture shows it.
+ *
+ * @param id its name
+ * @param kind its kind
+ * @param position where it is, m
+ * @param outline what it looks into
+ * @param detecting whether it detects a drone now
+ */
+public record SensorMark(String id, String kind, Position position, Optional<Outline> outline, boolean detecting) {}

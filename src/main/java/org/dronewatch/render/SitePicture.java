@@ -1,0 +1,339 @@
+package org.dronewatch.render;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiPredicate;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.Ray;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.world.World;
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Vector3d;
+
+/**
+ * Draws pictures of a run's site: first the site alone, which takes the longest and is the same at all times, then over a
+ * copy of it what is there at one time. Lines are hidden by what stands before them. One picture at a time.
+ */
+public final class SitePicture {
+    private static final int TRACK = 0xd62f1f;
+    private static final int WAY = 0x5a1a14;
+    private static final int PLUMB = 0x20262e;
+
+    /** What must not be reached. */
+    static final Color ZONE = new Color(0xc0392b);
+
+    /** How far pyramids of cameras are drawn, as a share of the box that matters. */
+    private static final double OUTLINE = 0.16;
+
+    private final SitePainter painter;
+    private final KindColours colours;
+    private final SceneSettings settings;
+    private final Set<String> drones;
+    private final Stage stage;
+    private final World world;
+    private final Flights flights;
+    private final AABB interest;
+    private volatile Rayed rayed;
+
+    /** For one run of a scene. */
+    public SitePicture(SceneSettings settings, Stage stage) {
+        this.settings = settings;
+        this.stage = stage;
+        this.drones = settings.fliers().keySet();
+        this.world = stage.world();
+        this.painter = new SitePainter(world.tree(), stage.colours());
+        this.colours = KindColours.of(settings.enabledSensors().values());
+        this.flights = new Flights(settings, stage);
+        boolean empty = settings.enabledSensors().isEmpty() && drones.isEmpty();
+        this.interest = empty ? world.bounds() : flights.interest(settings);
+    }
+
+    /**
+     * What is in the site at a time.
+     *
+     * @param title of the picture
+     * @param time seconds since the start of the run
+     * @param detects whether a sensor of a name detects a drone of a name then
+     * @param pointing where the mount of a sensor of a name points then; empty for one that stands still
+     * @param selected the sensor or drone that matters most
+     * @param rays rays of sound
+     */
+    public SiteState state(
+            String title,
+            double time,
+            BiPredicate<String, String> detects,
+            Function<String, Optional<Pointing>> pointing,
+            Optional<String> selected,
+            Optional<RaySet> rays) {
+        Set<String> sensors = settings.enabledSensors().keySet();
+        List<SensorMark> sensorMarks = new ArrayList<>();
+        settings.enabledSensors()
+                .forEach((id, sensor) -> sensorMarks.add(new SensorMark(
+                        id,
+                        sensor.kind(),
+                        sensor.position(),
+                        pointing.apply(id)
+                                .flatMap(where -> sensor.pointed(where).outline())
+                                .or(sensor::outline),
+                        drones.stream().anyMatch(drone -> detects.test(id, drone)))));
+        List<DroneMark> droneMarks = stage.dronesAt(time).stream()
+                .map(drone -> flights.mark(
+                        drone, time, sensors.stream().anyMatch(sensor -> detects.test(sensor, drone.id()))))
+                .toList();
+        return new SiteState(title, time, sensorMarks, droneMarks, selected, rays);
+    }
+
+    /** The box that matters: all sensors, all flights, and some room about them; the whole site where there are none, m. */
+    public AABB interest() {
+        return interest;
+    }
+
+    /** The box that a picture of the site frames: what matters, with what the sensors look into as far as it is drawn, m. */
+    public AABB frame() {
+        List<Position> corners = new ArrayList<>();
+        corners.add(new Position(interest.minX(), interest.minY(), interest.minZ()));
+        corners.add(new Position(interest.maxX(), interest.maxY(), interest.maxZ()));
+        double length = OUTLINE * interest.diagonal();
+        settings.enabledSensors().values().forEach(sensor -> {
+            if (sensor.outline().orElse(null) instanceof Outline.Pyramid pyramid) {
+                corners.addAll(pyramid.corners(sensor.position(), length));
+            }
+        });
+        settings.alert().protect().ifPresent(zone -> {
+            Position reach = new Position(zone.radius(), zone.radius(), zone.radius());
+            corners.add(zone.centre().plus(reach));
+            corners.add(zone.centre().minus(reach));
+        });
+        return new AABB(
+                corners.stream().mapToDouble(Position::x).min().orElseThrow(),
+                corners.stream().mapToDouble(Position::y).min().orElseThrow(),
+                corners.stream().mapToDouble(Position::z).min().orElseThrow(),
+                corners.stream().mapToDouble(Position::x).max().orElseThrow(),
+                corners.stream().mapToDouble(Position::y).max().orElseThrow(),
+                corners.stream().mapToDouble(Position::z).max().orElseThrow());
+    }
+
+    /** The colours of the kinds of sensors. */
+    public KindColours colours() {
+        return colours;
+    }
+
+    /**
+     * What has to be cut away to see sensors and drones from above at a time: all above them, when there is a roof over most
+     * of them.
+     */
+    public Optional<Cut> openRoof(double time) {
+        List<Drone> drones = stage.dronesAt(time);
+        long roofed = settings.enabledSensors().values().stream()
+                        .filter(sensor -> isUnderRoof(sensor.position()))
+                        .count()
+                + drones.stream()
+                        .filter(drone -> isUnderRoof(Position.of(drone.position())))
+                        .count();
+        int all = settings.enabledSensors().size() + drones.size();
+        return 2 * roofed > all ? Optional.of(Cut.above(interest.maxZ() - 2.5)) : Optional.empty();
+    }
+
+    private boolean isUnderRoof(Position place) {
+        Position sky = new Position(
+                place.x(), place.y(), Math.max(place.z(), world.bounds().maxZ()) + 1.0);
+        return world.isOccluded(place.toPoint3d(), sky.toPoint3d());
+    }
+
+    /**
+     * Paints the site alone.
+     *
+     * @param width columns of the picture
+     * @param height rows of the picture
+     * @param cut what is cut away
+     * @param abandoned asked again and again: once it says true, the result is of no use
+     */
+    public Backdrop backdrop(
+            Orbit orbit, int width, int height, Optional<Cut> cut, Fineness fineness, BooleanSupplier abandoned) {
+        CameraObject camera = orbit.camera(fineness.raysIn(width), fineness.raysIn(height));
+        Canvas canvas = new Canvas(camera.width(), camera.height());
+        painter.paint(camera, cut.orElse(null), fineness.shadows, canvas, abandoned);
+        if (fineness.pixels == 1 && !abandoned.getAsBoolean()) {
+            painter.outline(canvas, camera.focalLength());
+        }
+        return new Backdrop(orbit, width, height, cut, fineness, camera, canvas);
+    }
+
+    /** Draws what is there at one time over a backdrop, which stays as it is. */
+    public BufferedImage draw(Backdrop backdrop, SiteState state, SiteStyle style) {
+        Cut cut = backdrop.cut().orElse(null);
+        CameraObject camera = backdrop.camera();
+        double pixel = style.scale() * camera.height() / backdrop.height();
+        Canvas canvas = state.rays()
+                .map(rays -> withRays(backdrop, rays, style.filter(), pixel))
+                .orElse(backdrop.canvas())
+                .copy();
+        painter.paint(camera, cut, state.drones().stream().map(DroneMark::drone).toList(), canvas);
+        LinePainter lines = new LinePainter(camera, cut, canvas);
+        if (style.outlines()) {
+            drawOutlines(lines, state, pixel);
+            drawZone(lines, pixel);
+        }
+        if (style.flights()) {
+            state.drones().forEach(drone -> drawFlight(lines, drone, pixel));
+        }
+        BufferedImage image = picture(backdrop, canvas);
+        Graphics2D g = image.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        Furniture furniture = new Furniture(g, image.getWidth(), image.getHeight(), style.scale());
+        furniture.legend(
+                state,
+                colours,
+                view(backdrop.orbit()),
+                settings.alert().protect().isPresent());
+        furniture.scaleBar(backdrop.orbit().metresPerPixel(backdrop.height()), isFlat(backdrop.orbit()));
+        furniture.northArrow(backdrop.orbit());
+        state.rays().ifPresent(rays -> furniture.levels(rays, style.filter(), state.time()));
+        drawSymbols(
+                new Symbols(g, camera, lines, image.getHeight() / (double) camera.height(), style.scale()),
+                state,
+                style,
+                furniture.places());
+        g.dispose();
+        return image;
+    }
+
+    private static boolean isFlat(Orbit orbit) {
+        return orbit.fov() < Math.toRadians(5.0);
+    }
+
+    private static String view(Orbit orbit) {
+        if (!isFlat(orbit)) {
+            return "in perspective";
+        }
+        return orbit.elevation() > 1.5 ? "from above" : "from the side";
+    }
+
+    private static BufferedImage picture(Backdrop backdrop, Canvas canvas) {
+        if (canvas.width >= backdrop.width()) {
+            return canvas.toImage(canvas.width / backdrop.width());
+        }
+        BufferedImage image = new BufferedImage(backdrop.width(), backdrop.height(), BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        g.drawImage(canvas.toImage(1), 0, 0, backdrop.width(), backdrop.height(), null);
+        g.dispose();
+        return image;
+    }
+
+    /** A backdrop with rays, kept until others are asked for: rays stay as they are while time goes on. */
+    private record Rayed(Backdrop backdrop, RaySet rays, RayFilter filter, double pixel, Canvas canvas) {
+        boolean is(Backdrop other, RaySet otherRays, RayFilter otherFilter, double otherPixel) {
+            return backdrop == other && rays == otherRays && filter.equals(otherFilter) && pixel == otherPixel;
+        }
+    }
+
+    private Canvas withRays(Backdrop backdrop, RaySet rays, RayFilter filter, double pixel) {
+        Rayed known = rayed;
+        if (known == null || !known.is(backdrop, rays, filter, pixel)) {
+            Canvas canvas = backdrop.canvas().copy();
+            int most = backdrop.fineness().pieces;
+            drawRays(backdrop.camera(), backdrop.cut().orElse(null), canvas, rays, filter, pixel, most);
+            known = new Rayed(backdrop, rays, filter, pixel, canvas);
+            rayed = known;
+        }
+        return known.canvas();
+    }
+
+    /** The more rays there are, the paler each is drawn; those that are heard last, over the others. */
+    private static void drawRays(
+            CameraObject camera, Cut cut, Canvas canvas, RaySet rays, RayFilter filter, double pixel, int most) {
+        int[] shown = filter.pieces(rays, most);
+        double share = shown.length > 20_000 ? 0.35 : shown.length > 2_000 ? 0.55 : 0.85;
+        int bands = Math.min(canvas.height, Workers.available());
+        Workers.forEach(bands, band -> {
+            LinePainter lines = new LinePainter(camera, cut, canvas);
+            lines.keepTo(band * canvas.height / bands, (band + 1) * canvas.height / bands);
+            for (int pass = 0; pass < 2; pass++) {
+                for (int piece : shown) {
+                    boolean heard = rays.isHeard(piece);
+                    if (heard == (pass == 1)) {
+                        lines.line(
+                                rays.end(piece, 0),
+                                rays.end(piece, 1),
+                                rays.end(piece, 2),
+                                rays.end(piece, 3),
+                                rays.end(piece, 4),
+                                rays.end(piece, 5),
+                                (heard ? 1.6 : 1.0) * pixel,
+                                rays.scale().colour(rays.level(piece)),
+                                heard ? 0.95 : share);
+                    }
+                }
+            }
+        });
+    }
+
+    private void drawZone(LinePainter lines, double pixel) {
+        settings.alert().protect().ifPresent(zone -> new OutlinePainter(lines, zone.radius())
+                .draw(zone.centre(), new Outline.Ball(zone.radius()), 1.6 * pixel, ZONE.getRGB() & 0xffffff, 0.85));
+    }
+
+    private void drawOutlines(LinePainter lines, SiteState state, double pixel) {
+        double length = OUTLINE * interest.diagonal();
+        for (SensorMark sensor : state.sensors()) {
+            boolean selected = state.selected().filter(sensor.id()::equals).isPresent();
+            OutlinePainter painting = new OutlinePainter(lines, selected ? 3.0 * length : length);
+            int colour = colours.of(sensor.kind()).getRGB() & 0xffffff;
+            sensor.outline()
+                    .ifPresent(outline -> painting.draw(
+                            sensor.position(), outline, (selected ? 2.2 : 1.3) * pixel, colour, selected ? 0.95 : 0.6));
+        }
+    }
+
+    /** Where it has been as a line, where it will be as dashes, and a plumb line: how high it flies is else hard to see. */
+    private void drawFlight(LinePainter lines, DroneMark drone, double pixel) {
+        Point3d at = drone.drone().position();
+        world.closestHit(new Ray(at, new Vector3d(0, 0, -1))).ifPresent(ground -> {
+            Position foot = new Position(at.x, at.y, at.z - ground.distance());
+            lines.line(Position.of(at), foot, 1.4 * pixel, PLUMB, 0.8);
+        });
+        List<Position> flown = drone.flown();
+        for (int i = 1; i < flown.size(); i++) {
+            lines.line(flown.get(i - 1), flown.get(i), 2.6 * pixel, TRACK, 0.9);
+        }
+        List<Position> toCome = drone.toCome();
+        for (int i = 1; i < toCome.size(); i++) {
+            if (i / 5 % 2 == 0) {
+                lines.line(toCome.get(i - 1), toCome.get(i), 2.0 * pixel, WAY, 0.75);
+            }
+        }
+    }
+
+    private void drawSymbols(Symbols symbols, SiteState state, SiteStyle style, List<Rectangle> furniture) {
+        symbols.keepOff(furniture);
+        for (SensorMark sensor : state.sensors()) {
+            boolean selected = state.selected().filter(sensor.id()::equals).isPresent();
+            symbols.sensor(sensor, colours.of(sensor.kind()), selected);
+        }
+        for (DroneMark drone : state.drones()) {
+            symbols.drone(
+                    drone, state.selected().filter(drone.drone().id()::equals).isPresent());
+        }
+        if (style.labels()) {
+            symbols.writeNames();
+        }
+    }
+}

@@ -1,0 +1,28 @@
+package org.dronewatch.render;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What is in the site at one time, for a picture.
+ *
+ * @param title of the picture
+ * @param time seconds since the start of the run
+ * @param sensors the sensors
+ * @param drones the drones
+ * @param selected the sensor or drone that matters most now
+ * @param rays rays of sound
+ */
+public record SiteState(
+        String title,
+        double time,
+        List<SensorMark> sensors,
+        List<DroneMark> drones,
+        Optional<String> selected,
+        Optional<RaySet> rays) {
+    /** Keeps its own lists. */
+    public SiteState {
+        sensors = List.copyOf(sensors);
+        drones = List.copyOf(drones);
+    }
+}

@@ -1,0 +1,118 @@
+package org.dronewatch.run;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.fusion.Alert;
+import org.dronewatch.fusion.AlertLog;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.ProtectedZone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.World;
+
+/** Follows one run for its alerts: when each drone could first have been seen, when the site was alerted, how early that was. */
+public final class AlertWatch {
+    /** A flight is taken for so many straight pieces of the same time. */
+    private static final int MOMENTS = 10_000;
+
+    private final int run;
+    private final SceneSettings settings;
+    private final Sightline sightline;
+    private final AlertLog log;
+    private final Map<String, Double> firstSights = new HashMap<>();
+    private final Map<String, Position> placesAtAlert = new HashMap<>();
+
+    public AlertWatch(int run, SceneSettings settings, World world) {
+        this.run = run;
+        this.settings = settings;
+        this.sightline = new Sightline(world);
+        this.log = new AlertLog(settings.alert());
+    }
+
+    public void add(Frame frame) {
+        int all = frame.drones().size();
+        if (firstSights.size() == all && placesAtAlert.size() == all) {
+            return;
+        }
+        Map<String, Drone> drones = new HashMap<>();
+        frame.drones().forEach(drone -> drones.put(drone.id(), drone));
+        for (Observation observation : frame.observations()) {
+            if (!firstSights.containsKey(observation.drone())) {
+                SensorSettings<?> sensor = settings.sensors().get(observation.sensor());
+                Position place = Position.of(drones.get(observation.drone()).position());
+                if (Sightline.looks(sensor) && sightline.isPossible(sensor, place)) {
+                    firstSights.put(observation.drone(), frame.time());
+                }
+            }
+        }
+        log.add(frame.observations());
+        for (Observation observation : frame.observations()) {
+            String drone = observation.drone();
+            if (log.alert(drone).isPresent() && !placesAtAlert.containsKey(drone)) {
+                placesAtAlert.put(drone, Position.of(drones.get(drone).position()));
+            }
+        }
+    }
+
+    /**
+     * The alerts of the run, one for each drone.
+     *
+     * @param simulated how far the run went, s
+     */
+    public List<AlertResult> results(Stage stage, double simulated) {
+        List<AlertResult> results = new ArrayList<>();
+        for (Drone drone : stage.dronesAt(0.0)) {
+            results.add(result(drone, stage, simulated));
+        }
+        return results;
+    }
+
+    private AlertResult result(Drone drone, Stage stage, double simulated) {
+        Optional<Alert> alert = log.alert(drone.id());
+        AlertSettings wanted = settings.alert();
+        Optional<Position> place = Optional.ofNullable(placesAtAlert.get(drone.id()));
+        OptionalDouble distance = OptionalDouble.empty();
+        OptionalDouble warning = OptionalDouble.empty();
+        OptionalDouble entered = OptionalDouble.empty();
+        Optional<Boolean> inTime = Optional.empty();
+        if (wanted.protect().isPresent()) {
+            ProtectedZone zone = wanted.protect().get();
+            entered = entered(drone.id(), zone, stage, simulated);
+            if (place.isPresent()) {
+                distance = OptionalDouble.of(zone.distance(place.get()));
+                boolean late = alert.orElseThrow().time() >= entered.orElse(Double.POSITIVE_INFINITY);
+                warning = OptionalDouble.of(
+                        late ? 0.0 : zone.timeLeft(place.get(), drone.settings().speed()));
+            }
+            if (wanted.response() > 0.0) {
+                boolean before = alert.isPresent() && alert.get().time() <= entered.orElse(Double.POSITIVE_INFINITY);
+                inTime = Optional.of(before && warning.orElse(0.0) >= wanted.response());
+            }
+        }
+        Double sight = firstSights.get(drone.id());
+        OptionalDouble firstSight = sight == null ? OptionalDouble.empty() : OptionalDouble.of(sight);
+        return new AlertResult(run, drone.id(), firstSight, alert, distance, warning, entered, inTime);
+    }
+
+    /** By straight pieces of its flight, so that none is too fast to be noticed. */
+    private static OptionalDouble entered(String drone, ProtectedZone zone, Stage stage, double simulated) {
+        Position before = stage.placeOf(drone, 0.0);
+        double step = simulated / MOMENTS;
+        for (int i = 1; i <= MOMENTS; i++) {
+            Position next = stage.placeOf(drone, i * step);
+            OptionalDouble share = zone.entry(before, next);
+            if (share.isPresent()) {
+                return OptionalDouble.of((i - 1 + share.getAsDouble()) * step);
+            }
+            before = next;
+        }
+        return OptionalDouble.empty();
+    }
+}

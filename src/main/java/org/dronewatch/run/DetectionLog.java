@@ -1,0 +1,81 @@
+package org.dronewatch.run;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Observation;
+
+/** Follows the observations of one run: notices when a sensor gains or loses a drone, and keeps first and best. */
+public final class DetectionLog {
+    private final int run;
+    private final Consumer<DetectionEvent> target;
+    private final Map<List<String>, Pair> pairs = new LinkedHashMap<>();
+    private final List<DetectionEvent> events = new ArrayList<>();
+
+    /**
+     * A log of all pairs of a scene.
+     *
+     * @param target is told each event at once
+     */
+    public DetectionLog(int run, SceneSettings settings, Consumer<DetectionEvent> target) {
+        this.run = run;
+        this.target = target;
+        settings.enabledSensors().forEach((sensor, sensorSettings) -> settings.fliers()
+                .keySet()
+                .forEach(drone -> pairs.put(List.of(sensor, drone), new Pair(sensor, sensorSettings.kind(), drone))));
+    }
+
+    public void add(Observation observation) {
+        Pair pair = pairs.get(List.of(observation.sensor(), observation.drone()));
+        boolean detected = observation.isDetected();
+        if (detected != pair.detected) {
+            pair.detected = detected;
+            DetectionEvent event = new DetectionEvent(run, detected, observation);
+            events.add(event);
+            target.accept(event);
+        }
+        if (detected) {
+            pair.add(observation);
+        }
+    }
+
+    public List<DetectionEvent> events() {
+        return List.copyOf(events);
+    }
+
+    public List<PairResult> pairs() {
+        return pairs.values().stream().map(pair -> pair.toResult(run)).toList();
+    }
+
+    private static final class Pair {
+        private final String sensor;
+        private final String kind;
+        private final String drone;
+        private boolean detected;
+        private OptionalDouble first = OptionalDouble.empty();
+        private OptionalDouble range = OptionalDouble.empty();
+        private OptionalDouble maxRange = OptionalDouble.empty();
+
+        Pair(String sensor, String kind, String drone) {
+            this.sensor = sensor;
+            this.kind = kind;
+            this.drone = drone;
+        }
+
+        public void add(Observation observation) {
+            if (first.isEmpty()) {
+                first = OptionalDouble.of(observation.arrival());
+                range = OptionalDouble.of(observation.range());
+            }
+            maxRange = OptionalDouble.of(Math.max(maxRange.orElse(0.0), observation.range()));
+        }
+
+        PairResult toResult(int run) {
+            return new PairResult(run, sensor, kind, drone, first, range, maxRange);
+        }
+    }
+}

@@ -1,0 +1,33 @@
+package org.dronewatch.run;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.Observation;
+
+/**
+ * The scene at one sampling time: a snapshot that any thread may keep.
+ *
+ * @param run number of the run in a sweep, from 0
+ * @param time seconds since the start of the run
+ * @param drones the drones as they are now
+ * @param observations what the sensors that looked now have observed
+ * @param pointings where the mounts of those that looked now pointed, by name of the sensor
+ */
+public record Frame(
+        int run, double time, List<Drone> drones, List<Observation> observations, Map<String, Pointing> pointings) {
+    /** Keeps its own lists. */
+    public Frame {
+        drones = List.copyOf(drones);
+        observations = List.copyOf(observations);
+        pointings = Collections.unmodifiableMap(new LinkedHashMap<>(pointings));
+    }
+
+    /** A frame of sensors that stand still. */
+    public Frame(int run, double time, List<Drone> drones, List<Observation> observations) {
+        this(run, time, drones, observations, Map.of());
+    }
+}

@@ -1,0 +1,119 @@
+package org.dronewatch.run;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.mesh.io.LoadedModel;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.mesh.io.ObjLoader;
+import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.world.World;
+
+/**
+ * Loads each model and builds each tree once, however many runs need them, and measures how long that took. Any thread may
+ * ask; one at a time is served.
+ */
+public final class ModelCache {
+    private static final double NANO = 1e-9;
+
+    private final ObjLoader loader;
+    private final Consumer<String> notes;
+    private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
+    private final Map<List<ModelSettings>, KDTree> trees = new HashMap<>();
+    private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
+    private final Set<String> noted = new HashSet<>();
+    private double loadSeconds;
+    private double buildSeconds;
+
+    /**
+     * An empty cache.
+     *
+     * @param directory where relative paths start
+     * @param notes is told in a line what was read, and each warning
+     */
+    public ModelCache(Path directory, Consumer<String> notes) {
+        this.loader = new ObjLoader(directory);
+        this.notes = notes;
+    }
+
+    /** Reads a model, once. */
+    public synchronized void read(ModelSettings settings) {
+        models.computeIfAbsent(settings, this::load);
+    }
+
+    /** The tree over some models as one mesh. */
+    synchronized KDTree tree(List<ModelSettings> settings) {
+        return trees.computeIfAbsent(settings, this::build);
+    }
+
+    /** What the materials of some models look like, by name: red, green and blue in the lowest 24 bits. */
+    synchronized Map<String, Integer> colours(List<ModelSettings> settings) {
+        Map<String, Integer> colours = new HashMap<>();
+        for (ModelSettings model : settings) {
+            models.computeIfAbsent(model, this::load).colours().forEach(colours::putIfAbsent);
+        }
+        return colours;
+    }
+
+    /** The files of some models, in their order, by the number of the first triangle of each in their tree's mesh. */
+    synchronized NavigableMap<Integer, String> firstTriangles(List<ModelSettings> settings) {
+        NavigableMap<Integer, String> files = new TreeMap<>();
+        int first = 0;
+        for (ModelSettings model : settings) {
+            files.put(first, model.file().replaceFirst("^packaged:", ""));
+            first += models.computeIfAbsent(model, this::load).mesh().triangleCount();
+        }
+        return files;
+    }
+
+    /** The files that were read of each model, by its name in the settings, in the order in which they were read. */
+    public synchronized Map<String, List<FileHash>> files() {
+        return new LinkedHashMap<>(files);
+    }
+
+    private KDTree build(List<ModelSettings> settings) {
+        List<TriangleMesh> meshes = new ArrayList<>();
+        for (ModelSettings model : settings) {
+            meshes.add(models.computeIfAbsent(model, this::load).mesh());
+        }
+        long start = System.nanoTime();
+        KDTree tree = KDTree.of(World.merge(meshes));
+        buildSeconds += NANO * (System.nanoTime() - start);
+        return tree;
+    }
+
+    private LoadedModel load(ModelSettings settings) {
+        long start = System.nanoTime();
+        LoadedModel model = loader.load(settings);
+        loadSeconds += NANO * (System.nanoTime() - start);
+        files.put(settings.file(), model.files());
+        notes.accept("read " + model.describe());
+        model.warnings().forEach(warning -> notes.accept("warning: " + warning));
+        return model;
+    }
+
+    /** Warns, once for each text. */
+    public synchronized void warn(String text) {
+        if (noted.add(text)) {
+            notes.accept("warning: " + text);
+        }
+    }
+
+    public synchronized double loadSeconds() {
+        return loadSeconds;
+    }
+
+    public synchronized double buildSeconds() {
+        return buildSeconds;
+    }
+}

@@ -1,0 +1,61 @@
+package org.dronewatch.run;
+
+import java.util.concurrent.TimeUnit;
+
+/** How simulated time keeps to the time on the wall. */
+@FunctionalInterface
+public interface Pace {
+
+    /** The least factor of real time. */
+    double SLOWEST = 0.001;
+
+    /** The largest factor of real time. */
+    double FASTEST = 1e6;
+
+    /** No waiting. */
+    Pace AS_FAST_AS_POSSIBLE = time -> {};
+
+    /**
+     * Waits until it is time.
+     *
+     * @param time simulated seconds since the start of the run
+     */
+    void await(double time);
+
+    /**
+     * Simulated time runs by this factor faster than the wall clock, from the first call on; a simulation that is
+     * slower than that is late and does not wait.
+     *
+     * @param factor 1 for real time; 0.001 to 1,000,000
+     */
+    static Pace realTime(double factor) {
+        if (!(factor >= SLOWEST && factor <= FASTEST)) {
+            throw new IllegalArgumentException("factor " + factor + " must be " + SLOWEST + " to " + FASTEST);
+        }
+        return new Pace() {
+            private long start;
+            private double last = Double.POSITIVE_INFINITY;
+
+            @Override
+            public void await(double time) {
+                // A new run begins at 0 again, also after one that ended there.
+                if (time <= last) {
+                    start = System.nanoTime() - (long) (time / factor * 1e9);
+                }
+                last = time;
+                long left = start + (long) (time / factor * 1e9) - System.nanoTime();
+                if (left > 0) {
+                    sleep(left);
+                }
+            }
+
+            private void sleep(long nanos) {
+                try {
+                    TimeUnit.NANOSECONDS.sleep(nanos);
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+        };
+    }
+}

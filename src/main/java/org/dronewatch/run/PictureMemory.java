@@ -1,0 +1,30 @@
+package org.dronewatch.run;
+
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
+
+/** Whether the pictures of a scene's cameras fit into Java's memory: each keeps how far away the site is in every pixel. */
+public final class PictureMemory {
+    private static final int MEBIBYTE = 1 << 20;
+
+    private PictureMemory() {}
+
+    /**
+     * Checks it before anything is made.
+     *
+     * @param most bytes that Java may take
+     * @throws InputException when there are too many pixels
+     */
+    public static void check(SceneSettings settings, long most) {
+        long pixels = settings.enabledSensors().values().stream()
+                .mapToLong(SensorSettings::pixels)
+                .sum();
+        long bytes = pixels * Float.BYTES;
+        if (bytes > most) {
+            throw new InputException("sensors: pictures of " + pixels + " px need " + bytes / MEBIBYTE
+                    + " MiB, must be at most the " + most / MEBIBYTE
+                    + " MiB that Java may take: give it more (-Xmx), or the cameras fewer pixels");
+        }
+    }
+}

@@ -1,0 +1,50 @@
+package org.dronewatch.run;
+
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.ThreatLabel;
+import org.dronewatch.scenario.SceneSettings;
+
+/**
+ * What one run of a scene gave.
+ *
+ * @param run its number in the sweep, from 0
+ * @param settings what it ran with
+ * @param simulated simulated time, s
+ * @param events detections gained and lost, in order of time
+ * @param pairs each sensor with each drone, in the order of the scene
+ * @param alerts how early the site was alerted to each drone
+ */
+public record RunResult(
+        int run,
+        SceneSettings settings,
+        double simulated,
+        List<DetectionEvent> events,
+        List<PairResult> pairs,
+        List<AlertResult> alerts) {
+    /** Keeps its own lists. */
+    public RunResult {
+        events = List.copyOf(events);
+        pairs = List.copyOf(pairs);
+        alerts = List.copyOf(alerts);
+    }
+
+    /** The alerts that count: those to drones that attack. Where none attacks, all. */
+    public List<AlertResult> attackAlerts() {
+        Map<String, DroneSettings> drones = settings.fliers();
+        List<AlertResult> attacks = alerts.stream()
+                .filter(alert -> drones.get(alert.drone()).label().role() == ThreatLabel.Role.ATTACK)
+                .toList();
+        return attacks.isEmpty() ? alerts : attacks;
+    }
+
+    /** Distance at which a sensor first detected a drone, m: the farthest of the scene's drones; empty for never. */
+    public OptionalDouble firstDetectionRange(String sensor) {
+        return pairs.stream()
+                .filter(pair -> pair.sensor().equals(sensor) && pair.range().isPresent())
+                .mapToDouble(pair -> pair.range().getAsDouble())
+                .max();
+    }
+}

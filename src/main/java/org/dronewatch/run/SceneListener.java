@@ -1,0 +1,17 @@
+package org.dronewatch.run;
+
+/** Is told what happens in a scene, on the thread that runs it, in the order of simulated time. */
+public interface SceneListener {
+
+    /** A run begins: its models are loaded and its sensors created. */
+    default void runStarted(RunInfo run) {}
+
+    /** Sensors have looked. */
+    default void observed(Frame frame) {}
+
+    /** A run is over, to its end or cut short. */
+    default void runEnded(RunResult result) {}
+
+    /** A sensor gained or lost a drone. */
+    default void detectionChanged(DetectionEvent event) {}
+}

@@ -1,0 +1,89 @@
+package org.dronewatch.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+
+/**
+ * What all runs of a scene gave: keep it in a test, and a site's detection ranges cannot change unnoticed.
+ *
+ * @param scene name of the scene
+ * @param seed seed of its random numbers
+ * @param threads how many threads looked
+ * @param complete false when the run was cut short
+ * @param runs the runs: one, or one for each value of a sweep
+ * @param timing where the time went
+ */
+public record SceneResult(String scene, long seed, int threads, boolean complete, List<RunResult> runs, Timing timing) {
+    /** Keeps its own list. */
+    public SceneResult {
+        runs = List.copyOf(runs);
+    }
+
+    /** All sensors with all drones in all runs. */
+    public List<PairResult> pairs() {
+        return runs.stream().flatMap(run -> run.pairs().stream()).toList();
+    }
+
+    /** All drones in all runs: how early the site was alerted to each. */
+    public List<AlertResult> alerts() {
+        return runs.stream().flatMap(run -> run.alerts().stream()).toList();
+    }
+
+    /**
+     * How early the site was alerted to a drone in the first run.
+     *
+     * @throws IllegalArgumentException when the scene has no such drone
+     */
+    public AlertResult alert(String drone) {
+        return alerts().stream()
+                .filter(alert -> alert.run() == 0 && alert.drone().equals(drone))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'"));
+    }
+
+    /** Simulated time of all runs, s. */
+    public double simulated() {
+        return runs.stream().mapToDouble(RunResult::simulated).sum();
+    }
+
+    /**
+     * Distance at which a sensor first detected a drone in the first run, m; empty for never.
+     *
+     * @throws IllegalArgumentException when the scene has no such pair
+     */
+    public OptionalDouble firstDetectionRange(String sensor, String drone) {
+        return firstDetectionRange(0, sensor, drone);
+    }
+
+    /**
+     * Distance at which a sensor first detected a drone in one run of a sweep, m; empty for never.
+     *
+     * @param run number of the run, from 0
+     * @throws IllegalArgumentException when there is no such run or pair
+     */
+    public OptionalDouble firstDetectionRange(int run, String sensor, String drone) {
+        return pairs().stream()
+                .filter(pair -> pair.run() == run
+                        && pair.sensor().equals(sensor)
+                        && pair.drone().equals(drone))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "no run " + run + " with sensor '" + sensor + "' and drone '" + drone + "'"))
+                .range();
+    }
+
+    /** The points of the sweep, sensor by sensor in each run; none for a scene without one. */
+    public List<SweepPoint> sweep() {
+        List<SweepPoint> points = new ArrayList<>();
+        for (RunResult run : runs) {
+            run.settings().sweep().ifPresent(sweep -> {
+                Object value = sweep.valueIn(run.settings());
+                for (String sensor : run.settings().enabledSensors().keySet()) {
+                    points.add(new SweepPoint(sweep.parameter(), value, sensor, run.firstDetectionRange(sensor)));
+                }
+            });
+        }
+        return points;
+    }
+}

@@ -1,0 +1,65 @@
+package org.dronewatch.run;
+
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.World;
+
+/** What is between sensors and places: whether a sensor looks there at all, and whether something stands in the way. */
+public final class Sightline {
+    private final World world;
+    private final KDTraversal traversal;
+
+    /** In a world, for one thread. */
+    public Sightline(World world) {
+        this.world = world;
+        this.traversal = world.newTraversal();
+    }
+
+    /** Whether a sensor has a field of view at all; microphones have none. */
+    public static boolean looks(SensorSettings<?> sensor) {
+        return field(sensor, Optional.empty()).isPresent();
+    }
+
+    private static Optional<Outline> field(SensorSettings<?> sensor, Optional<Pointing> pointing) {
+        Optional<Outline> outline =
+                pointing.isPresent() ? sensor.pointed(pointing.get()).outline() : sensor.outline();
+        return outline.filter(shape -> !(shape instanceof Outline.Ball));
+    }
+
+    /** Whether a place is in a sensor's field of view and range now; everything is for a sensor without one. */
+    public static boolean isInField(SensorSettings<?> sensor, Optional<Pointing> pointing, Position place) {
+        return field(sensor, pointing)
+                .map(shape -> shape.contains(place.minus(sensor.position())))
+                .orElse(true);
+    }
+
+    /** Whether a sensor looks farther than a place is away; always for one whose range has no end. */
+    public static boolean isInRange(SensorSettings<?> sensor, Position place) {
+        return !(sensor.outline().orElse(null) instanceof Outline.Sector sector)
+                || place.distance(sensor.position()) <= sector.maxRange();
+    }
+
+    /** Whether a sensor could look at a place: wherever its mount can turn it. */
+    public boolean isPossible(SensorSettings<?> sensor, Position place) {
+        return isInField(sensor, sensor.turnedTo(place), place)
+                && obstacle(sensor.position(), place).isEmpty();
+    }
+
+    /** The number of the triangle that hides a place first, in the world's mesh; empty where nothing does. */
+    public OptionalInt obstacle(Position from, Position place) {
+        Position way = place.minus(from);
+        boolean hidden = traversal.closestHit(
+                from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), World.SURFACE, 1.0 - World.SURFACE);
+        return hidden ? OptionalInt.of(traversal.triangle()) : OptionalInt.empty();
+    }
+
+    /** The world that it is in. */
+    public World world() {
+        return world;
+    }
+}

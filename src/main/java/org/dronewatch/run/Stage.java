@@ -1,0 +1,284 @@
+package org.dronewatch.run;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.BiFunction;
+import java.util.function.Supplier;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightPath;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.positioner.Positioner;
+import org.dronewatch.scenario.MountAdvice;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Curve;
+import org.dronewatch.sensor.CurveSensor;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.RaySensor;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.Clearance;
+import org.dronewatch.world.SurfaceSettings;
+import org.dronewatch.world.World;
+import org.dronewatch.world.WorldSettings;
+
+/** A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. */
+public final class Stage {
+    private final World world;
+    private final Map<String, Integer> colours;
+    private final NavigableMap<Integer, String> modelsByFirstTriangle;
+    private final List<Flier> fliers = new ArrayList<>();
+    private final List<Looker> lookers = new ArrayList<>();
+    private final Map<String, Pointing> pointings = new LinkedHashMap<>();
+    private final long runSeed;
+
+    public Stage(SceneSettings settings, ModelCache models, long runSeed) {
+        PictureMemory.check(settings, Runtime.getRuntime().maxMemory());
+        WorldSettings site = settings.world();
+        this.world = new World(models.tree(site.models()), site.noise(), site.surfaces(), site.atmosphere())
+                .withRain(site.rain())
+                .withLight(site.light());
+        this.modelsByFirstTriangle = models.firstTriangles(site.models());
+        this.colours = Map.copyOf(models.colours(site.models()));
+        warn(settings, models);
+        this.runSeed = runSeed;
+        FlightPaths paths = new FlightPaths(world.newGround());
+        settings.fliers().forEach((id, drone) -> {
+            Drone created = new Drone(id, drone, models.tree(List.of(drone.model())));
+            fliers.add(new Flier(created, paths.of(id, drone)));
+        });
+        settings.enabledSensors().forEach((id, sensor) -> lookers.add(new Looker(id, sensor)));
+    }
+
+    private void warn(SceneSettings settings, ModelCache models) {
+        SurfaceSettings surfaces = settings.world().surfaces();
+        List<String> leftOver = surfaces.leftOver(world.mesh().materialNames());
+        if (!leftOver.isEmpty()
+                && settings.enabledSensors().values().stream().anyMatch(SensorSettings::hearsSurfaces)) {
+            models.warn("no surface is named for " + String.join(", ", leftOver) + ": taken as '" + surfaces.otherwise()
+                    + "'");
+        }
+        settings.enabledSensors().forEach((id, sensor) -> sensor.positioner()
+                .ifPresent(mount -> new MountAdvice(settings, id, mount).tell(models::warn)));
+        if (settings.enabledSensors().isEmpty() && !settings.sensors().isEmpty()) {
+            models.warn("all sensors are switched off: nothing is observed");
+        }
+        Clearance clearance = new Clearance(world);
+        settings.enabledSensors().forEach((id, sensor) -> {
+            Position at = sensor.position();
+            String where =
+                    String.format(Locale.ROOT, "sensor '%s' at (%.3f, %.3f, %.3f) m", id, at.x(), at.y(), at.z());
+            if (world.isInsideWall(at)) {
+                models.warn(where
+                        + " seems to be inside a wall or under the ground: most of what is about it shows its back");
+            } else if (!sensor.hearsSurfaces() && clearance.isMissing(at)) {
+                models.warn(where + " lies on a surface, which may hide everything from it: put it a millimetre off");
+            }
+        });
+    }
+
+    /** The world. */
+    public World world() {
+        return world;
+    }
+
+    /** What the world's materials look like in daylight, by name: red, green and blue in the lowest 24 bits. */
+    public Map<String, Integer> colours() {
+        return colours;
+    }
+
+    /**
+     * The file of the model to which a triangle belongs.
+     *
+     * @param triangle number in the world's mesh
+     */
+    public String modelOf(int triangle) {
+        return modelsByFirstTriangle.floorEntry(triangle).getValue();
+    }
+
+    /** The drones at a time, seconds since the start of the run. */
+    public List<Drone> dronesAt(double time) {
+        return fliers.stream().map(flier -> flier.drone.at(flier.path.at(time))).toList();
+    }
+
+    /**
+     * Where a drone is at a time, m.
+     *
+     * @param time seconds since the start of the run
+     * @throws IllegalArgumentException when there is no such drone
+     */
+    public Position placeOf(String drone, double time) {
+        return fliers.stream()
+                .filter(flier -> flier.drone.id().equals(drone))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'"))
+                .path
+                .at(time)
+                .position();
+    }
+
+    /**
+     * Lets every sensor that follows rays tell of all of them, as its first look would trace them if it did not stop early.
+     *
+     * @param time where the drones are, seconds since the start of the run
+     * @param target gives what records the rays of a sensor and a drone of these names
+     */
+    public void traceRays(double time, BiFunction<String, String, RayRecorder> target) {
+        for (Looker looker : lookers) {
+            if (looker.sensor instanceof RaySensor sensor) {
+                for (Drone drone : dronesAt(time)) {
+                    trace(looker, sensor, drone, time, target.apply(looker.id, drone.id()));
+                }
+            }
+        }
+    }
+
+    /**
+     * Lets one sensor tell of all rays that lead from one drone to it, as its first look would trace them if it did not stop
+     * early. The sensor is a new one: the run may go on meanwhile on another thread.
+     *
+     * @param time where the drone is, seconds since the start of the run
+     * @return whether there are such a drone and such a sensor, and it follows rays
+     */
+    public boolean traceRays(double time, String sensor, String drone, RayRecorder target) {
+        for (Looker looker : lookers) {
+            if (looker.id.equals(sensor) && looker.settings.create() instanceof RaySensor fresh) {
+                for (Drone one : dronesAt(time)) {
+                    if (one.id().equals(drone)) {
+                        trace(looker, fresh, one, time, target);
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    private void trace(Looker looker, RaySensor sensor, Drone drone, double time, RayRecorder target) {
+        Sample sample = Sample.of(runSeed, looker.id, 0, time);
+        sensor.traceRays(world, drone, sample.random(drone.id(), RaySensor.RAYS), target);
+    }
+
+    /** Names of the sensors that follow rays. */
+    public List<String> raySensors() {
+        return lookers.stream()
+                .filter(looker -> looker.sensor instanceof RaySensor)
+                .map(looker -> looker.id)
+                .toList();
+    }
+
+    /**
+     * Lets every sensor draw what it can of each drone.
+     *
+     * @param time where the drones are, seconds since the start of the run
+     * @param target is given each sensor's name with a curve
+     */
+    public void draw(double time, BiConsumer<String, Curve> target) {
+        for (Looker looker : lookers) {
+            if (looker.sensor instanceof CurveSensor sensor) {
+                for (Drone drone : dronesAt(time)) {
+                    Sample sample = Sample.of(runSeed, looker.id, 0, time);
+                    sensor.curves(world, drone, sample.random(drone.id(), CurveSensor.CURVES))
+                            .forEach(curve -> target.accept(looker.id + "-" + drone.id(), curve));
+                }
+            }
+        }
+    }
+
+    /** The earliest time at which a sensor looks next; infinity when there is no sensor. */
+    public double nextLook() {
+        return lookers.stream().mapToDouble(Looker::nextTime).min().orElse(Double.POSITIVE_INFINITY);
+    }
+
+    /** Lets every sensor that is due at a time look. */
+    public List<Observation> look(double time, List<Drone> drones, LookTimes times) {
+        pointings.clear();
+        List<Supplier<List<Observation>>> looks = new ArrayList<>();
+        for (Looker looker : lookers) {
+            if (looker.nextTime() == time) {
+                Optional<Pointing> pointing = looker.positioner.map(mount -> mount.moveTo(time));
+                pointing.ifPresent(where -> pointings.put(looker.id, where));
+                Sample sample =
+                        Sample.of(runSeed, looker.id, looker.nextIndex++, time).withPointing(pointing);
+                List<Drone> found = drones;
+                double speed = looker.settings.signalSpeed(world);
+                if (Double.isFinite(speed)) {
+                    found = dronesReaching(looker.settings.position(), speed, time);
+                }
+                List<Drone> reaching = found;
+                looks.add(() -> {
+                    long start = System.nanoTime();
+                    List<Observation> observations = looker.sensor.observe(world, reaching, sample);
+                    times.add(looker.settings.kind(), System.nanoTime() - start);
+                    return observations;
+                });
+            }
+        }
+        List<List<Observation>> seen = new ArrayList<>(Collections.nCopies(looks.size(), List.of()));
+        Workers.forEach(looks.size(), i -> seen.set(i, looks.get(i).get()));
+        List<Observation> observations = seen.stream().flatMap(List::stream).toList();
+        lookers.forEach(looker -> looker.learn(observations));
+        return observations;
+    }
+
+    /** Where the mounts of the sensors that looked last pointed, by name of the sensor. */
+    public Map<String, Pointing> pointings() {
+        return pointings;
+    }
+
+    /** The drones as they were when what reaches a place now left them; without those of which nothing has arrived yet. */
+    private List<Drone> dronesReaching(Position place, double speed, double time) {
+        List<Drone> reaching = new ArrayList<>();
+        for (Flier flier : fliers) {
+            EmissionTime.of(flier.path, place, speed, time)
+                    .ifPresent(emission -> reaching.add(flier.drone.at(flier.path.at(emission))));
+        }
+        return reaching;
+    }
+
+    private record Flier(Drone drone, FlightPath path) {}
+
+    private static final class Looker {
+        private final String id;
+        private final SensorSettings<?> settings;
+        private final Sensor sensor;
+        private final double rate;
+        private final Optional<Positioner> positioner;
+        private long nextIndex;
+
+        Looker(String id, SensorSettings<?> settings) {
+            this.id = id;
+            this.settings = settings;
+            this.sensor = settings.create();
+            this.rate = settings.rate();
+            this.positioner = settings.createPositioner();
+        }
+
+        /** Tells its mount what it saw itself, and what the sensors detect that the mount listens to. */
+        void learn(List<Observation> observations) {
+            positioner.ifPresent(mount -> observations.forEach(o -> o.sighting().ifPresent(sighting -> {
+                if (o.sensor().equals(id)) {
+                    mount.see(o.drone(), sighting, o.arrival());
+                } else if (o.isDetected()
+                        && settings.positioner().orElseThrow().cues().contains(o.sensor())) {
+                    mount.cue(o.drone(), sighting, o.arrival());
+                }
+            })));
+        }
+
+        /** From the index, not from the last time: adding up intervals drifts. */
+        double nextTime() {
+            return nextIndex / rate;
+        }
+    }
+}

@@ -1,0 +1,13 @@
+package org.dronewatch.run;
+
+import java.util.OptionalDouble;
+
+/**
+ * One point of a sweep.
+ *
+ * @param parameter path of the setting that changes
+ * @param value its value in this run: a number in the setting's unit, or a text
+ * @param sensor name of a sensor
+ * @param range distance at which it first detected a drone, m: the farthest of the scene's drones; empty for never
+ */
+public record SweepPoint(String parameter, Object value, String sensor, OptionalDouble range) {}

@@ -1,0 +1,20 @@
+package org.dronewatch.run;
+
+import java.util.Collections;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Where the time of a scene's runs went, in seconds of a clock on the wall.
+ *
+ * @param load reading models
+ * @param build building trees
+ * @param wall simulating, after loading and building
+ * @param looking how long the sensors of each kind looked, all threads together
+ */
+public record Timing(double load, double build, double wall, Map<String, Double> looking) {
+    /** Keeps its own map. */
+    public Timing {
+        looking = Collections.unmodifiableMap(new TreeMap<>(looking));
+    }
+}

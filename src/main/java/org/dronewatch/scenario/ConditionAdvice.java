@@ -1,0 +1,98 @@
+package org.dronewatch.scenario;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronewatch.sensor.Condition;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.world.Light;
+import org.dronewatch.world.WorldSettings;
+
+/** Warns of weather and light that are without effect, because the models of a scene's sensors do not take them into account. */
+public final class ConditionAdvice {
+    private static final int MOST_NAMES = 3;
+
+    private final Map<Concern, Set<String>> sensors = new LinkedHashMap<>();
+    private final Map<Condition, String> written = new LinkedHashMap<>();
+
+    private record Concern(Condition condition, String kind, String instead) {}
+
+    private ConditionAdvice() {}
+
+    /**
+     * A line for each condition and kind of sensor that ignores it; none for a scene whose weather and light are those by
+     * default.
+     *
+     * @param runs the settings of all runs of a scene
+     */
+    public static List<String> of(List<SceneSettings> runs) {
+        ConditionAdvice advice = new ConditionAdvice();
+        runs.forEach(advice::add);
+        return advice.lines();
+    }
+
+    private void add(SceneSettings scene) {
+        for (Condition condition : Condition.values()) {
+            setting(scene.world(), condition).ifPresent(text -> {
+                written.putIfAbsent(condition, text);
+                scene.enabledSensors().forEach((id, sensor) -> add(condition, id, sensor));
+            });
+        }
+    }
+
+    private void add(Condition condition, String id, SensorSettings<?> sensor) {
+        String instead = sensor.ignoredConditions().get(condition);
+        if (instead != null) {
+            sensors.computeIfAbsent(new Concern(condition, sensor.kind(), instead), concern -> new LinkedHashSet<>())
+                    .add(id);
+        }
+    }
+
+    private List<String> lines() {
+        List<String> lines = new ArrayList<>();
+        sensors.forEach((concern, ids) -> lines.add(written.get(concern.condition()) + " has no effect on "
+                + named(concern.kind(), List.copyOf(ids)) + ": " + concern.instead()));
+        return lines;
+    }
+
+    /** The setting of a condition with its value, unless it is the one by default. */
+    private static Optional<String> setting(WorldSettings world, Condition condition) {
+        Light light = world.light();
+        Light day = Light.DAY;
+        return switch (condition) {
+            case VISIBILITY ->
+                light.visibility() != day.visibility()
+                        ? Optional.of("world.light.visibility " + Quantity.LENGTH.inWords(light.visibility()))
+                        : light.contrastAtVisibility() != day.contrastAtVisibility()
+                                ? Optional.of("world.light.contrastAtVisibility " + light.contrastAtVisibility())
+                                : Optional.empty();
+            case ILLUMINANCE ->
+                light.illuminance() == day.illuminance()
+                        ? Optional.empty()
+                        : Optional.of("world.light.illuminance " + Quantity.ILLUMINANCE.inWords(light.illuminance()));
+            case SUN -> light.sun().map(sun -> "world.light.sun");
+            case RAIN ->
+                world.rain() == 0.0
+                        ? Optional.empty()
+                        : Optional.of("world.rain " + Quantity.PRECIPITATION.inWords(world.rain()));
+            case AIR ->
+                world.atmosphere().equals(Atmosphere.STANDARD) ? Optional.empty() : Optional.of("world.atmosphere");
+        };
+    }
+
+    private static String named(String kind, List<String> ids) {
+        if (ids.size() == 1) {
+            return kind + " sensor '" + ids.get(0) + "'";
+        }
+        int shown = ids.size() <= MOST_NAMES ? ids.size() - 1 : MOST_NAMES - 1;
+        String first = "'" + String.join("', '", ids.subList(0, shown)) + "'";
+        String rest = ids.size() - shown == 1 ? "'" + ids.get(shown) + "'" : ids.size() - shown + " more";
+        return kind + " sensors " + first + " and " + rest;
+    }
+}

@@ -1,0 +1,55 @@
+package org.dronewatch.scenario;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.setting.CanonicalSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.file.FileHash;
+
+/**
+ * What a scene was run from, as it was when it was read.
+ *
+ * @param settingsHash SHA-256 of the effective settings, with all overrides, as {@link CanonicalSettings} writes them
+ * @param scene the files in which the scene is described, the scene file first; none for a scene in Java
+ * @param models the files of each model that was loaded, its own first and then its material libraries, by the name that the
+ *     settings give it
+ */
+public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, List<FileHash>> models) {
+    /** Keeps its own lists. */
+    public InputFiles {
+        scene = List.copyOf(scene);
+        models = Collections.unmodifiableMap(new LinkedHashMap<>(models));
+    }
+
+    /** Settings that came from no file that is known. */
+    public static InputFiles of(SceneSettings settings) {
+        return new InputFiles(FileHash.ofText(CanonicalSettings.of(settings)), List.of(), Map.of());
+    }
+
+    /** These inputs with more files in which the scene is described; one that is known already stays as it is. */
+    public InputFiles withScene(List<FileHash> described, List<Path> more) {
+        List<FileHash> all = new ArrayList<>(described);
+        more.stream().map(InputFiles::hash).filter(file -> !all.contains(file)).forEach(all::add);
+        return new InputFiles(settingsHash, all, models);
+    }
+
+    /** These inputs with the models that were loaded. */
+    public InputFiles withModels(Map<String, List<FileHash>> loaded) {
+        return new InputFiles(settingsHash, scene, loaded);
+    }
+
+    public static FileHash hash(Path file) {
+        try (InputStream bytes = Files.newInputStream(file)) {
+            return FileHash.of(String.valueOf(file.getFileName()), bytes);
+        } catch (IOException e) {
+            throw new InputException(file + ": cannot be read: " + e.getMessage(), e);
+        }
+    }
+}

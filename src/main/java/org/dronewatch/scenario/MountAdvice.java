@@ -1,0 +1,51 @@
+package org.dronewatch.scenario;
+
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.dronewatch.positioner.PositionerSettings;
+import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.SensorSettings;
+
+/**
+ * What looks odd about a sensor's mount, though it is not wrong.
+ *
+ * @param scene where it stands
+ * @param id name of the sensor
+ * @param mount its mount
+ */
+public record MountAdvice(SceneSettings scene, String id, PositionerSettings mount) {
+
+    /** Tells in a line each. */
+    public void tell(Consumer<String> target) {
+        for (String cue : mount.cues()) {
+            double interval = 1.0 / scene.sensors().get(cue).rate();
+            if (mount.hold() < interval) {
+                target.accept(String.format(
+                        Locale.ROOT,
+                        "sensor '%s' holds a drone for %.2g s, but '%s', to which it listens, looks every %.2g s: it will let"
+                                + " go between",
+                        id,
+                        mount.hold(),
+                        cue,
+                        interval));
+            }
+        }
+        SensorSettings<?> sensor = scene.sensors().get(id);
+        sensor.outline().ifPresent(outline -> {
+            if (outline instanceof Outline.Pyramid pyramid) {
+                double elevation =
+                        Math.asin(Math.max(-1.0, Math.min(1.0, pyramid.forward().z())));
+                if (elevation < mount.lowest() - 1e-9 || elevation > mount.highest() + 1e-9) {
+                    target.accept(String.format(
+                            Locale.ROOT,
+                            "sensor '%s' aims at an elevation of %.1f degrees, but its mount tilts from %.1f to %.1f degrees"
+                                    + " only",
+                            id,
+                            Math.toDegrees(elevation),
+                            Math.toDegrees(mount.lowest()),
+                            Math.toDegrees(mount.highest())));
+                }
+            }
+        });
+    }
+}

@@ -1,0 +1,63 @@
+package org.dronewatch.scenario;
+
+import java.lang.reflect.RecordComponent;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.setting.SettingsPath;
+
+/** Writes single settings of a scene: a value by its path, or a whole sensor by its name in the catalogue. */
+public final class Overrides {
+    private static final String SENSORS = "sensors.";
+
+    /** What another sensor takes over from the one whose place it takes. */
+    private static final List<String> POSE = List.of("position", "aim", "positioner");
+
+    private final Catalog catalog;
+
+    public Overrides(Catalog catalog) {
+        this.catalog = catalog;
+    }
+
+    /**
+     * The scene with one more setting written.
+     *
+     * @throws InputException when the path leads nowhere or the value does not fit
+     */
+    public SceneSettings write(SceneSettings scene, String path, String value) {
+        String id = path.startsWith(SENSORS) ? path.substring(SENSORS.length()) : "";
+        SensorSettings<?> old = scene.sensors().get(id);
+        if (old == null) {
+            return new SettingsPath(path, SensorKinds.parts()).write(scene, value);
+        }
+        try {
+            return scene.withSensor(id, catalog.settings(value.strip(), poseOf(old, value.strip())));
+        } catch (InputException e) {
+            throw new InputException(path + "=" + PlainText.value(value) + ": " + e.getMessage(), e);
+        }
+    }
+
+    private Map<String, Object> poseOf(SensorSettings<?> old, String name) {
+        Map<String, Object> pose = new LinkedHashMap<>();
+        Optional<Class<? extends Record>> next =
+                catalog.entry(name).map(entry -> SensorKinds.all().get(entry.kind()));
+        if (next.isPresent() && old instanceof Record settings) {
+            SettingsForm mine = SettingsForm.of(settings.getClass());
+            SettingsForm its = SettingsForm.of(next.get());
+            for (String part : POSE) {
+                Optional<RecordComponent> component = mine.part(part);
+                if (component.isPresent() && its.part(part).isPresent()) {
+                    pose.put(part, SettingsForm.get(settings, component.get()));
+                }
+            }
+        }
+        return pose;
+    }
+}

@@ -1,0 +1,33 @@
+package org.dronewatch.scenario;
+
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * How long a scene runs and with which random numbers.
+ *
+ * @param duration simulated time, above 0 and at most a million seconds
+ * @param seed seed of all random numbers
+ */
+public record RunSettings(@In(value = Quantity.DURATION, above = 0, to = 1e6) double duration, long seed) {
+    /** One minute with seed 1. */
+    @Defaults
+    public static final RunSettings DEFAULT = new RunSettings(60.0, 1L);
+
+    /** Checks the limits. */
+    public RunSettings {
+        Limits.check(RunSettings.class, duration, seed);
+    }
+
+    /** These settings with another duration, s. */
+    public RunSettings withDuration(double seconds) {
+        return new RunSettings(seconds, seed);
+    }
+
+    /** These settings with another seed. */
+    public RunSettings withSeed(long number) {
+        return new RunSettings(duration, number);
+    }
+}

@@ -1,0 +1,208 @@
+package org.dronewatch.scenario;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.fusion.AlertRule;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.sensor.Draws;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Spelling;
+import org.dronewatch.setting.Switchable;
+import org.dronewatch.world.WorldSettings;
+
+/**
+ * All that a scene is: one tree of records. Java scenes, overrides and sweeps write it; only then are meshes loaded and
+ * sensors created from it. The order of drones and sensors is kept.
+ *
+ * @param world the site
+ * @param drones drones by id; at most 1000 fly, with those of their swarms
+ * @param sensors sensors by id, with those that are switched off ({@code enabled: false}): they observe nothing, cost nothing
+ *     and are checked like the others
+ * @param disabled ids of the sensors that are switched off
+ * @param alert when the site is alerted, and what is to be protected
+ * @param prices what the sensors cost
+ * @param run duration and seed; no sensor may look more than 100,000,000 times in that time
+ * @param sweep a setting that changes from run to run, or empty for a single run
+ */
+public record SceneSettings(
+        WorldSettings world,
+        Map<String, DroneSettings> drones,
+        @Switchable("disabled") Map<String, SensorSettings<?>> sensors,
+        Set<String> disabled,
+        AlertSettings alert,
+        PriceSettings prices,
+        RunSettings run,
+        Optional<SweepSettings> sweep) {
+    /** How often one sensor may look in a run: ten times a second for more than a hundred days. */
+    public static final int MOST_LOOKS = 100_000_000;
+
+    /** Checks ids and keeps its own maps. */
+    public SceneSettings {
+        Check.present("world", world);
+        Check.present("alert", alert);
+        Check.present("prices", prices);
+        Check.present("run", run);
+        Check.present("sweep", sweep);
+        drones = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("drones", drones)));
+        sensors = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("sensors", sensors)));
+        disabled = Collections.unmodifiableSet(new LinkedHashSet<>(Check.present("disabled", disabled)));
+        drones.keySet().forEach(SceneSettings::checkId);
+        Fliers.of(drones);
+        sensors.keySet().forEach(SceneSettings::checkId);
+        Map<String, SensorSettings<?>> all = sensors;
+        if (alert.response() > 0.0 && alert.protect().isEmpty()) {
+            throw new IllegalArgumentException("alert.response " + alert.response()
+                    + " s needs an alert.protect that the drone must not reach before");
+        }
+        if (!sensors.isEmpty()) {
+            // Without sensors it may be a scene that is still being read.
+            prices.sensors().keySet().forEach(id -> checkPriced(id, all));
+            disabled.forEach(id -> checkDisabled(id, all));
+            checkRule(alert.rule(), sensors.size());
+        }
+        double duration = run.duration();
+        sensors.forEach((id, sensor) -> checkLooks(id, sensor.rate(), duration));
+        sensors.forEach((id, sensor) ->
+                sensor.positioner().ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
+    }
+
+    /** More would take days even of the cheapest sensor. */
+    private static void checkLooks(String id, double rate, double duration) {
+        double looks = rate * duration;
+        if (looks > MOST_LOOKS) {
+            throw new IllegalArgumentException("sensors." + id + ".rate " + rate + " Hz for run.duration " + duration
+                    + " s makes " + (float) looks + " looks, must be at most " + MOST_LOOKS);
+        }
+    }
+
+    private static void checkRule(AlertRule rule, int sensors) {
+        if (rule instanceof AlertRule.SeveralSensors several && several.count() > sensors) {
+            throw new IllegalArgumentException("alert.rule.count " + several.count() + " must be at most " + sensors
+                    + ", as many as there are sensors");
+        }
+    }
+
+    private static void checkDisabled(String id, Map<String, SensorSettings<?>> sensors) {
+        if (!sensors.containsKey(id)) {
+            throw new IllegalArgumentException("disabled '" + id + "': there is no such sensor; nearest are "
+                    + String.join(", ", Spelling.nearest(id, sensors.keySet(), 3)));
+        }
+    }
+
+    private static void checkPriced(String id, Map<String, SensorSettings<?>> sensors) {
+        if (!sensors.containsKey(id)) {
+            throw new IllegalArgumentException("prices.sensors." + id + ": there is no such sensor; nearest are "
+                    + String.join(", ", Spelling.nearest(id, sensors.keySet(), 3)));
+        }
+    }
+
+    private static void checkCue(String id, String cue, Map<String, SensorSettings<?>> sensors) {
+        String listens = "sensors." + id + ".positioner.cues: sensor '" + id + "' listens to '" + cue + "'";
+        if (cue.equals(id)) {
+            throw new IllegalArgumentException(listens + ", which is itself: it follows what it sees in any case");
+        }
+        if (!sensors.containsKey(cue)) {
+            List<String> nearest = Spelling.nearest(cue, sensors.keySet(), 3);
+            throw new IllegalArgumentException(
+                    listens + ": there is no such sensor; nearest are " + String.join(", ", nearest));
+        }
+        if (!sensors.get(cue).tellsDirection()) {
+            throw new IllegalArgumentException(
+                    listens + ", of kind " + sensors.get(cue).kind() + ": that does not tell where a drone is");
+        }
+    }
+
+    private static void checkId(String id) {
+        if (!id.matches("[A-Za-z0-9_-]{1,64}")) {
+            throw new IllegalArgumentException(
+                    "id '" + id + "' must be 1 to 64 letters, digits, '-' or '_': it is part of settings' paths");
+        }
+    }
+
+    /**
+     * What flies, by id: each drone, but for one with a swarm, say {@code x}, the drones of the swarm, {@code x-1}, {@code
+     * x-2} and so on. Detections are theirs; overrides and sweeps change {@link #drones()}.
+     */
+    public Map<String, DroneSettings> fliers() {
+        return Fliers.of(drones);
+    }
+
+    /** An empty site that runs for a minute. */
+    @Defaults("world")
+    public static SceneSettings of(WorldSettings world) {
+        return new SceneSettings(
+                world,
+                Map.of(),
+                Map.of(),
+                Set.of(),
+                AlertSettings.DEFAULT,
+                PriceSettings.DEFAULT,
+                RunSettings.DEFAULT,
+                Optional.empty());
+    }
+
+    /** The sensors that are not switched off, by id: those that observe. */
+    public Map<String, SensorSettings<?>> enabledSensors() {
+        if (disabled.isEmpty()) {
+            return sensors;
+        }
+        Map<String, SensorSettings<?>> enabled = new LinkedHashMap<>(sensors);
+        enabled.keySet().removeAll(disabled);
+        return Collections.unmodifiableMap(enabled);
+    }
+
+    /** Whether a sensor is not switched off. */
+    public boolean isEnabled(String sensor) {
+        return sensors.containsKey(sensor) && !disabled.contains(sensor);
+    }
+
+    /**
+     * These settings with a sensor switched on or off.
+     *
+     * @throws IllegalArgumentException when there is no such sensor
+     */
+    public SceneSettings withEnabled(String sensor, boolean enabled) {
+        if (!sensors.containsKey(sensor)) {
+            throw new IllegalArgumentException("sensor '" + sensor + "' cannot be switched " + (enabled ? "on" : "off")
+                    + ": the scene's sensors are "
+                    + (sensors.isEmpty() ? "none" : String.join(", ", sensors.keySet())));
+        }
+        Set<String> off = new LinkedHashSet<>(disabled);
+        if (enabled) {
+            off.remove(sensor);
+        } else {
+            off.add(sensor);
+        }
+        return new SceneSettings(world, drones, sensors, off, alert, prices, run, sweep);
+    }
+
+    /** These settings with a sensor in the place of the one of this id. */
+    public SceneSettings withSensor(String id, SensorSettings<?> sensor) {
+        Map<String, SensorSettings<?>> others = new LinkedHashMap<>(sensors);
+        others.put(id, sensor);
+        return new SceneSettings(world, drones, others, disabled, alert, prices, run, sweep);
+    }
+
+    /**
+     * These settings as one run of a sweep: what is swept has this value only, and the seed is the run's own, which the
+     * first takes as it is.
+     */
+    public SceneSettings asRunWith(int number, String value) {
+        Optional<SweepSettings> one = sweep.map(all -> new SweepSettings.Values(all.parameter(), List.of(value)));
+        RunSettings own = run.withSeed(Draws.derivedSeed(run.seed(), "run", number));
+        return new SceneSettings(world, drones, sensors, disabled, alert, prices, own, one);
+    }
+
+    /** These settings without a sweep. */
+    public SceneSettings withoutSweep() {
+        return new SceneSettings(world, drones, sensors, disabled, alert, prices, run, Optional.empty());
+    }
+}

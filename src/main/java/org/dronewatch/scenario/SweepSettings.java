@@ -1,0 +1,89 @@
+package org.dronewatch.scenario;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsPath;
+
+/** A setting that takes one value after another, a run for each. */
+public sealed interface SweepSettings {
+    /** How many runs a sweep may have. */
+    int MAX_RUNS = 10_000;
+
+    /** Path of the setting, such as {@code sensors.camera.fov}. */
+    String parameter();
+
+    /**
+     * What it takes, written as for {@code --set}.
+     *
+     * @param quantity what the setting is measured in
+     * @throws IllegalArgumentException when a value is none of that quantity
+     */
+    List<String> values(Quantity quantity);
+
+    /**
+     * The value that the swept setting has.
+     *
+     * @param settings those of one run of the sweep
+     * @return a number in the setting's unit, or another single value; what was written for anything else, such as the name
+     *     of a sensor
+     */
+    default Object valueIn(SceneSettings settings) {
+        SettingsPath path = new SettingsPath(parameter());
+        Object value = path.read(settings);
+        return value instanceof Record ? values(path.quantity(settings)).get(0) : value;
+    }
+
+    /**
+     * One value after another.
+     *
+     * @param parameter path of the setting
+     * @param values what it takes, with units or without; 1 to 10,000
+     */
+    record Values(String parameter, List<String> values) implements SweepSettings {
+        /** Checks the limits and keeps its own list. */
+        public Values {
+            Limits.check(Values.class, parameter, values);
+            values = List.copyOf(values);
+            if (values.isEmpty() || values.size() > MAX_RUNS) {
+                throw new IllegalArgumentException(
+                        "values has " + values.size() + " entries, must have 1 to " + MAX_RUNS);
+            }
+        }
+
+        @Override
+        public List<String> values(Quantity quantity) {
+            return values;
+        }
+    }
+
+    /**
+     * Values at equal distances.
+     *
+     * @param parameter path of the setting
+     * @param from the first value, with a unit or without
+     * @param to the last value, with a unit or without
+     * @param count how many there are, the first and the last included, 2 to 10,000
+     */
+    record Range(
+            String parameter, String from, String to, @In(value = Quantity.NUMBER, from = 2, to = MAX_RUNS) int count)
+            implements SweepSettings {
+        /** Checks the limits. */
+        public Range {
+            Limits.check(Range.class, parameter, from, to, count);
+        }
+
+        @Override
+        public List<String> values(Quantity quantity) {
+            double first = quantity.parse(from);
+            double last = quantity.parse(to);
+            List<String> texts = new ArrayList<>();
+            for (int i = 0; i < count; i++) {
+                texts.add(Double.toString(first + (last - first) * i / (count - 1)));
+            }
+            return texts;
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package org.dronewatch.scenario;
+
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsPath;
+
+/** The value that a swept setting has in one run, as people read it. */
+public final class SweptValue {
+    private final String parameter;
+    private final Object value;
+    private final Quantity quantity;
+
+    /**
+     * Reads the value.
+     *
+     * @param settings settings of the run
+     * @param sweep what is swept
+     */
+    public SweptValue(SceneSettings settings, SweepSettings sweep) {
+        SettingsPath path = new SettingsPath(sweep.parameter());
+        this.parameter = sweep.parameter();
+        this.value = sweep.valueIn(settings);
+        this.quantity = path.quantity(settings);
+    }
+
+    /** With the whole path: {@code sensors.camera.fov=30 deg}. */
+    public String text() {
+        return (parameter + "=" + number() + " " + quantity.toldUnit()).strip();
+    }
+
+    /** With the setting's own name only: {@code fov 30 deg}. */
+    public String shortText() {
+        return name() + " " + value();
+    }
+
+    /** The setting's own name: {@code fov}. */
+    public String name() {
+        return parameter.substring(parameter.lastIndexOf('.') + 1);
+    }
+
+    /** The value with its unit: {@code 30 deg}. */
+    public String value() {
+        return (number() + " " + quantity.toldUnit()).strip();
+    }
+
+    private String number() {
+        return value instanceof Double number ? quantity.inBrief(number) : value.toString();
+    }
+}

@@ -1,0 +1,148 @@
+package org.dronewatch.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.scene.DiceSettings;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scenes.PackagedScene;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.camera.TargetTask;
+import org.dronewatch.sensor.radar.LinkBudget;
+import org.dronewatch.sensor.radar.RadarSettings;
+import org.dronewatch.sensor.rf.RfSettings;
+import org.dronewatch.sensor.thermal.ThermalSettings;
+import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.world.Light;
+import org.dronewatch.world.WorldSettings;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class ConditionAdviceTest {
+    private static final Position HERE = new Position(0, 0, 150);
+    private static final WorldSettings HILL = WorldSettings.of(ModelSettings.packaged("hill.obj"));
+    private static final WorldSettings NIGHT =
+            HILL.withLight(Light.DAY.withIlluminance(0.001).withVisibility(200));
+
+    private static SceneSettings scene(WorldSettings world, SensorSettings<?>... sensors) {
+        SceneSettings scene = SceneSettings.of(world);
+        for (int i = 0; i < sensors.length; i++) {
+            scene = scene.withSensor("s" + i, sensors[i]);
+        }
+        return scene;
+    }
+
+    private static List<String> advice(WorldSettings world, SensorSettings<?>... sensors) {
+        return ConditionAdvice.of(List.of(scene(world, sensors)));
+    }
+
+    @Test
+    void nightAndFogDoNothingToCamerasThatCountPixels() {
+        CameraSettings counting = CameraSettings.at(HERE);
+
+        assertThat(advice(NIGHT, counting, counting, counting, counting))
+                .containsExactly(
+                        "world.light.visibility 200 m has no effect on camera sensors 's0', 's1' and 2 more: cameras with"
+                                + " 'detection: {kind: target-task}' take it into account",
+                        "world.light.illuminance 0.001 lx has no effect on camera sensors 's0', 's1' and 2 more: cameras"
+                                + " with 'detection: {kind: target-task}' take it into account");
+        assertThat(advice(HILL.withLight(Light.DAY.withSun(new Light.Sun(1, 1))), counting))
+                .containsExactly("world.light.sun has no effect on camera sensor 's0': cameras with 'detection: {kind:"
+                        + " target-task}' take it into account");
+        assertThat(advice(HILL.withLight(Light.DAY.withContrastAtVisibility(0.02)), counting, counting))
+                .singleElement()
+                .asString()
+                .startsWith("world.light.contrastAtVisibility 0.02 has no effect on camera sensors 's0' and 's1': ");
+    }
+
+    @Test
+    void whoHeedsAConditionIsNotNamed() {
+        CameraSettings byTask = CameraSettings.at(HERE).withDetection(TargetTask.DEFAULT);
+        RadarSettings radar = RadarSettings.at(HERE, LinkBudget.DataSheet.of(1000, 0.01));
+
+        assertThat(advice(NIGHT, byTask, radar, RfSettings.at(HERE), AcousticSettings.at(HERE)))
+                .isEmpty();
+        assertThat(advice(NIGHT, byTask, CameraSettings.at(HERE)))
+                .hasSize(2)
+                .allMatch(line -> line.contains("camera sensor 's1': "));
+        assertThat(advice(HILL.withRain(10), radar, RfSettings.at(HERE))).isEmpty();
+    }
+
+    @Test
+    void rainAndAirAreHeededByWhoSaysSo() {
+        AcousticSettings level = AcousticSettings.at(HERE);
+        AcousticSettings energy = level.withPropagation(EnergyModel.DEFAULT);
+
+        assertThat(advice(HILL.withRain(10), level, CameraSettings.at(HERE).withDetection(TargetTask.DEFAULT)))
+                .containsExactly(
+                        "world.rain 10 mm/h has no effect on acoustic sensor 's0': raise world.backgroundNoise by the noise of"
+                                + " the rain",
+                        "world.rain 10 mm/h has no effect on camera sensor 's1': lower world.light.visibility for the rain");
+        WorldSettings cold = HILL.withAtmosphere(Atmosphere.STANDARD.withTemperature(263.15));
+        assertThat(advice(cold, level, energy))
+                .containsExactly(
+                        "world.atmosphere has no effect on acoustic sensor 's0': 'propagation: energy-model' takes it"
+                                + " into account");
+        assertThat(advice(cold.withRain(1).withLight(NIGHT.light()), ThermalSettings.at(HERE)))
+                .hasSize(3)
+                .allMatch(line -> line.endsWith("thermal sensor 's0': set its 'transmission' for such weather"));
+    }
+
+    /** Of a kind that is not the library's nothing is known, so nothing is claimed. */
+    @Test
+    void aKindOfTheUsersOwnGetsNoWarning() {
+        assertThat(advice(NIGHT.withRain(5), new DiceSettings(HERE, 0.5, 1.0))).isEmpty();
+    }
+
+    @Test
+    void eachRunOfASweepCounts() {
+        SceneSettings clear = scene(HILL, CameraSettings.at(HERE));
+        SceneSettings fog = scene(NIGHT, CameraSettings.at(HERE));
+
+        assertThat(ConditionAdvice.of(List.of(clear, fog, fog))).hasSize(2);
+    }
+
+    @Test
+    void theRunnerNotesEachLineOnce() {
+        List<String> notes = new ArrayList<>();
+        SceneRunner runner = new SceneRunner(PackagedScene.find("camera-range")
+                        .orElseThrow()
+                        .factory()
+                        .get())
+                .notes(notes::add)
+                .set("run.duration", "0.2")
+                .set("world.light.illuminance", "0.01");
+        runner.stage(runner.settingsOfRuns().get(0));
+        runner.run();
+
+        assertThat(notes.stream().filter(note -> note.contains("has no effect")))
+                .containsExactly(
+                        "warning: world.light.illuminance 0.01 lx has no effect on camera sensor 'camera': cameras"
+                                + " with 'detection: {kind: target-task}' take it into account");
+    }
+
+    static List<Scene> packagedScenes() {
+        List<Scene> scenes = new ArrayList<>();
+        PackagedScene.all().forEach(scene -> scenes.add(scene.factory().get()));
+        for (String file : List.of("glider", "cued-camera", "hill-radar", "multi-sensor")) {
+            scenes.add(new SceneFile(Path.of("scenes", file + ".yaml")));
+        }
+        return scenes;
+    }
+
+    @ParameterizedTest
+    @MethodSource("packagedScenes")
+    void thePackagedScenesGetNoWarning(Scene scene) {
+        assertThat(ConditionAdvice.of(new SceneRunner(scene).settingsOfRuns())).isEmpty();
+    }
+}
