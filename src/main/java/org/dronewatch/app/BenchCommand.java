@@ -29,7 +29,7 @@ import tools.jackson.databind.node.ObjectNode;
         name = "bench",
         mixinStandardHelpOptions = true,
         description = "Measures how fast rays are traced through a model; a JSON line for each set of rays.",
-        footer = {"", "Example: dronewatch bench models/hill.obj --passes 9"})
+        footer = {"", "Example:", "  dronewatch bench models/hill.obj --passes 9"})
 final class BenchCommand implements Callable<Integer> {
     private static final JsonMapper MAPPER = JsonMapper.builder().build();
 

@@ -16,7 +16,7 @@ import picocli.CommandLine.Spec;
         name = "check",
         mixinStandardHelpOptions = true,
         description = "Reads and validates a scene with its models; runs nothing.",
-        footer = {"", "Example: dronewatch check camera-range --set sensors.camera.width=1280"})
+        footer = {"", "Example:", "  dronewatch check camera-range --set sensors.camera.width=1280"})
 final class CheckCommand implements Callable<Integer> {
     @Mixin
     private SceneChoice choice;
@@ -32,16 +32,27 @@ final class CheckCommand implements Callable<Integer> {
         runner.notes(err::println);
         List<SceneSettings> runs = runner.settingsOfRuns();
         runs.forEach(runner::stage);
+        SceneSettings first = runs.get(0);
         spec.commandLine()
                 .getOut()
                 .printf(
-                        "%s is valid: %d model(s), %d drone(s), %d sensor(s), %d run(s) of %s s%n",
+                        "%s is valid: %s, %s, %s, %s of %s s%n",
                         scene.name(),
-                        runs.get(0).world().models().size(),
-                        runs.get(0).fliers().size(),
-                        runs.get(0).enabledSensors().size(),
-                        runs.size(),
-                        runs.get(0).run().duration());
+                        counted(first.world().models().size(), "model"),
+                        counted(first.fliers().size(), "drone"),
+                        sensors(first),
+                        counted(runs.size(), "run"),
+                        first.run().duration());
         return 0;
+    }
+
+    /** All sensors of a run, and how many of them are switched off, if any. */
+    private static String sensors(SceneSettings run) {
+        int off = run.disabled().size();
+        return counted(run.sensors().size(), "sensor") + (off == 0 ? "" : " (" + off + " switched off)");
+    }
+
+    private static String counted(int count, String noun) {
+        return count + " " + noun + (count == 1 ? "" : "s");
     }
 }

@@ -20,7 +20,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description = "Measures on this machine how time and memory grow with triangles, rays, sensors, drones and"
                 + " threads; writes tables and plots. Takes about three minutes.",
-        footer = {"", "Example: dronewatch costs --out target/costs"})
+        footer = {"", "Example:", "  dronewatch costs --out target/costs"})
 final class CostsCommand implements Callable<Integer> {
     private static final int LEAST = 1000;
     private static final int MOST = 20_000_000;

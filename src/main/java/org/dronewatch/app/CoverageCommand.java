@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec;
         name = "coverage",
         mixinStandardHelpOptions = true,
         description = "Draws a plan of where each sensor detects a drone at one height above the ground.",
-        footer = {"", "Example: dronewatch coverage multi-sensor --height '10 m' --side '400 m' --out plan.png"})
+        footer = {"", "Example:", "  dronewatch coverage multi-sensor --height 10m --side 400m --out plan.png"})
 final class CoverageCommand implements Callable<Integer> {
     @Mixin
     private SceneChoice choice;

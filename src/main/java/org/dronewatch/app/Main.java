@@ -35,7 +35,7 @@ import picocli.CommandLine.Spec;
             CostsCommand.class,
             ModelsCommand.class
         },
-        footer = {"", "Example: dronewatch run camera-range --out results"})
+        footer = {"", "Example:", "  dronewatch run camera-range --out results"})
 public final class Main implements Runnable {
     /** Exit code of wrong usage and bad input. */
     static final int BAD_INPUT = 2;

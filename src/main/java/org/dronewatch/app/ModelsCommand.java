@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
         name = "models",
         mixinStandardHelpOptions = true,
         description = "Writes the packaged models, which are made by code, byte for byte as they are shipped.",
-        footer = {"", "Example: dronewatch models --out my-models"})
+        footer = {"", "Example:", "  dronewatch models --out my-models"})
 final class ModelsCommand implements Callable<Integer> {
     @Option(
             names = "--out",

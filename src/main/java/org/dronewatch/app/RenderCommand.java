@@ -23,9 +23,9 @@ import picocli.CommandLine.Spec;
         name = "render",
         mixinStandardHelpOptions = true,
         description = {
-            "Draws a picture of a scene at one time, without a window: what one camera sees (.png in blues, or .pfm with"
-                    + " distances in metres), or the whole site in 3D with its sensors, drones and rays of sound (.png)."
-                    + " Either over the whole run is a film (.mp4).",
+            "Draws a picture of a scene at one time, without a window: what one camera sees (PNG in blues, or PFM with"
+                    + " distances in metres), or the whole site in 3D with its sensors, drones and rays of sound (PNG)."
+                    + " Either over the whole run is a film (MP4).",
             "A camera on a positioner, and a film, show what happens in the run: it is simulated for them."
         },
         footer = {
@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  dronewatch render camera-range --camera camera --time 25 --out view.png",
             "  dronewatch render multi-sensor --view orbit --time 12 --out site.png",
-            "  dronewatch render closed-space --view top --rays --size 2560x1440 --scale 2 --out rays.png",
+            "  dronewatch render closed-space --view top --rays --scale 2 --out rays.png",
             "  dronewatch render multi-sensor --view orbit --speed 4 --out site.mp4"
         })
 final class RenderCommand implements Callable<Integer> {

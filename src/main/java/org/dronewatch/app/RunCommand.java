@@ -37,7 +37,8 @@ import picocli.CommandLine.Spec;
         description = "Runs a scene; prints who was detected where, and writes tables, a summary and plots.",
         footer = {
             "",
-            "Example: dronewatch run camera-range --set drones.quadrotor.speed='36 km/h' --out results",
+            "Example:",
+            "  dronewatch run camera-range --set drones.quadrotor.speed=36km/h --out results",
         })
 final class RunCommand implements Callable<Integer> {
     @Mixin
@@ -94,7 +95,7 @@ final class RunCommand implements Callable<Integer> {
             return Main.NO_DISPLAY;
         }
         if (rays != null) {
-            writeRays(new WholeFile("--rays", rays), runner.stage(first), err);
+            writeRays(runner.stage(first), err);
         }
         if (!view) {
             run(scene, runner, first, directory);
@@ -145,11 +146,17 @@ final class RunCommand implements Callable<Integer> {
         }
     }
 
-    private static void writeRays(WholeFile file, Stage stage, PrintWriter err) {
+    private void writeRays(Stage stage, PrintWriter err) {
+        WholeFile file = new WholeFile("--rays", rays);
         RayPaths paths = new RayPaths();
         stage.traceRays(0.0, paths::recorder);
         file.write(paths::writeTo);
-        err.printf("%,d pieces of rays written%n", paths.pieces());
+        if (stage.tracesRays()) {
+            err.printf("%,d pieces of rays written%n", paths.pieces());
+        } else {
+            err.println("warning: --rays " + PlainText.value(rays)
+                    + ": no rays are in it: the scene has no drone, or no acoustic sensor that is switched on");
+        }
     }
 
     private void configure(SceneRunner runner) {

@@ -21,7 +21,7 @@ import picocli.CommandLine.Spec;
             "Opens a window: the site in 3D, what every camera sees, rays of sound, a time line of detections, tables.",
             "Needs a display; 'render' draws the same pictures without one."
         },
-        footer = {"", "Example: dronewatch view multi-sensor --set drones.quadrotor.flight.bearing=45deg"})
+        footer = {"", "Example:", "  dronewatch view multi-sensor --set drones.quadrotor.flight.bearing=45deg"})
 final class ViewCommand implements Callable<Integer> {
     @Mixin
     private SceneChoice choice;

@@ -19,6 +19,7 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Positioner;
 import org.dronewatch.scenario.MountAdvice;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenario.SweptValue;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
 import org.dronewatch.sensor.Observation;
@@ -27,6 +28,7 @@ import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Switchable;
 import org.dronewatch.world.Clearance;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
@@ -71,7 +73,7 @@ public final class Stage {
         settings.enabledSensors().forEach((id, sensor) -> sensor.positioner()
                 .ifPresent(mount -> new MountAdvice(settings, id, mount).tell(models::warn)));
         if (settings.enabledSensors().isEmpty() && !settings.sensors().isEmpty()) {
-            models.warn("all sensors are switched off: nothing is observed");
+            models.warn(switchedBy(settings) + "all sensors are switched off: nothing is observed");
         }
         Clearance clearance = new Clearance(world);
         settings.enabledSensors().forEach((id, sensor) -> {
@@ -85,6 +87,14 @@ public final class Stage {
                 models.warn(where + " lies on a surface, which may hide everything from it: put it a millimetre off");
             }
         });
+    }
+
+    /** What is swept, if it is a switch: then others of the scene's runs may have sensors. */
+    private static String switchedBy(SceneSettings settings) {
+        return settings.sweep()
+                .filter(sweep -> sweep.parameter().endsWith("." + Switchable.ENABLED))
+                .map(sweep -> "with " + new SweptValue(settings, sweep).text() + " ")
+                .orElse("");
     }
 
     /** The world. */
@@ -141,6 +151,11 @@ public final class Stage {
                 }
             }
         }
+    }
+
+    /** Whether there are rays to trace: a sensor that follows rays, and a drone. */
+    public boolean tracesRays() {
+        return !fliers.isEmpty() && lookers.stream().anyMatch(looker -> looker.sensor instanceof RaySensor);
     }
 
     /**

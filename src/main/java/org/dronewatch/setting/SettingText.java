@@ -129,17 +129,17 @@ public final class SettingText {
     }
 
     /** One of several kinds of settings by its name, with the values that it has by default. */
-    static Object choice(Map<String, ? extends Class<?>> all, String text) {
-        Map<String, Class<?>> kinds = new LinkedHashMap<>(all);
-        kinds.values().removeIf(kind -> !SettingsForm.of(kind).isCompleteByDefault());
-        if (kinds.isEmpty()) {
-            throw several();
-        }
+    static Object choice(Map<String, ? extends Class<?>> kinds, String text) {
         Class<?> chosen = kinds.get(text.strip().toLowerCase(Locale.ROOT));
         if (chosen == null) {
             throw new IllegalArgumentException("'" + text + "' is none of " + kinds.keySet());
         }
-        return SettingsForm.of(chosen).create(Map.of());
+        SettingsForm form = SettingsForm.of(chosen);
+        if (!form.isCompleteByDefault()) {
+            throw new IllegalArgumentException("'" + text.strip() + "' needs " + String.join(", ", form.required())
+                    + ", which a scene file gives; the kinds are " + kinds.keySet());
+        }
+        return form.create(Map.of());
     }
 
     /** A record of numbers as a list of them, one of which a single part must be known as that part. */

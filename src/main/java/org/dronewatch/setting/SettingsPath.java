@@ -46,7 +46,7 @@ public final class SettingsPath {
         @SuppressWarnings("unchecked")
         T changed = (T) Switches.at(tree, names)
                 .<Object>map(toggle -> switched(toggle, (Record) tree, text))
-                .orElseGet(() -> replaced(tree, 0, text));
+                .orElseGet(() -> replaced(tree, tree, 0, text));
         return changed;
     }
 
@@ -62,7 +62,7 @@ public final class SettingsPath {
         }
         Object here = tree;
         for (int depth = 0; depth < names.size(); depth++) {
-            here = child(here, depth);
+            here = child(tree, here, depth);
         }
         return here;
     }
@@ -74,10 +74,10 @@ public final class SettingsPath {
         }
         Object here = tree;
         for (int depth = 0; depth < names.size() - 1; depth++) {
-            here = child(here, depth);
+            here = child(tree, here, depth);
         }
         return here instanceof Record settings
-                ? SettingText.quantity(component(settings, names.size() - 1))
+                ? SettingText.quantity(component(tree, settings, names.size() - 1))
                 : Quantity.NUMBER;
     }
 
@@ -89,17 +89,17 @@ public final class SettingsPath {
         }
     }
 
-    private Object replaced(Object here, int depth, String text) {
+    private Object replaced(Object tree, Object here, int depth, String text) {
         if (depth == names.size()) {
             throw new InputException(path + "=" + PlainText.value(text) + ": '" + path
                     + "' is not a single value: name one of its parts");
         }
         Object unwrapped = here instanceof Optional<?> optional ? optional.orElse(null) : here;
         if (unwrapped instanceof Record settings) {
-            Object changed = replacedInRecord(settings, depth, text);
+            Object changed = replacedInRecord(tree, settings, depth, text);
             return here instanceof Optional<?> ? Optional.of(changed) : changed;
         }
-        Object next = replaced(child(unwrapped, depth), depth + 1, text);
+        Object next = replaced(tree, child(tree, unwrapped, depth), depth + 1, text);
         if (unwrapped instanceof Map<?, ?> map) {
             Map<Object, Object> copy = new LinkedHashMap<>(map);
             copy.put(names.get(depth), next);
@@ -110,8 +110,8 @@ public final class SettingsPath {
         return copy;
     }
 
-    private Record replacedInRecord(Record settings, int depth, String text) {
-        RecordComponent part = component(settings, depth);
+    private Record replacedInRecord(Object tree, Record settings, int depth, String text) {
+        RecordComponent part = component(tree, settings, depth);
         Object value;
         if (depth == names.size() - 1) {
             value = parsed(part, text);
@@ -120,7 +120,7 @@ public final class SettingsPath {
             values.put(names.get(depth + 1), ofOpen(part, text));
             value = values;
         } else {
-            value = replaced(SettingsForm.get(settings, part), depth + 1, text);
+            value = replaced(tree, SettingsForm.get(settings, part), depth + 1, text);
         }
         try {
             return SettingsForm.of(settings.getClass()).with(settings, Map.of(part.getName(), value));
@@ -157,11 +157,11 @@ public final class SettingsPath {
         }
     }
 
-    private Object child(Object here, int depth) {
+    private Object child(Object tree, Object here, int depth) {
         String name = names.get(depth);
         Object unwrapped = here instanceof Optional<?> optional ? optional.orElse(null) : here;
         if (unwrapped instanceof Record settings) {
-            return SettingsForm.get(settings, component(settings, depth));
+            return SettingsForm.get(settings, component(tree, settings, depth));
         }
         if (unwrapped instanceof Map<?, ?> map) {
             if (!map.containsKey(name)) {
@@ -185,9 +185,22 @@ public final class SettingsPath {
         throw unknown(depth, unwrapped == null ? "is not set" : "is a single value");
     }
 
-    private RecordComponent component(Record settings, int depth) {
+    private RecordComponent component(Object tree, Record settings, int depth) {
         SettingsForm form = SettingsForm.of(settings.getClass());
-        return form.part(names.get(depth)).orElseThrow(() -> unknown(depth, "has: " + String.join(", ", form.names())));
+        return form.part(names.get(depth)).orElseThrow(() -> {
+            List<String> known = new ArrayList<>(form.names());
+            if (Switches.at(tree, withLast(depth, Switchable.ENABLED)).isPresent()) {
+                known.add(Switchable.ENABLED);
+            }
+            return unknown(depth, "has: " + String.join(", ", known));
+        });
+    }
+
+    /** The names up to a depth with another one there. */
+    private List<String> withLast(int depth, String name) {
+        List<String> path = new ArrayList<>(names.subList(0, depth));
+        path.add(name);
+        return path;
     }
 
     private InputException unknown(int depth, String what) {

@@ -10,6 +10,9 @@ import java.util.Optional;
 public final class Spelling {
     private static final double LEFT_OVER = 0.2;
 
+    /** As many characters of what was typed are compared; no name has as many. */
+    private static final int LONGEST = 200;
+
     private Spelling() {}
 
     /**
@@ -27,7 +30,7 @@ public final class Spelling {
     /** The nearest name if it is near enough to be what was meant: about one letter in four may differ. */
     public static Optional<String> meant(String typed, Collection<String> names) {
         return nearest(typed, names, 1).stream()
-                .filter(name -> distance(typed, name) <= 1.0 + 0.25 * typed.length())
+                .filter(name -> distance(typed, name) <= 1.0 + 0.25 * Math.min(typed.length(), LONGEST))
                 .findFirst();
     }
 
@@ -36,7 +39,8 @@ public final class Spelling {
      * {@code brick_rough}, not for {@code solid}. What is left over of the name counts a little.
      */
     private static double distance(String typed, String name) {
-        String a = typed.toLowerCase(Locale.ROOT);
+        // Nobody means a name by more: what a file holds instead of a name may have any length.
+        String a = typed.substring(0, Math.min(typed.length(), LONGEST)).toLowerCase(Locale.ROOT);
         String b = name.toLowerCase(Locale.ROOT);
         int[] row = new int[b.length() + 1];
         for (int j = 0; j <= b.length(); j++) {

@@ -33,16 +33,8 @@ final class Switches {
         SettingsForm form = SettingsForm.of(settings.getClass());
         return form.part(path.get(0))
                 .filter(part -> part.isAnnotationPresent(Switchable.class))
-                .filter(part -> isSwitched(((Map<?, ?>) SettingsForm.get(settings, part)).get(path.get(1))))
+                .filter(part -> ((Map<?, ?>) SettingsForm.get(settings, part)).containsKey(path.get(1)))
                 .map(part -> new Switches(form.switchOf(part), path.get(1)));
-    }
-
-    private static boolean isSwitched(Object entry) {
-        return entry != null
-                && !(entry instanceof Record own
-                        && SettingsForm.of(own.getClass())
-                                .part(Switchable.ENABLED)
-                                .isPresent());
     }
 
     boolean isEnabled(Record settings) {

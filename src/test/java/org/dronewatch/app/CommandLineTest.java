@@ -301,8 +301,44 @@ class CommandLineTest {
         Outcome outcome = command("check", "camera-range");
 
         assertThat(outcome.code()).isZero();
-        assertThat(outcome.out()).contains("camera-range is valid").contains("5 run(s)");
+        assertThat(outcome.out().strip())
+                .matches("camera-range is valid: 1 model, 1 drone, 1 sensor, 5 runs of [0-9.]+ s");
         assertThat(files()).isEmpty();
+    }
+
+    @Test
+    void checkCountsSensorsThatAreSwitchedOff() {
+        Outcome outcome = command("check", "multi-sensor", "--set", "sensors.north-east-1.enabled=false");
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.out()).contains(" drone, 13 sensors (1 switched off), ");
+    }
+
+    @Test
+    void runWarnsThatThereAreNoRaysToWrite() throws IOException {
+        String run = "run multi-sensor --set run.duration=1 --out DIR/out --rays DIR/rays.obj";
+        assertThat(commandIn(run).err()).containsPattern("[1-9][0-9,]* pieces of rays written");
+
+        Outcome outcome = commandIn(run + " --set sensors.microphone.enabled=false");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.err())
+                .containsOnlyOnce("warning: --rays ")
+                .contains(
+                        "rays.obj: no rays are in it: the scene has no drone, or no acoustic sensor that is switched on")
+                .doesNotContain("pieces");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "list", "run", "check", "view", "render", "coverage", "bench", "costs", "models"})
+    void helpBreaksNoNameOrValueInTwo(String name) {
+        String help = commandIn(name + " --help").out();
+
+        // A row of the table of commands may begin with a small letter.
+        assertThat(help).doesNotContainPattern("\\S\\.\\R(?! *\\w+ {2}) *[a-z]");
+        if (help.contains("Example")) {
+            String examples = help.substring(help.indexOf("Example"));
+            assertThat(examples.lines().skip(1)).allMatch(line -> line.startsWith("  dronewatch "));
+        }
     }
 
     @Test

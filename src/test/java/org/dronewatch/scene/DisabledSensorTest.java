@@ -151,6 +151,30 @@ class DisabledSensorTest {
     }
 
     @Test
+    void whereASweepSwitchesTheLastOneOffTheWarningNamesTheRun() throws IOException {
+        Path file = file("  eye: {kind: camera, position: [0, 0, 9]}\n"
+                + "sweep: {parameter: sensors.eye.enabled, values: [true, false]}\n");
+        List<String> notes = new ArrayList<>();
+        new SceneRunner(new SceneFile(file)).notes(notes::add).run();
+
+        assertThat(notes.stream().filter(note -> note.contains("switched off")))
+                .containsExactly(
+                        "warning: with sensors.eye.enabled=false all sensors are switched off: nothing is observed");
+    }
+
+    @Test
+    void messagesThatListTheSettingsOfASensorNameTheSwitch() throws IOException {
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> runner().set("sensors.eye.pixels", "1").settings())
+                .withMessageContaining("'sensors.eye' has: position, ")
+                .withMessageEndingWith(", enabled");
+        Path file = file("  eye: {kind: camera, position: [0, 0, 9], enabeld: false}\n");
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> new SceneRunner(new SceneFile(file)).settings())
+                .withMessageContaining("sensors.eye: unknown setting 'enabeld'; did you mean 'enabled'? (position, ");
+    }
+
+    @Test
     void aSensorThatIsNotThereCannotBeSwitched() {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> runner().set("sensors.eyes.enabled", "false").settings())

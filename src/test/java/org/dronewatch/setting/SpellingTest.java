@@ -1,8 +1,12 @@
 package org.dronewatch.setting;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
+import java.time.Duration;
 import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -30,5 +34,17 @@ class SpellingTest {
     })
     void theNearestIsMeant(String typed, String meant) {
         assertThat(Spelling.nearest(typed, NAMES, 1)).containsExactly(meant);
+    }
+
+    /** A file may hold a text of any length in the place of a name. */
+    @Test
+    void veryLongTextsAreComparedAtOnce() {
+        List<String> names =
+                IntStream.range(0, 1000).mapToObj(i -> "material-" + i).toList();
+        String typed = "material-5" + "x".repeat(2_000_000);
+
+        assertTimeoutPreemptively(Duration.ofSeconds(5), () -> assertThat(Spelling.nearest(typed, names, 1))
+                .hasSize(1));
+        assertThat(Spelling.meant(typed, names)).isEmpty();
     }
 }

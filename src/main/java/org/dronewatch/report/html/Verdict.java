@@ -60,10 +60,11 @@ final class Verdict {
         return alerted(alerts, alerts.size() + " drones" + role);
     }
 
-    /** {@code There is an alert for 20 of 25 drones, in time for 18.} */
+    /** {@code There is an alert for 20 of 25 drones, in time for 18.} Or {@code for all 25 drones}. */
     private String alerted(List<AlertResult> alerts, String of) {
         long alerted = alerts.stream().filter(alert -> alert.time().isPresent()).count();
-        String all = "There is an alert for " + count(alerted, alerts.size()) + " of " + of;
+        boolean unnamed = alerted == alerts.size() && Character.isDigit(of.charAt(0));
+        String all = "There is an alert for " + count(alerted, alerts.size()) + (unnamed ? " " : " of ") + of;
         if (alerts.stream().noneMatch(alert -> alert.inTime().isPresent())) {
             return all + ".";
         }
@@ -81,16 +82,18 @@ final class Verdict {
     }
 
     private String sentences(DroneGroup group) {
-        String detected = group.isSwarm() ? ofSwarm(group) : ofDrone(group.name());
+        // A swarm of one drone is told of like a drone.
+        boolean isSwarm = group.members().size() > 1;
+        String detected = isSwarm ? ofSwarm(group) : ofDrone(group.members().get(0));
         if (run.settings().alert().equals(AlertSettings.DEFAULT)) {
             return detected;
         }
         List<AlertResult> alerts = alerts(group);
-        if (!group.isSwarm()) {
+        if (!isSwarm) {
             return detected + " " + alerts.stream().map(this::alert).collect(Collectors.joining(" "));
         }
         AlertResult worst = alerts.stream().min(RunRank.WORST_ALERT_FIRST).orElseThrow();
-        String which = alerts.size() == 1 || worst.time().isEmpty()
+        String which = worst.time().isEmpty()
                 ? ""
                 : " The worst case is '" + worst.drone() + "': " + uncapitalised(alert(worst));
         return detected + " " + alerted(alerts, "the swarm's " + alerts.size() + " drones") + which;
@@ -118,9 +121,8 @@ final class Verdict {
                 .count();
         return first(swarm)
                 .map(pair -> format(
-                        "%s of the %d drones of swarm '%s' %s detected; the first is '%s', %s.",
-                        detected == all ? "All" : Long.toString(detected),
-                        all,
+                        "%s drones of swarm '%s' %s detected; the first is '%s', %s.",
+                        detected == all ? "All " + all : detected + " of the " + all,
                         swarm.name(),
                         detected == 1 ? "is" : "are",
                         pair.drone(),

@@ -5,10 +5,12 @@ import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -27,6 +29,8 @@ final class SettingsReader {
     private final FileNames files;
     private final KindChooser chooser;
     private final Problems problems;
+    /** Paths of settings that can be switched off. */
+    private final Set<String> switchable = new HashSet<>();
 
     SettingsReader(Kinds kinds, Path directory, Problems problems) {
         this.kinds = kinds;
@@ -173,7 +177,7 @@ final class SettingsReader {
             String field = path.isEmpty() ? name : path + "." + name;
             Optional<RecordComponent> part = form.part(name);
             if (part.isEmpty()) {
-                problems.unknown(mapping.keys().get(name), path, "setting", name, form.names());
+                problems.unknown(mapping.keys().get(name), path, "setting", name, names(form, path));
                 return;
             }
             Object value = read(
@@ -207,12 +211,21 @@ final class SettingsReader {
         }
     }
 
+    private List<String> names(SettingsForm form, String path) {
+        List<String> names = new ArrayList<>(form.names());
+        if (switchable.contains(path)) {
+            names.add(Switchable.ENABLED);
+        }
+        return names;
+    }
+
     /** What is written of a part, without the switches in it, which become another part's value. */
     private Node switched(
             SettingsForm form, RecordComponent part, Node node, String field, Map<String, Object> values) {
         if (!part.isAnnotationPresent(Switchable.class) || !(node instanceof Node.Mapping all)) {
             return node;
         }
+        all.values().keySet().forEach(name -> switchable.add(field + "." + name));
         SwitchReader switches = new SwitchReader(problems);
         Node rest = switches.read(all, field);
         values.put(form.switchOf(part).getName(), switches.off());

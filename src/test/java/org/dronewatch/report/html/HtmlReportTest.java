@@ -31,6 +31,8 @@ import org.dronewatch.sensor.radar.LinkBudget;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
@@ -217,6 +219,31 @@ class HtmlReportTest {
                 .startsWith("1 of the 3 drones of swarm 'x' is detected; the first is '" + first + "', by 'camera'")
                 .contains("There is an alert for 1 of the swarm's 3 drones, in time for none; 5 s are needed.");
         assertThat(texts(parsed(report(new SceneFile(file), List.of())), "p")).contains(verdict);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "1 m, 3, All 3 drones of swarm 'x' are detected; the first is",
+        "1 m, 1, 'x-1' is first detected",
+    })
+    void theVerdictCountsTheDronesOfASwarmInPlainEnglish(String spacing, int count, String beginning)
+            throws IOException {
+        Path file = directory.resolve("swarm.yaml");
+        Files.writeString(
+                file,
+                """
+                world: {models: [packaged:hill.obj]}
+                drones:
+                  x:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: hover, position: [0, 50, 150]}
+                    swarm: {count: %d, spacing: %s}
+                sensors: {camera: {kind: camera, position: [0, 0, 150], aim: {azimuth: 0 deg, elevation: 0 deg}}}
+                run: {duration: 2}
+                """
+                        .formatted(count, spacing));
+        assertThat(new Verdict(new SceneRunner(new SceneFile(file)).run().runs().get(0)).inWords())
+                .startsWith(beginning);
     }
 
     @Test
