@@ -177,6 +177,17 @@ final class NastyValues {
         };
     }
 
+    /** A number of any size: every third one very small, every third one very large. */
+    static String magnitude(Dice dice) {
+        int exponent =
+                switch (dice.below(3)) {
+                    case 0 -> dice.between(-323, -4);
+                    case 1 -> dice.between(4, 308);
+                    default -> dice.between(-3, 3);
+                };
+        return (dice.oneIn(8) ? "-" : "") + dice.between(1, 9) + "e" + exponent;
+    }
+
     /** A name, mostly with something in it that a terminal would obey. */
     static String name(Dice dice) {
         return switch (dice.below(4)) {

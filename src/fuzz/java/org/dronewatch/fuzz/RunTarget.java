@@ -10,6 +10,7 @@ import java.util.Locale;
 /** Whole runs of random scenes: what {@code check} takes runs to its end, and the same with any number of threads. */
 final class RunTarget implements FuzzTarget {
     private static final int LARGE_EVERY = 9;
+    private static final String RENDER = "render";
 
     @Override
     public String name() {
@@ -19,7 +20,20 @@ final class RunTarget implements FuzzTarget {
     @Override
     public FuzzCase generate(Dice dice, long number) {
         boolean large = number % LARGE_EVERY == 3;
-        String scene = new SchemaScenes(dice, large).scene();
+        SchemaScenes scenes = new SchemaScenes(dice, large);
+        String scene = scenes.scene();
+        String camera = scenes.largeSensor();
+        if (!camera.isEmpty() && dice.oneIn(2)) {
+            return SampleSite.scene(
+                    "large picture",
+                    scene,
+                    RENDER,
+                    "{}/" + SampleSite.SCENE,
+                    "--camera",
+                    camera,
+                    "--out",
+                    "{}/view.png");
+        }
         return SampleSite.scene(
                 large ? "scene with a large picture" : "scene by its schema",
                 scene,
@@ -40,23 +54,34 @@ final class RunTarget implements FuzzTarget {
         if (check.code() != 0) {
             return;
         }
+        if (arguments[0].equals(RENDER)) {
+            judge(CommandRun.of(arguments), directory);
+            return;
+        }
         for (int threads = 1; threads <= 3; threads += 2) {
             List<String> command = new ArrayList<>(List.of(arguments));
             Path out = directory.resolve("threads-" + threads);
             command.addAll(List.of("--threads", Integer.toString(threads), "--out", out.toString()));
             CommandRun run = CommandRun.of(command.toArray(String[]::new));
-            if (run.code() != 0 && isTooLarge(run, directory)) {
+            if (!judge(run, directory)) {
                 return;
-            }
-            Judge.check(run, directory);
-            if (run.code() != 0) {
-                throw new Failure(
-                        "what check takes, run can do",
-                        "exit code " + run.code() + ": " + Messages.firstLine(run.err()));
             }
             ResultFiles.check(out, run.out());
         }
         ResultFiles.same(directory.resolve("threads-1"), directory.resolve("threads-3"));
+    }
+
+    /** Whether a command came to its end; false if it said that there is not enough memory for it. */
+    private static boolean judge(CommandRun run, Path directory) {
+        if (run.code() != 0 && isTooLarge(run, directory)) {
+            return false;
+        }
+        Judge.check(run, directory);
+        if (run.code() != 0) {
+            throw new Failure(
+                    "what check takes, run can do", "exit code " + run.code() + ": " + Messages.firstLine(run.err()));
+        }
+        return true;
     }
 
     /** Whether a run said in one plain line that there is not enough memory for it. */

@@ -48,7 +48,8 @@ final class SchemaScenes {
     private final Dice dice;
     private final boolean large;
     private final Set<String> sensors = new HashSet<>();
-    private boolean enlarged;
+    private String largeSensor = "";
+    private String sensor = "";
     private double fastest = 1;
 
     SchemaScenes(Dice dice, boolean large) {
@@ -71,7 +72,11 @@ final class SchemaScenes {
             sensors.add("s" + i);
         }
         for (String name : sensors) {
-            placed.set(name, value("", definitions.get("SensorSettings"), 0));
+            sensor = name;
+            ObjectNode settings = (ObjectNode) value("", definitions.get("SensorSettings"), 0);
+            // The schema does not demand it, because an entry of the catalogue may have it.
+            settings.set("position", place());
+            placed.set(name, settings);
         }
         if (dice.oneIn(3)) {
             scene.set("alert", value("", definitions.get("AlertSettings"), 0));
@@ -80,6 +85,11 @@ final class SchemaScenes {
         run.put("duration", Math.min(dice.pick(0.3, 1.0, 2.5), MOST_LOOKS / fastest));
         run.put("seed", dice.random().nextInt());
         return YAMLMapper.shared().writeValueAsString(scene);
+    }
+
+    /** The sensor with the large picture; empty if there is none. */
+    String largeSensor() {
+        return largeSensor;
     }
 
     private JsonNode value(String name, JsonNode schema, int depth) {
@@ -129,7 +139,9 @@ final class SchemaScenes {
                 open.add(form);
             }
         }
-        return dice.pick(open);
+        // A list of numbers has no limits in the schema: mostly settings by name, which have.
+        List<JsonNode> named = open.stream().filter(form -> form.has("$ref")).toList();
+        return dice.pick(named.isEmpty() || dice.oneIn(6) ? open : named);
     }
 
     private ObjectNode object(JsonNode schema, int depth) {
@@ -155,12 +167,12 @@ final class SchemaScenes {
 
     private JsonNode array(String name, JsonNode schema, int depth) {
         int least = schema.has("minItems") ? schema.get("minItems").asInt() : 1;
-        int most = schema.has("maxItems") ? schema.get("maxItems").asInt() : least + 2;
+        int most = schema.has("maxItems") ? schema.get("maxItems").asInt() : Math.max(least + 2, 3);
         if (least == 3 && most == 3) {
             return place();
         }
         ArrayNode array = JsonMapper.shared().createArrayNode();
-        for (int i = dice.between(name.equals("points") ? 2 : least, Math.max(most, 3)); i > 0; i--) {
+        for (int i = dice.between(name.equals("points") ? 2 : least, most); i > 0; i--) {
             array.add(value(name, schema.get("items"), depth + 1));
         }
         return array;
@@ -168,7 +180,7 @@ final class SchemaScenes {
 
     /** A place on the site or about it, seldom far away. */
     private ArrayNode place() {
-        double reach = dice.oneIn(12) ? Math.pow(10, dice.between(3, 12)) : 80;
+        double reach = dice.oneIn(30) ? Math.pow(10, dice.between(3, 12)) : 80;
         ArrayNode place = JsonMapper.shared().createArrayNode();
         place.add(dice.between(-reach, reach));
         place.add(dice.between(-reach, reach));
@@ -228,9 +240,9 @@ final class SchemaScenes {
             return rate;
         }
         boolean picture = name.equals("width") || name.equals("height");
-        if (picture && large && most > 10_000 && !enlarged) {
-            enlarged = name.equals("height");
-            return most;
+        if (picture && large && most > 10_000 && (largeSensor.isEmpty() || largeSensor.equals(sensor))) {
+            largeSensor = sensor;
+            return dice.oneIn(3) ? Math.rint(Math.pow(most, dice.between(0.7, 1.0))) : most;
         }
         return Math.max(least(schema), Math.min(most, dice.between(1, CHEAP.get(name))));
     }

@@ -16,12 +16,18 @@ final class SetTarget implements FuzzTarget {
     private static final Pattern LENGTH = Pattern.compile(
             "\\.([xyz]|height|distance|radius|range|minRange|maxRange|scale|acceleration|crossSection|power)$");
 
+    private static final Pattern NUMBER = Pattern.compile("-?\\d");
+
     private final List<String> paths = new ArrayList<>();
+    private final List<String> numbers = new ArrayList<>();
     private List<String> lengths = List.of();
 
     private void collect(String path, JsonNode node) {
         if (!path.isEmpty()) {
             paths.add(path);
+        }
+        if (node.isValueNode() && NUMBER.matcher(node.asString()).lookingAt()) {
+            numbers.add(path);
         }
         node.properties()
                 .forEach(part -> collect(path.isEmpty() ? part.getKey() : path + "." + part.getKey(), part.getValue()));
@@ -42,13 +48,18 @@ final class SetTarget implements FuzzTarget {
     public FuzzCase generate(Dice dice, long number) {
         String scene = SampleSite.part(dice);
         paths.clear();
+        numbers.clear();
         collect("", YAMLMapper.shared().readTree(scene));
         lengths = paths.stream().filter(path -> LENGTH.matcher(path).find()).toList();
         List<String> arguments = new ArrayList<>(List.of("run", "{}/" + SampleSite.SCENE, "--out", "{}/out"));
         for (int i = dice.between(1, 5); i > 0; i--) {
             arguments.add(SET);
             arguments.add(
-                    path(dice) + (dice.oneIn(40) ? dice.pick("", "==", " = ", ":") : "=") + NastyValues.any(dice));
+                    dice.oneIn(2)
+                            ? dice.pick(numbers) + "=" + NastyValues.magnitude(dice)
+                            : path(dice)
+                                    + (dice.oneIn(40) ? dice.pick("", "==", " = ", ":") : "=")
+                                    + NastyValues.any(dice));
         }
         return SampleSite.scene("overrides", scene, arguments.toArray(String[]::new));
     }
