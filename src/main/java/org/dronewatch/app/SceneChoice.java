@@ -100,12 +100,9 @@ final class SceneChoice {
     private InputException unknown(Throwable cause) {
         List<String> known =
                 PackagedScene.all().stream().map(PackagedScene::name).toList();
-        String meant = Spelling.meant(name, known)
-                .map(near -> "; did you mean '" + near + "'?")
-                .orElse("");
         return new InputException(
                 "unknown scene '" + PlainText.value(name) + "': neither packaged (" + String.join(", ", known)
-                        + "), nor a .yaml file, nor a class on the class path" + meant,
+                        + "), nor a .yaml file, nor a class on the class path" + Spelling.didYouMean(name, known),
                 cause);
     }
 }

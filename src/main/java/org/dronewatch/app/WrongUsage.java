@@ -32,13 +32,13 @@ final class WrongUsage {
         if (option.isPresent()) {
             String name = option.get().replaceFirst("=.*", "");
             Collection<String> options = command.getCommandSpec().optionsMap().keySet();
-            return "unknown option '" + PlainText.value(name) + "'" + meant(name, options);
+            return "unknown option '" + PlainText.value(name) + "'" + Spelling.didYouMean(name, options);
         }
         String word = problem.getUnmatched().get(0);
         Collection<String> commands = command.getSubcommands().keySet();
         return commands.isEmpty()
                 ? PlainText.line(problem.getMessage())
-                : "unknown command '" + PlainText.value(word) + "'" + meant(word, commands);
+                : "unknown command '" + PlainText.value(word) + "'" + Spelling.didYouMean(word, commands);
     }
 
     /** The value of an option that is one of a few words. */
@@ -49,12 +49,6 @@ final class WrongUsage {
         List<String> words = Arrays.stream(problem.getArgSpec().type().getEnumConstants())
                 .map(word -> word.toString().toLowerCase(Locale.ROOT))
                 .toList();
-        return problem.getValue() == null ? "" : meant(problem.getValue(), words);
-    }
-
-    private static String meant(String typed, Collection<String> known) {
-        return Spelling.meant(typed, known)
-                .map(name -> "; did you mean '" + name + "'?")
-                .orElse("");
+        return problem.getValue() == null ? "" : Spelling.didYouMean(problem.getValue(), words);
     }
 }

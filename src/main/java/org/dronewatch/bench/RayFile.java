@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.RegularFile;
 
 /**
  * Files of rays and hits, all little endian. Rays: an int32 count, then six float32 a ray (origin, unit direction). Hits:
@@ -28,9 +29,9 @@ public final class RayFile {
      * @throws InputException when it is missing, its size does not fit its count, or a ray is not a ray
      */
     public static float[] read(Path file) {
-        if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new InputException(
-                    "ray file " + PlainText.value(file) + " cannot be read: is a directory, a pipe or a device");
+        String obstacle = RegularFile.obstacle(file);
+        if (!obstacle.isEmpty()) {
+            throw new InputException("ray file " + PlainText.value(file) + " cannot be read: " + obstacle);
         }
         try (InputStream stream = new BufferedInputStream(Files.newInputStream(file), 1 << 16)) {
             int count = ByteBuffer.wrap(stream.readNBytes(Integer.BYTES))
@@ -52,10 +53,7 @@ public final class RayFile {
         } catch (BufferUnderflowException e) {
             throw new InputException(file + ": is shorter than the 4 bytes of a count", e);
         } catch (IOException e) {
-            throw new InputException(
-                    "ray file " + PlainText.value(file) + " cannot be read: "
-                            + (Files.exists(file) ? e.getMessage() : "no such file"),
-                    e);
+            throw new InputException("ray file " + PlainText.value(file) + " cannot be read: " + e.getMessage(), e);
         }
     }
 

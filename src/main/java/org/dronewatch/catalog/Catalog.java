@@ -132,8 +132,8 @@ public final class Catalog implements Kinds.NamedSettings {
      */
     public SensorSettings<?> settings(String name, Map<String, ?> parts) {
         Node.Mapping known = find(name)
-                .orElseThrow(() -> new InputException("no sensor '" + name + "' in the catalogue; nearest are "
-                        + String.join(", ", Spelling.nearest(name, names(), 3))));
+                .orElseThrow(() -> new InputException(
+                        "no sensor '" + name + "' in the catalogue; " + Spelling.nearestAre(name, names())));
         Node.Mapping all = known.overlaidWith(Node.Mapping.ofReady(name, parts));
         return SettingsFile.read(all, SensorSettings.class, SensorKinds.kinds(this), directory.orElse(Path.of("")));
     }

@@ -92,15 +92,15 @@ public record SceneSettings(
 
     private static void checkDisabled(String id, Map<String, SensorSettings<?>> sensors) {
         if (!sensors.containsKey(id)) {
-            throw new IllegalArgumentException("disabled '" + id + "': there is no such sensor; nearest are "
-                    + String.join(", ", Spelling.nearest(id, sensors.keySet(), 3)));
+            throw new IllegalArgumentException(
+                    "disabled '" + id + "': there is no such sensor; " + Spelling.nearestAre(id, sensors.keySet()));
         }
     }
 
     private static void checkPriced(String id, Map<String, SensorSettings<?>> sensors) {
         if (!sensors.containsKey(id)) {
-            throw new IllegalArgumentException("prices.sensors." + id + ": there is no such sensor; nearest are "
-                    + String.join(", ", Spelling.nearest(id, sensors.keySet(), 3)));
+            throw new IllegalArgumentException(
+                    "prices.sensors." + id + ": there is no such sensor; " + Spelling.nearestAre(id, sensors.keySet()));
         }
     }
 
@@ -110,9 +110,8 @@ public record SceneSettings(
             throw new IllegalArgumentException(listens + ", which is itself: it follows what it sees in any case");
         }
         if (!sensors.containsKey(cue)) {
-            List<String> nearest = Spelling.nearest(cue, sensors.keySet(), 3);
             throw new IllegalArgumentException(
-                    listens + ": there is no such sensor; nearest are " + String.join(", ", nearest));
+                    listens + ": there is no such sensor; " + Spelling.nearestAre(cue, sensors.keySet()));
         }
         if (!sensors.get(cue).tellsDirection()) {
             throw new IllegalArgumentException(

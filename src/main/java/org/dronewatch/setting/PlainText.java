@@ -23,6 +23,15 @@ public final class PlainText {
         return shortened(visible(String.valueOf(value).strip(), false), LONGEST);
     }
 
+    /** The beginning of a text, with dots where it was cut; never half of a character. */
+    public static String beginning(String text, int longest) {
+        if (text.length() <= longest) {
+            return text;
+        }
+        int end = Character.isHighSurrogate(text.charAt(longest - 1)) ? longest - 1 : longest;
+        return text.substring(0, end) + GAP;
+    }
+
     /**
      * A message as one line: visible, every quoted value and every word in it {@value #LONGEST} characters at most. Line breaks
      * and tabs become spaces.

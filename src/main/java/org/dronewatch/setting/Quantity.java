@@ -147,7 +147,8 @@ public enum Quantity {
     public double parse(String text) {
         Matcher matcher = NUMBER_AND_UNIT.matcher(text.strip());
         if (text.length() > LONGEST || !matcher.matches()) {
-            throw new IllegalArgumentException("'" + shortened(text) + "' is not a number" + orWithUnit());
+            throw new IllegalArgumentException(
+                    "'" + PlainText.beginning(text, LONGEST) + "' is not a number" + orWithUnit());
         }
         double number = Double.parseDouble(matcher.group(1));
         String written = KnownUnits.meant(this, matcher.group(2));
@@ -187,9 +188,5 @@ public enum Quantity {
 
     private static double unitOfItself(String text) {
         throw new IllegalArgumentException(text + " has another unit");
-    }
-
-    private static String shortened(String text) {
-        return text.length() <= LONGEST ? text : text.substring(0, LONGEST) + "...";
     }
 }

@@ -10,6 +10,8 @@ import java.util.Optional;
 public final class Spelling {
     private static final double LEFT_OVER = 0.2;
 
+    private static final int SUGGESTIONS = 3;
+
     /** As many characters of what was typed are compared; no name has as many. */
     private static final int LONGEST = 200;
 
@@ -32,6 +34,16 @@ public final class Spelling {
         return nearest(typed, names, 1).stream()
                 .filter(name -> distance(typed, name) <= 1.0 + 0.25 * Math.min(typed.length(), LONGEST))
                 .findFirst();
+    }
+
+    /** A question at the end of a message: {@code ; did you mean 'camera'?}; empty if no name is near enough. */
+    public static String didYouMean(String typed, Collection<String> names) {
+        return meant(typed, names).map(name -> "; did you mean '" + name + "'?").orElse("");
+    }
+
+    /** The end of a message about an unknown name: {@code nearest are camera, radar, rf}. */
+    public static String nearestAre(String typed, Collection<String> names) {
+        return "nearest are " + String.join(", ", nearest(typed, names, SUGGESTIONS));
     }
 
     /**

@@ -20,7 +20,6 @@ import org.dronewatch.setting.Spelling;
 
 /** A table that comes with the library, by the names in its first column. */
 final class CsvTable<T> {
-    private static final int SUGGESTIONS = 3;
 
     private final String what;
     private final Map<String, T> rows;
@@ -55,7 +54,7 @@ final class CsvTable<T> {
 
     T get(String name) {
         return find(name)
-                .orElseThrow(() -> new InputException("unknown " + what + " '" + name + "'; nearest are "
-                        + String.join(", ", Spelling.nearest(name, rows.keySet(), SUGGESTIONS))));
+                .orElseThrow(() -> new InputException(
+                        "unknown " + what + " '" + name + "'; " + Spelling.nearestAre(name, rows.keySet())));
     }
 }

@@ -119,7 +119,11 @@ class SpecialFilesTest {
 
     @Test
     void aModelIsAFile() throws IOException, InterruptedException {
-        assertRefused("is not a regular file", "bench", fifo("pipe.obj").toString());
-        assertRefused("is not a regular file", "bench", endless("zero.obj").toString());
+        assertRefused(
+                "is a pipe or a device, not a file", "bench", fifo("pipe.obj").toString());
+        assertRefused(
+                "is a pipe or a device, not a file",
+                "bench",
+                endless("zero.obj").toString());
     }
 }

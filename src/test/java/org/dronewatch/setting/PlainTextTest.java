@@ -72,4 +72,11 @@ class PlainTextTest {
         InputException problem = new InputException("'\u001b]0;title\u0007" + "v".repeat(1000) + "': no");
         assertThat(problem.getMessage()).startsWith("'\\u001b]0;title\\u0007v").hasSizeLessThan(220);
     }
+
+    @Test
+    void theBeginningOfATextEndsBeforeHalfACharacter() {
+        assertThat(PlainText.beginning("four", 4)).isEqualTo("four");
+        assertThat(PlainText.beginning("fives", 4)).isEqualTo("five...");
+        assertThat(PlainText.beginning("abc\uD83D\uDE81d", 4)).isEqualTo("abc...");
+    }
 }

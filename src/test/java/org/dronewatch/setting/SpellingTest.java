@@ -47,4 +47,11 @@ class SpellingTest {
                 .hasSize(1));
         assertThat(Spelling.meant(typed, names)).isEmpty();
     }
+
+    @Test
+    void theEndsOfMessagesNameWhatWasMeant() {
+        assertThat(Spelling.didYouMean("brik_rough", NAMES)).isEqualTo("; did you mean 'brick_rough'?");
+        assertThat(Spelling.didYouMean("xyzxyzxyzxyz", NAMES)).isEmpty();
+        assertThat(Spelling.nearestAre("brik", List.of("brick", "solid"))).isEqualTo("nearest are brick, solid");
+    }
 }

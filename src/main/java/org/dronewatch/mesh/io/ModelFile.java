@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.RegularFile;
 import org.dronewatch.setting.file.FileHash;
 
 /**
@@ -91,8 +92,12 @@ final class ModelFile {
 
     /** What is wrong with a file, as the end of a sentence; empty for nothing. */
     private static String wrongWith(Path path, long maxBytes) {
-        if (!Files.isRegularFile(path)) {
-            return Files.exists(path) ? "is not a regular file" : "does not exist";
+        if (!Files.exists(path)) {
+            return "does not exist";
+        }
+        String obstacle = RegularFile.obstacle(path);
+        if (!obstacle.isEmpty()) {
+            return obstacle;
         }
         try {
             long size = Files.size(path);

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Locale;
 import org.dronewatch.geometry.Ints;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 
 /**
  * Reads the statements of an OBJ file into a collector. Words are read in capitals, too. A statement that cannot be right, or
@@ -143,7 +144,6 @@ final class ObjParser {
     }
 
     private static String quoted(String text) {
-        boolean fits = text.length() <= LONGEST_EXCERPT;
-        return "'" + (fits ? text : text.substring(0, LONGEST_EXCERPT) + "...") + "'";
+        return "'" + PlainText.beginning(text, LONGEST_EXCERPT) + "'";
     }
 }

@@ -8,6 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.RegularFile;
 
 /** Reads small files that a person named. Pipes and devices are refused: reading them may wait or go on forever. */
 public final class BoundedFile {
@@ -20,8 +21,9 @@ public final class BoundedFile {
      * @throws InputException when there is no such file, or it is a directory, a pipe or a device, or larger
      */
     public static byte[] read(Path file, int most) {
-        if (!Files.isRegularFile(file)) {
-            throw new InputException(PlainText.value(file) + ": cannot be read: " + reasonAgainst(file));
+        String obstacle = RegularFile.obstacle(file);
+        if (!obstacle.isEmpty()) {
+            throw new InputException(PlainText.value(file) + ": cannot be read: " + obstacle);
         }
         try (InputStream in = Files.newInputStream(file)) {
             byte[] bytes = in.readNBytes(most + 1);
@@ -33,13 +35,6 @@ public final class BoundedFile {
         } catch (IOException e) {
             throw new InputException(PlainText.value(file) + ": cannot be read: " + reason(e), e);
         }
-    }
-
-    private static String reasonAgainst(Path file) {
-        if (!Files.exists(file)) {
-            return "no such file";
-        }
-        return Files.isDirectory(file) ? "is a directory" : "is a pipe or a device, not a file";
     }
 
     private static String reason(IOException problem) {

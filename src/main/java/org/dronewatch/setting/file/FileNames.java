@@ -3,6 +3,7 @@ package org.dronewatch.setting.file;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import org.dronewatch.setting.RegularFile;
 
 /** Names of files that stand in a settings file: they start from its directory and may not lead out of it. */
 final class FileNames {
@@ -23,9 +24,6 @@ final class FileNames {
         if (Path.of(name).isAbsolute() || !file.startsWith(directory)) {
             return "leads out of the directory of this file, " + directory + ": keep models beside or below it";
         }
-        if (Files.isRegularFile(file)) {
-            return "";
-        }
-        return Files.exists(file) ? "is not a regular file" : "does not exist in " + file.getParent();
+        return Files.exists(file) ? RegularFile.obstacle(file) : "does not exist in " + file.getParent();
     }
 }

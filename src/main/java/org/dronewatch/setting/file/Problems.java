@@ -25,7 +25,7 @@ final class Problems {
      */
     void add(Mark mark, String field, String message) {
         String line = PlainText.line(mark + ": " + (field.isEmpty() ? "" : field + ": ") + message);
-        found.add(new Problem(mark, line.length() <= LONGEST ? line : line.substring(0, LONGEST) + "..."));
+        found.add(new Problem(mark, PlainText.beginning(line, LONGEST)));
     }
 
     /** Adds that a name is not one of those that may stand there. */

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonToken;
@@ -38,7 +39,6 @@ final class YamlFile {
     private static final int MAX_LINE = 20_000;
 
     private static final int MAX_DEPTH = 32;
-    private static final int LONGEST = 200;
     private static final YAMLFactory YAML = YAMLFactory.builder()
             .loadSettings(LoadSettings.builder()
                     .setCodePointLimit(MAX_BYTES)
@@ -229,7 +229,6 @@ final class YamlFile {
                 .lines()
                 .filter(line -> !line.isBlank() && !line.startsWith(" "))
                 .collect(Collectors.joining(", "));
-        String shown = message.length() <= LONGEST ? message : message.substring(0, LONGEST) + "...";
-        return new InputException(name + place + ": is no YAML: " + shown, e);
+        return new InputException(name + place + ": is no YAML: " + PlainText.beginning(message, PlainText.LONGEST), e);
     }
 }

@@ -156,7 +156,7 @@ class ModelFileTest {
 
         assertRefused("absent.mtl", "is not beside it");
         assertRefused("broken.mtl", "is not beside it");
-        assertRefused("folder.mtl", "is not a regular file");
+        assertRefused("folder.mtl", "is a directory");
         assertRefused("large.mtl", "has 16777217 bytes, but may have at most 16777216");
     }
 
@@ -166,8 +166,8 @@ class ModelFileTest {
         pipe(site.resolve("pipe.obj"));
 
         assertTimeoutPreemptively(Duration.ofMinutes(1), () -> {
-            assertRefused("pipe.mtl", "is not a regular file");
-            assertModelRefused("pipe.obj", "is not a regular file");
+            assertRefused("pipe.mtl", "is a pipe or a device, not a file");
+            assertModelRefused("pipe.obj", "is a pipe or a device, not a file");
         });
     }
 
@@ -177,8 +177,8 @@ class ModelFileTest {
         link(site.resolve("endless.obj"), Path.of("/dev/zero"));
 
         assertTimeoutPreemptively(Duration.ofMinutes(1), () -> {
-            assertModelRefused("endless.obj", "is not a regular file");
-            assertModelRefused("/dev/zero", "is not a regular file");
+            assertModelRefused("endless.obj", "is a pipe or a device, not a file");
+            assertModelRefused("/dev/zero", "is a pipe or a device, not a file");
         });
     }
 
