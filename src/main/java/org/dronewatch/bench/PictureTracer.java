@@ -11,7 +11,7 @@ final class PictureTracer implements Tracer {
     private final Picture picture;
     private final boolean[][] isTile;
     private final TileTraversal traversal;
-    private final RayTracer single;
+    private final RaySetTracer single;
 
     /**
      * A tracer of a picture.
@@ -22,7 +22,7 @@ final class PictureTracer implements Tracer {
         this.picture = picture;
         this.isTile = isTile;
         this.traversal = new TileTraversal(tree);
-        this.single = new RayTracer(tree.newTraversal(), set);
+        this.single = new RaySetTracer(tree.newTraversal(), set);
         this.traversal.setPicture(picture.origin(), picture.corner(), picture.right(), picture.down());
     }
 

@@ -31,14 +31,14 @@ public enum TraversalKind {
     /** What makes a tracer of this kind for each thread. */
     Supplier<Tracer> tracers(KDTree tree, RaySet set) {
         return switch (of(set)) {
-            case SEQUENTIAL -> () -> new RayTracer(new SequentialTraversal(tree), set);
+            case SEQUENTIAL -> () -> new RaySetTracer(new SequentialTraversal(tree), set);
             case TILES -> {
                 Picture picture = new Picture(set);
                 boolean[][] isTile = PictureTracer.tilesOf(picture);
                 yield () -> new PictureTracer(tree, set, picture, isTile);
             }
-            case WIDE -> () -> new RayTracer(tree.newScatteredTraversal(), set);
-            default -> () -> new RayTracer(new StackTraversal(tree), set);
+            case WIDE -> () -> new RaySetTracer(tree.newScatteredTraversal(), set);
+            default -> () -> new RaySetTracer(new StackTraversal(tree), set);
         };
     }
 

@@ -3,13 +3,13 @@ package org.dronewatch.bench;
 import org.dronewatch.kdtree.KDTraversal;
 
 /** Traces rays one at a time. */
-final class RayTracer implements Tracer {
+final class RaySetTracer implements Tracer {
     private static final int PIECE = 4096;
 
     private final KDTraversal traversal;
     private final RaySet set;
 
-    RayTracer(KDTraversal traversal, RaySet set) {
+    RaySetTracer(KDTraversal traversal, RaySet set) {
         this.traversal = traversal;
         this.set = set;
     }
