@@ -59,7 +59,7 @@ public final class KernelTarget implements FuzzTarget {
         Exhaustive exhaustive = new Exhaustive(tree);
         double size = mesh.bounds().diagonal();
         for (Way way : Way.values()) {
-            KDTraversal traversal = way.on(tree);
+            RayTracer traversal = way.on(tree);
             for (double[] ray : text.rays()) {
                 checkRay(way, traversal, exhaustive, exact, ray, size);
             }
@@ -90,7 +90,7 @@ public final class KernelTarget implements FuzzTarget {
      * test itself may be wrong, but there no traversal asks it.
      */
     private static void checkRay(
-            Way way, KDTraversal traversal, Exhaustive exhaustive, BruteForce exact, double[] ray, double size) {
+            Way way, RayTracer traversal, Exhaustive exhaustive, BruteForce exact, double[] ray, double size) {
         double found = Way.closest(traversal, ray);
         double expected = exhaustive.closest(ray, 0.0, Double.POSITIVE_INFINITY);
         // Whether a ray that starts on a surface meets it there is left open.
@@ -122,7 +122,7 @@ public final class KernelTarget implements FuzzTarget {
         SplittableRandom random = new SplittableRandom(mesh.triangleCount());
         double size = mesh.bounds().diagonal();
         TileTraversal tiles = new TileTraversal(tree);
-        KDTraversal single = tree.newTraversal();
+        RayTracer single = tree.newTraversal();
         for (int number = 0; number < 2; number++) {
             PinholeView view = PinholeView.random(mesh, random, number, PICTURE);
             int rows = 3 * PICTURE / 4;

@@ -7,8 +7,8 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.AcousticSensor;
@@ -69,7 +69,7 @@ public class AcousticTracing {
         private SplittableRandom random;
         private AcousticSensor energies;
         private AcousticSensor levels;
-        private KDTraversal traversal;
+        private RayTracer traversal;
 
         /** Sensors with scratch memory of their own. */
         @Setup(Level.Trial)
@@ -99,7 +99,7 @@ public class AcousticTracing {
     private double[] bouncingRays() {
         double[] numbers = new double[NUMBERS * RAYS];
         SplittableRandom random = new SplittableRandom(2);
-        KDTraversal traversal = world.newTraversal();
+        RayTracer traversal = world.newTraversal();
         TriangleMesh mesh = world.mesh();
         double[] normal = new double[3];
         AcousticRay ray = new AcousticRay();
@@ -130,7 +130,7 @@ public class AcousticTracing {
         return numbers;
     }
 
-    private static boolean closestHit(KDTraversal traversal, double[] r, int i) {
+    private static boolean closestHit(RayTracer traversal, double[] r, int i) {
         return traversal.closestHit(
                 r[i], r[i + 1], r[i + 2], r[i + 3], r[i + 4], r[i + 5], 0.0, Double.POSITIVE_INFINITY);
     }

@@ -2,8 +2,8 @@ package org.dronewatch.jmh;
 
 import java.util.concurrent.TimeUnit;
 import org.dronewatch.bench.RaySet;
-import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.SequentialTraversal;
 import org.dronewatch.kdtree.StackTraversal;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -41,7 +41,7 @@ public class ClosestHit {
     @Param({"stack", "sequential", "scattered"})
     public String kind;
 
-    private KDTraversal traversal;
+    private RayTracer traversal;
     private RaySet set;
     private int next;
 

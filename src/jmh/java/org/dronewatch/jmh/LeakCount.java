@@ -7,9 +7,9 @@ import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicLong;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.Meshes;
+import org.dronewatch.kdtree.RayTracer;
 
 /**
  * Counts the random rays that get out of a closed mesh; there should be none. Arguments, all optional: {@code ball} or
@@ -64,14 +64,14 @@ public final class LeakCount {
     }
 
     private void traceBlocks() {
-        KDTraversal traversal = tree.newTraversal();
+        RayTracer traversal = tree.newTraversal();
         for (long block = nextBlock.getAndIncrement(); block * BLOCK < rays; block = nextBlock.getAndIncrement()) {
             leaks.addAndGet(leaksOfBlock(traversal, new SplittableRandom(seed + block)));
         }
     }
 
     /** Rays from the middle half of the mesh's box, in uniform directions. */
-    private int leaksOfBlock(KDTraversal traversal, SplittableRandom random) {
+    private int leaksOfBlock(RayTracer traversal, SplittableRandom random) {
         AABB box = tree.bounds();
         int missed = 0;
         for (int i = 0; i < BLOCK; i++) {

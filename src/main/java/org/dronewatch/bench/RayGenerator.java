@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Triangle;
-import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.RayTracer;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
@@ -83,7 +83,7 @@ public final class RayGenerator {
     public RaySet diffuse(RaySet camera) {
         SplittableRandom random = new SplittableRandom(seed);
         float[] rays = new float[DIFFUSE_RAYS * RaySet.FLOATS];
-        KDTraversal traversal = tree.newTraversal();
+        RayTracer traversal = tree.newTraversal();
         int made = 0;
         for (int path = 0; path < MAX_PATHS && made < DIFFUSE_RAYS; path++) {
             int start = random.nextInt(camera.count()) * RaySet.FLOATS;
@@ -97,12 +97,12 @@ public final class RayGenerator {
         return new RaySet("diffuse", Arrays.copyOf(rays, made * RaySet.FLOATS), 0);
     }
 
-    private static boolean hits(KDTraversal traversal, float[] r) {
+    private static boolean hits(RayTracer traversal, float[] r) {
         return traversal.closestHit(r[0], r[1], r[2], r[3], r[4], r[5], 0.0, Double.POSITIVE_INFINITY);
     }
 
     /** Replaces a ray by one that leaves the surface it hit. */
-    private void bounce(KDTraversal traversal, float[] ray, SplittableRandom random) {
+    private void bounce(RayTracer traversal, float[] ray, SplittableRandom random) {
         Triangle triangle = tree.mesh().triangle(traversal.triangle());
         Vector3d normal = triangle.areaNormal();
         normal.normalize();

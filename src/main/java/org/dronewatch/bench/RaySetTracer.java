@@ -1,15 +1,15 @@
 package org.dronewatch.bench;
 
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 
 /** Traces rays one at a time. */
 final class RaySetTracer implements Tracer {
     private static final int PIECE = 4096;
 
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private final RaySet set;
 
-    RaySetTracer(KDTraversal traversal, RaySet set) {
+    RaySetTracer(RayTracer traversal, RaySet set) {
         this.traversal = traversal;
         this.set = set;
     }

@@ -6,7 +6,7 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /**
  * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles at their places. Holds data only; a
- * {@link KDTraversal} walks it and {@link KDTreeStats} measures it. Immutable, shared by all threads.
+ * {@link RayTracer} walks it and {@link KDTreeStats} measures it. Immutable, shared by all threads.
  */
 public final class KDTree {
     private final TriangleMesh mesh;
@@ -63,7 +63,7 @@ public final class KDTree {
     }
 
     /** A new stack-based traversal, the default one, for the use of one thread. */
-    public KDTraversal newTraversal() {
+    public RayTracer newTraversal() {
         return new StackTraversal(this);
     }
 
@@ -76,7 +76,7 @@ public final class KDTree {
      *
      * @throws CancellationException when the thread is interrupted while the second tree is built
      */
-    public KDTraversal newScatteredTraversal() {
+    public RayTracer newScatteredTraversal() {
         return hasWide() ? new WideTraversal(this, wide()) : newTraversal();
     }
 

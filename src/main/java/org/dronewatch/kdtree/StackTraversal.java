@@ -18,15 +18,6 @@ public final class StackTraversal extends KDTraversal {
         this.stackExit = new double[size];
     }
 
-    /** A traversal that answers the questions of another. */
-    StackTraversal(KDTraversal asked) {
-        super(asked);
-        int size = tree.depth() + 1;
-        this.stackNode = new int[size];
-        this.stackEntry = new double[size];
-        this.stackExit = new double[size];
-    }
-
     @Override
     void trace(double tMin, double tMax, boolean anyHit) {
         long[] nodes = tree.nodes();

@@ -24,7 +24,7 @@ public final class TileTraversal {
     private static final AtomicLong PAINTED_BY_ALL = new AtomicLong();
 
     private final KDTree tree;
-    private final KDTraversal single;
+    private final RayTracer single;
     private final PixelGrid grid = new PixelGrid();
     private final TilePixels pixels = new TilePixels(grid, WIDTH, HEIGHT);
     private TilePainting painting;

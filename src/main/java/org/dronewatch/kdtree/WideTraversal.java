@@ -20,7 +20,7 @@ import jdk.incubator.vector.VectorSpecies;
  * <p>The code keeps to what the just-in-time compiler turns into plain vector instructions: no masks, no vectors across
  * calls, the leaf in a method of its own.
  */
-final class WideTraversal extends KDTraversal {
+final class WideTraversal extends RayTracer {
     private static final VectorSpecies<Integer> INTS_8 = IntVector.SPECIES_256;
     private static final VectorSpecies<Integer> INTS_4 = IntVector.SPECIES_128;
     private static final VectorSpecies<Float> FLOATS_8 = FloatVector.SPECIES_256;
@@ -40,7 +40,7 @@ final class WideTraversal extends KDTraversal {
 
     private final int[] pool;
     private final double reach;
-    private final StackTraversal other;
+    private final StackTraversal exact;
     private final int[] entries = new int[WideNode.WIDTH];
     private final double[] parameters = new double[WideNode.TRIANGLES];
     private final long[] outside = new long[WideNode.TRIANGLES];
@@ -64,10 +64,10 @@ final class WideTraversal extends KDTraversal {
     private int winnerPlace;
 
     WideTraversal(KDTree tree, WideTree wide) {
-        super(tree);
+        super(tree.triangles());
         this.pool = wide.pool();
         this.reach = wide.reach();
-        this.other = new StackTraversal(this);
+        this.exact = new StackTraversal(tree);
         this.stack = new long[(WideNode.WIDTH - 1) * wide.depth() + 1];
     }
 
@@ -76,7 +76,7 @@ final class WideTraversal extends KDTraversal {
         double size = Math.max(Math.abs(direction[0]), Math.max(Math.abs(direction[1]), Math.abs(direction[2])));
         double away = Math.max(Math.abs(origin[0]), Math.max(Math.abs(origin[1]), Math.abs(origin[2])));
         if (!(size > SHORTEST && size < 1.0 / SHORTEST && away < WideTree.FARTHEST)) {
-            other.trace(tMin, tMax, anyHit);
+            traceExactly(tMin, tMax);
             return;
         }
         setTriangleRay();
@@ -86,6 +86,13 @@ final class WideTraversal extends KDTraversal {
         walk(tMin, tMax, anyHit);
         if (winner >= 0) {
             setHit();
+        }
+    }
+
+    /** Leaves the ray to the kd-tree. The nearest hit is also any hit. */
+    private void traceExactly(double tMin, double tMax) {
+        if (exact.closestHit(origin[0], origin[1], origin[2], direction[0], direction[1], direction[2], tMin, tMax)) {
+            intersection.setHit(exact.triangle(), exact.distance(), exact.u(), exact.v());
         }
     }
 

@@ -8,8 +8,8 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BooleanSupplier;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.TileTraversal;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.optics.CameraObject;
@@ -43,7 +43,7 @@ final class SitePainter {
     /** What one thread paints with. */
     private final class Brush {
         private final TileTraversal tiles = new TileTraversal(tree);
-        private final KDTraversal single = tree.newTraversal();
+        private final RayTracer single = tree.newTraversal();
         private final double[] direction = new double[3];
 
         /** Depth and triangle of what a single ray found. */

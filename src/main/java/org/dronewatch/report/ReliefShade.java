@@ -2,7 +2,7 @@ package org.dronewatch.report;
 
 import java.awt.Color;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.world.World;
 
 /** The ground as seen from straight above, lit from the north-west. */
@@ -12,7 +12,7 @@ final class ReliefShade {
 
     private final World world;
     private final TriangleMesh mesh;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private final double above;
 
     ReliefShade(World world) {

@@ -3,7 +3,7 @@ package org.dronewatch.run;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
@@ -12,7 +12,7 @@ import org.dronewatch.world.World;
 /** What is between sensors and places: whether a sensor looks there at all, and whether something stands in the way. */
 public final class Sightline {
     private final World world;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
 
     /** In a world, for one thread. */
     public Sightline(World world) {

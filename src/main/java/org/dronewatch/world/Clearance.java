@@ -2,7 +2,7 @@ package org.dronewatch.world;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 
 /**
  * Moves places off surfaces that they lie on. A microphone on the ground hears what it would hear a hair's breadth above:
@@ -18,7 +18,7 @@ public final class Clearance {
     private static final double[][] AXES = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
     private final TriangleMesh mesh;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private final double[] normal = new double[3];
 
     /** For the surfaces of a world. */

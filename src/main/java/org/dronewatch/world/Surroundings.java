@@ -2,12 +2,12 @@ package org.dronewatch.world;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 
 /** What stands about a place, seen by one ray to each corner, edge and face of a cube. */
 final class Surroundings {
     private final TriangleMesh mesh;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private final double[] normal = new double[3];
 
     Surroundings(World world) {

@@ -12,8 +12,8 @@ import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.Ray;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.Atmosphere;
@@ -169,7 +169,7 @@ public final class World {
 
     /** The heights of the highest surfaces, for the use of one thread: faster than {@link #surfaceHeight} for many places. */
     public Ground newGround() {
-        KDTraversal traversal = newTraversal();
+        RayTracer traversal = newTraversal();
         double above = bounds().maxZ() + 1.0;
         return (x, y) -> traversal.closestHit(x, y, above, 0.0, 0.0, -1.0, 0.0, Double.POSITIVE_INFINITY)
                 ? OptionalDouble.of(above - traversal.distance())
@@ -185,7 +185,7 @@ public final class World {
     }
 
     /** A traversal of the world's tree for the use of one thread. */
-    public KDTraversal newTraversal() {
+    public RayTracer newTraversal() {
         return tree.newTraversal();
     }
 
@@ -193,7 +193,7 @@ public final class World {
      * A traversal for rays that have nothing to do with each other, as those of scattered sound, for the use of one thread:
      * faster than {@link #newTraversal()} where the processor's vectors can be used.
      */
-    public KDTraversal newScatteredTraversal() {
+    public RayTracer newScatteredTraversal() {
         return tree.newScatteredTraversal();
     }
 

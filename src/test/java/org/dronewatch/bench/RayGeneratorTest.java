@@ -3,8 +3,8 @@ package org.dronewatch.bench;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import org.dronewatch.kdtree.KDTraversal;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.RayTracer;
 import org.jogamp.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
 
@@ -34,7 +34,7 @@ class RayGeneratorTest {
     void diffuseRaysLeaveWhatTheCameraSees() {
         RaySet diffuse = RAYS.diffuse(RAYS.camera(200, 100));
         assertThat(diffuse.count()).isEqualTo(1_000_000);
-        KDTraversal traversal = GROUND.newTraversal();
+        RayTracer traversal = GROUND.newTraversal();
         double cosines = 0.0;
         int within45 = 0;
         int rays = 2000;

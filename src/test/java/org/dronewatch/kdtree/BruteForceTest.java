@@ -54,7 +54,7 @@ class BruteForceTest {
                 .toArray(BruteForce.Answer[]::new);
         double size = mesh.triangleCount() == 0 ? 0.0 : mesh.bounds().diagonal();
 
-        for (KDTraversal traversal :
+        for (RayTracer traversal :
                 List.of(new StackTraversal(tree), new SequentialTraversal(tree), tree.newScatteredTraversal())) {
             List<String> excused = new ArrayList<>();
             List<String> wrong = new ArrayList<>();
@@ -84,7 +84,7 @@ class BruteForceTest {
         }
     }
 
-    private static String difference(KDTraversal traversal, boolean found, double[] ray, BruteForce.Answer expected) {
+    private static String difference(RayTracer traversal, boolean found, double[] ray, BruteForce.Answer expected) {
         if (found != expected.found()) {
             return found ? "hits triangle " + traversal.triangle() : "misses triangle " + expected.triangle();
         }

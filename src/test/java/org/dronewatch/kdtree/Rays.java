@@ -126,17 +126,17 @@ final class Rays {
     }
 
     /** Asks a traversal for the closest hit of a ray without end. */
-    static boolean closestHit(KDTraversal traversal, double[] r) {
+    static boolean closestHit(RayTracer traversal, double[] r) {
         return closestHit(traversal, r, 0.0, Double.POSITIVE_INFINITY);
     }
 
     /** Asks a traversal for the closest hit between two ray parameters. */
-    static boolean closestHit(KDTraversal traversal, double[] r, double tMin, double tMax) {
+    static boolean closestHit(RayTracer traversal, double[] r, double tMin, double tMax) {
         return traversal.closestHit(r[0], r[1], r[2], r[3], r[4], r[5], tMin, tMax);
     }
 
     /** Asks a traversal whether anything lies between two ray parameters. */
-    static boolean isOccluded(KDTraversal traversal, double[] r, double tMin, double tMax) {
+    static boolean isOccluded(RayTracer traversal, double[] r, double tMin, double tMax) {
         return traversal.isOccluded(r[0], r[1], r[2], r[3], r[4], r[5], tMin, tMax);
     }
 }

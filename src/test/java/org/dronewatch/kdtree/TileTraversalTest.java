@@ -270,7 +270,7 @@ class TileTraversalTest {
     private static void compare(String name, TriangleMesh mesh, int views, int width, long seed) {
         KDTree tree = KDTree.of(mesh);
         TileTraversal tiles = new TileTraversal(tree);
-        KDTraversal single = tree.newTraversal();
+        RayTracer single = tree.newTraversal();
         BruteForce exact = new BruteForce(mesh);
         double size = mesh.triangleCount() == 0 ? 0.0 : mesh.bounds().diagonal();
         SplittableRandom random = new SplittableRandom(seed);

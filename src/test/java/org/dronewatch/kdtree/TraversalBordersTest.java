@@ -20,7 +20,7 @@ class TraversalBordersTest {
     void raysFromAndAlongTheBordersOfCells(Way way) {
         for (TriangleMesh mesh : List.of(Meshes.room(), Meshes.soup(200, 0.3, 61), Meshes.icosphere(2))) {
             KDTree tree = KDTree.of(mesh);
-            KDTraversal traversal = way.on(tree);
+            RayTracer traversal = way.on(tree);
             BruteForce bruteForce = new BruteForce(mesh);
             List<double[]> cells = cells(tree, 0, box(tree));
             Rays rays = new Rays(mesh, 62);
@@ -96,7 +96,7 @@ class TraversalBordersTest {
         for (TriangleMesh mesh : List.of(Meshes.room(), Meshes.icosphere(2), Meshes.model("house.obj"))) {
             KDTree tree = KDTree.of(mesh);
             Exhaustive exhaustive = new Exhaustive(tree);
-            KDTraversal traversal = way.on(tree);
+            RayTracer traversal = way.on(tree);
             Rays rays = new Rays(mesh, 66);
             SplittableRandom random = new SplittableRandom(67);
             int hits = 0;

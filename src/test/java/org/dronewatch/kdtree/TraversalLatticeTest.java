@@ -39,7 +39,7 @@ class TraversalLatticeTest {
         for (int seed = 0; seed < 12; seed++) {
             int cells = seed < 9 ? 1 : 2;
             KDTree tree = KDTree.of(NastyMeshes.lattice(cells, seed == 0 ? 1.0 : 0.25, seed));
-            KDTraversal traversal = way.on(tree);
+            RayTracer traversal = way.on(tree);
             Exhaustive exhaustive = new Exhaustive(tree);
             int reach = 2 * cells + 1;
             int origins = reach + 4;
@@ -76,7 +76,7 @@ class TraversalLatticeTest {
             double shift = shifts[seed % 6];
             TriangleMesh lattice = NastyMeshes.lattice(cells, shares[seed % 5], seed);
             KDTree tree = KDTree.of(NastyMeshes.moved(lattice, factor, shift));
-            KDTraversal traversal = way.on(tree);
+            RayTracer traversal = way.on(tree);
             Exhaustive exhaustive = new Exhaustive(tree);
             for (int i = 0; i < 2000; i++) {
                 int perUnit = 1 + random.nextInt(2);
@@ -103,7 +103,7 @@ class TraversalLatticeTest {
     @EnumSource
     void raysThatTouchTheBoxFromOutside(Way way) {
         KDTree tree = KDTree.of(NastyMeshes.lattice(3, 1.0, 1));
-        KDTraversal traversal = way.on(tree);
+        RayTracer traversal = way.on(tree);
         Exhaustive exhaustive = new Exhaustive(tree);
         SplittableRandom random = new SplittableRandom(95);
         int touched = 0;
@@ -181,8 +181,7 @@ class TraversalLatticeTest {
                 .count();
     }
 
-    private static void assertFindsAll(
-            Way way, KDTraversal traversal, Exhaustive exhaustive, double[] ray, String name) {
+    private static void assertFindsAll(Way way, RayTracer traversal, Exhaustive exhaustive, double[] ray, String name) {
         double expected = exhaustive.closest(ray, 0.0, END);
         double found = Way.closest(traversal, ray);
         if (found != expected && (way != Way.STACK || !isNear(found, expected))) {

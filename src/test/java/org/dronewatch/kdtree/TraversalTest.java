@@ -39,7 +39,7 @@ class TraversalTest {
     @EnumSource
     void zerosOfEitherSignMeanTheSame(Way way) {
         TriangleMesh mesh = Meshes.room();
-        KDTraversal traversal = way.on(KDTree.of(mesh));
+        RayTracer traversal = way.on(KDTree.of(mesh));
         Rays rays = new Rays(mesh, 64);
         for (int i = 0; i < 5000; i++) {
             double[] ray = Rays.ray(rays.inBox(1.2), i % 2 == 0 ? rays.axisParallel() : rays.withOneZero());
@@ -58,7 +58,7 @@ class TraversalTest {
     @EnumSource
     void raysInThePlaneOfATriangleMissItAndHitWhatStandsAcross(Way way) {
         float[] vertices = {0, 0, 0.1f, 4, 0, 0.1f, 0, 4, 0.1f, 3, -1, -1, 3, 5, -1, 3, 2, 5};
-        KDTraversal traversal = way.on(KDTree.of(TriangleMesh.of(vertices, new int[] {0, 1, 2, 3, 4, 5})));
+        RayTracer traversal = way.on(KDTree.of(TriangleMesh.of(vertices, new int[] {0, 1, 2, 3, 4, 5})));
 
         assertThat(traversal.closestHit(-1, 0.5, 0.1f, 1, 0, 0, 0.0, END)).isTrue();
         assertThat(traversal.triangle()).isEqualTo(1);
@@ -70,7 +70,7 @@ class TraversalTest {
     @EnumSource
     void raysFromInsideAtCornersAndEdgesNeverSlipThrough(Way way) {
         for (TriangleMesh mesh : List.of(Meshes.icosphere(3), Meshes.room())) {
-            KDTraversal traversal = way.on(KDTree.of(mesh));
+            RayTracer traversal = way.on(KDTree.of(mesh));
             boolean convex = mesh.triangleCount() > 1000;
             Rays rays = new Rays(mesh, 65);
             SplittableRandom random = new SplittableRandom(66);
@@ -97,7 +97,7 @@ class TraversalTest {
     @EnumSource
     void raysFromAMillionTimesTheSizeAway(Way way) {
         TriangleMesh mesh = Meshes.icosphere(2);
-        KDTraversal traversal = way.on(KDTree.of(mesh));
+        RayTracer traversal = way.on(KDTree.of(mesh));
         BruteForce bruteForce = new BruteForce(mesh);
         Rays rays = new Rays(mesh, 67);
         int hits = 0;
@@ -119,7 +119,7 @@ class TraversalTest {
     @EnumSource
     void distancesAreInUnitsOfTheDirection(Way way) {
         TriangleMesh mesh = Meshes.soup(300, 0.4, 68);
-        KDTraversal traversal = way.on(KDTree.of(mesh));
+        RayTracer traversal = way.on(KDTree.of(mesh));
         for (double[] ray : new Rays(mesh, 69).any(4000)) {
             boolean found = Rays.closestHit(traversal, ray);
             double distance = traversal.distance();
@@ -143,7 +143,7 @@ class TraversalTest {
     void theRangeOfAHitIncludesItsEndsAndThatOfAnOcclusionDoesNot(Way way) {
         TriangleMesh mesh = Meshes.soup(300, 0.4, 70);
         KDTree tree = KDTree.of(mesh);
-        KDTraversal traversal = way.on(tree);
+        RayTracer traversal = way.on(tree);
         Exhaustive exhaustive = new Exhaustive(tree);
         int hits = 0;
         for (double[] ray : new Rays(mesh, 71).any(4000)) {
@@ -181,7 +181,7 @@ class TraversalTest {
     @EnumSource
     void weightsAndDistanceNameThePointThatTheReferenceFinds(Way way) {
         TriangleMesh mesh = Meshes.soup(300, 0.4, 72);
-        KDTraversal traversal = way.on(KDTree.of(mesh));
+        RayTracer traversal = way.on(KDTree.of(mesh));
         int hits = 0;
         for (double[] r : new Rays(mesh, 73).any(4000)) {
             Ray ray = new Ray(new Point3d(r[0], r[1], r[2]), new Vector3d(r[3], r[4], r[5]));
@@ -224,7 +224,7 @@ class TraversalTest {
         }
         TriangleMesh mesh =
                 TriangleMesh.of(corners, IntStream.range(0, 3 * order.length).toArray());
-        KDTraversal traversal = way.on(KDTree.of(mesh));
+        RayTracer traversal = way.on(KDTree.of(mesh));
         int hits = 0;
         for (double[] ray : new Rays(mesh, 73).any(5000)) {
             if (Rays.closestHit(traversal, ray)) {
@@ -240,7 +240,7 @@ class TraversalTest {
     @ParameterizedTest
     @EnumSource
     void ofTrianglesInTheSamePlaceTheFirstIsHit(Way way) {
-        KDTraversal traversal = way.on(KDTree.of(Meshes.degenerate().get("identical")));
+        RayTracer traversal = way.on(KDTree.of(Meshes.degenerate().get("identical")));
 
         assertThat(traversal.closestHit(0.3, 0.3, 5, 0, 0, -1, 0.0, END)).isTrue();
         assertThat(traversal.triangle()).isZero();
@@ -270,7 +270,7 @@ class TraversalTest {
         }
     }
 
-    private static double[] trace(KDTraversal traversal, double[][] rays) {
+    private static double[] trace(RayTracer traversal, double[][] rays) {
         return Arrays.stream(rays)
                 .mapToDouble(ray -> Rays.closestHit(traversal, ray)
                         ? traversal.distance() + traversal.triangle() + traversal.u() + traversal.v()

@@ -29,7 +29,7 @@ class WatertightTest {
         return IntStream.range(0, PARTS)
                 .parallel()
                 .mapToLong(seed -> {
-                    KDTraversal traversal = way.on(tree);
+                    RayTracer traversal = way.on(tree);
                     Rays rays = new Rays(mesh, seed);
                     return IntStream.range(0, RAYS_PER_PART)
                             .filter(i -> !Rays.closestHit(traversal, Rays.ray(rays.inBox(0.5), rays.onSphere())))

@@ -12,18 +12,18 @@ enum Way {
     /** By vectors where the machine has them, as in the build's own tests. */
     SCATTERED(KDTree::newScatteredTraversal);
 
-    private final Function<KDTree, KDTraversal> maker;
+    private final Function<KDTree, RayTracer> maker;
 
-    Way(Function<KDTree, KDTraversal> maker) {
+    Way(Function<KDTree, RayTracer> maker) {
         this.maker = maker;
     }
 
-    KDTraversal on(KDTree tree) {
+    RayTracer on(KDTree tree) {
         return maker.apply(tree);
     }
 
     /** The nearest hit, or infinity. */
-    static double closest(KDTraversal traversal, double[] ray) {
+    static double closest(RayTracer traversal, double[] ray) {
         return Rays.closestHit(traversal, ray) ? traversal.distance() : Double.POSITIVE_INFINITY;
     }
 
@@ -31,7 +31,7 @@ enum Way {
     void assertSameAsExhaustive(KDTree tree, double[] ray, String seed) {
         double end = Double.POSITIVE_INFINITY;
         double expected = new Exhaustive(tree).closest(ray, 0.0, end);
-        KDTraversal traversal = on(tree);
+        RayTracer traversal = on(tree);
         String what = Arrays.toString(ray) + " of " + seed;
 
         assertThat(closest(traversal, ray)).as(what).isEqualTo(expected);

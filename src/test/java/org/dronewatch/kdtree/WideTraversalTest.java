@@ -27,8 +27,8 @@ class WideTraversalTest {
         TriangleMesh mesh = Meshes.model(model);
         KDTree tree = KDTree.of(mesh);
         assertThat(tree.hasWide()).isTrue();
-        KDTraversal wide = tree.newScatteredTraversal();
-        KDTraversal narrow = tree.newTraversal();
+        RayTracer wide = tree.newScatteredTraversal();
+        RayTracer narrow = tree.newTraversal();
         assertThat(wide).isInstanceOf(WideTraversal.class);
         long seed = 20261121;
         Random random = new Random(seed);
@@ -145,8 +145,8 @@ class WideTraversalTest {
     void numbersThatSinglePrecisionCannotBoundAreLeftToTheKdTree() {
         TriangleMesh mesh = Meshes.model("house.obj");
         KDTree tree = KDTree.of(mesh);
-        KDTraversal wide = tree.newScatteredTraversal();
-        KDTraversal narrow = tree.newTraversal();
+        RayTracer wide = tree.newScatteredTraversal();
+        RayTracer narrow = tree.newTraversal();
         double[][] rays = {
             {1e14, 0.3, 5, -1, 0, 0},
             {30, 0.3, 5, -1e-12, 1e-14, 0},

@@ -2,7 +2,7 @@ package org.dronewatch.sensor.optics;
 
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
@@ -24,7 +24,7 @@ public final class VisibleArea {
 
     private final CameraObject camera;
     private final World world;
-    private final KDTraversal site;
+    private final RayTracer site;
     private final Vector3d forward;
     private final Vector3d right;
     private final Vector3d up;
@@ -70,7 +70,7 @@ public final class VisibleArea {
         double half = reach / Math.sqrt(range * range - reach * reach);
         double share = 4.0 * half * half / RAYS;
         drone.worldToModel(toModel);
-        KDTraversal model = drone.tree().newTraversal();
+        RayTracer model = drone.tree().newTraversal();
         double area = 0.0;
         Vector3d ray = new Vector3d();
         for (int i = 0; i < RAYS; i++) {
@@ -83,7 +83,7 @@ public final class VisibleArea {
         return area;
     }
 
-    private boolean seen(KDTraversal model, Vector3d ray) {
+    private boolean seen(RayTracer model, Vector3d ray) {
         Position at = camera.position();
         Matrix4d m = toModel;
         boolean hit = model.closestHit(

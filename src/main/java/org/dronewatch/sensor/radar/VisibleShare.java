@@ -3,7 +3,7 @@ package org.dronewatch.sensor.radar;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
 
@@ -16,7 +16,7 @@ final class VisibleShare {
     private static final double HALF_WAY = 0.5;
 
     private final Position place;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
 
     VisibleShare(World world, Position place) {
         this.place = place;

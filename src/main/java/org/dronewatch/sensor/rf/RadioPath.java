@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.rf;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.world.World;
 
 /**
@@ -18,7 +18,7 @@ public final class RadioPath {
     private static final int STEPS = 512;
 
     private final World world;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private final double above;
 
     /** For the paths of a site. */

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.camera;
 import java.util.List;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Ray;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.optics.*;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
@@ -20,8 +20,8 @@ final class FullRetrace {
         this.pixels = new int[drones.size()];
         this.owners = new int[camera.width() * camera.height()];
         this.distances = new float[owners.length];
-        KDTraversal ground = world.newTraversal();
-        List<KDTraversal> trees =
+        RayTracer ground = world.newTraversal();
+        List<RayTracer> trees =
                 drones.stream().map(drone -> drone.tree().newTraversal()).toList();
         for (int row = 0; row < camera.height(); row++) {
             for (int column = 0; column < camera.width(); column++) {
@@ -48,7 +48,7 @@ final class FullRetrace {
         }
     }
 
-    private static float distance(KDTraversal tree, Point3d origin, Vector3d direction) {
+    private static float distance(RayTracer tree, Point3d origin, Vector3d direction) {
         return tree.closestHit(new Ray(origin, direction))
                 .map(hit -> (float) hit.distance())
                 .orElse(Float.POSITIVE_INFINITY);

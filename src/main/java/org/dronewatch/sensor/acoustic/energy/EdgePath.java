@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.world.World;
 
 /**
@@ -15,7 +15,7 @@ final class EdgePath {
     private static final double LARGEST_SLOPE = 12.0;
     private static final int HALVINGS = 24;
 
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private double pathDifference;
     private double rise;
 

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.Arrays;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.OctaveBands;
@@ -21,7 +21,7 @@ final class ExactPaths {
     private final EnergyModel model;
     private final TriangleMesh mesh;
     private final WallPlanes planes;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final Air air;
     private final WallPassage walls;

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
@@ -21,7 +21,7 @@ final class FirstScattering {
     private static final double OWN = 1e-9;
 
     private final TriangleMesh mesh;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final Air air;
     private final EnergyTally tally;

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.Arrays;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
@@ -23,7 +23,7 @@ final class MirrorChains {
 
     private final TriangleMesh mesh;
     private final WallPlanes planes;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final Air air;
     private final int maxOrder;

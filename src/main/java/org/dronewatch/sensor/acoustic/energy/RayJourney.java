@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
@@ -33,7 +33,7 @@ final class RayJourney {
     private final EnergyModel model;
     private final Position sensor;
     private final TriangleMesh mesh;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final WallPlanes planes;
     private final ReceiverBall ball;

@@ -2,7 +2,7 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.OctaveBands;
 
@@ -36,7 +36,7 @@ final class ReceiverBall {
      *
      * @return its volume, m3
      */
-    double surround(Position centre, KDTraversal traversal) {
+    double surround(Position centre, RayTracer traversal) {
         double share = 0.0;
         for (int i = 0; i < LOOKS; i++) {
             // Spread evenly over the sphere (Fibonacci lattice).

@@ -2,7 +2,7 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
@@ -18,7 +18,7 @@ final class WallPassage {
     private static final double OWN = 1e-9;
 
     private final TriangleMesh mesh;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final double[] passed = new double[BANDS];
     private boolean free;

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.level;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.KDTraversal;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
@@ -18,7 +18,7 @@ final class RayStretch {
     private final Position sensor;
     private final double radius;
     private final double detectionLevel;
-    private final KDTraversal traversal;
+    private final RayTracer traversal;
     private final ReflectionGenerator reflections;
     private final RayQueue branches = new RayQueue();
     private final AcousticRay ray = new AcousticRay();

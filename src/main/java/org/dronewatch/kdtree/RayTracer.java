@@ -1,0 +1,114 @@
+package org.dronewatch.kdtree;
+
+import java.util.Optional;
+import org.dronewatch.geometry.Hit;
+import org.dronewatch.geometry.Ray;
+import org.jogamp.vecmath.Point3d;
+import org.jogamp.vecmath.Vector3d;
+
+/**
+ * Finds what a ray meets in a mesh. One per thread: it holds the ray and the hit of its last query. The methods that take
+ * primitives allocate nothing.
+ *
+ * <p>Origins are in metres in the mesh's frame. A direction may have any length but zero; distances are ray parameters,
+ * which are metres for a unit direction. Triangles are hit from either side.
+ */
+public abstract class RayTracer {
+    final TriangleIntersection intersection;
+    final double[] origin = new double[3];
+    final double[] direction = new double[3];
+    final double[] inverse = new double[3];
+
+    /**
+     * A tracer without a ray.
+     *
+     * @param triangles what rays can meet
+     */
+    RayTracer(PlacedTriangles triangles) {
+        this.intersection = new TriangleIntersection(triangles);
+    }
+
+    /**
+     * Looks for the nearest triangle along a ray. Of several with the same corners it names that with the least number. Where
+     * a ray hits an edge or a corner of several, which of them is named may depend on the traversal.
+     *
+     * @param tMin the smallest ray parameter that counts, 0 or more
+     * @param tMax the largest that counts
+     * @return whether there is one; its {@link #distance()}, {@link #triangle()}, {@link #u()} and {@link #v()} can be
+     *     read until the next question
+     */
+    public final boolean closestHit(
+            double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {
+        setRay(ox, oy, oz, dx, dy, dz);
+        intersection.setRay(origin, direction, tMax);
+        trace(tMin, tMax, false);
+        return intersection.found();
+    }
+
+    /** The nearest triangle along a ray, or empty. Allocates; kernels use the form that takes primitives. */
+    public final Optional<Hit> closestHit(Ray ray) {
+        Point3d o = ray.origin();
+        Vector3d d = ray.direction();
+        return closestHit(o.x, o.y, o.z, d.x, d.y, d.z, ray.tMin(), ray.tMax())
+                ? Optional.of(new Hit(distance(), triangle(), u(), v()))
+                : Optional.empty();
+    }
+
+    /**
+     * Whether any triangle lies strictly between two ray parameters. A computed point lies on a surface only up to
+     * rounding: between points on surfaces, leave a little room at both ends.
+     */
+    public final boolean isOccluded(
+            double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {
+        double first = Math.nextUp(tMin);
+        double last = Math.nextDown(tMax);
+        if (!(first <= last)) {
+            return false;
+        }
+        setRay(ox, oy, oz, dx, dy, dz);
+        intersection.setRay(origin, direction, last);
+        trace(first, last, true);
+        return intersection.found();
+    }
+
+    /** Ray parameter of the last closest hit. */
+    public final double distance() {
+        return intersection.distance();
+    }
+
+    /** Triangle number of the last closest hit. */
+    public final int triangle() {
+        return intersection.triangle();
+    }
+
+    /** Weight of the triangle's second corner at the last closest hit. */
+    public final double u() {
+        return intersection.u();
+    }
+
+    /** Weight of the triangle's third corner at the last closest hit. */
+    public final double v() {
+        return intersection.v();
+    }
+
+    private void setRay(double ox, double oy, double oz, double dx, double dy, double dz) {
+        origin[0] = ox;
+        origin[1] = oy;
+        origin[2] = oz;
+        direction[0] = dx;
+        direction[1] = dy;
+        direction[2] = dz;
+        for (int axis = 0; axis < 3; axis++) {
+            inverse[axis] = Ray.inverse(direction[axis]);
+        }
+    }
+
+    /**
+     * Finds what the current ray hits; each hit goes to the intersection.
+     *
+     * @param tMin the smallest ray parameter that counts
+     * @param tMax the largest that counts
+     * @param anyHit whether any hit will do, or the nearest is wanted
+     */
+    abstract void trace(double tMin, double tMax, boolean anyHit);
+}
