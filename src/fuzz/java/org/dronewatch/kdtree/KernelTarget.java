@@ -122,7 +122,7 @@ public final class KernelTarget implements FuzzTarget {
         SplittableRandom random = new SplittableRandom(mesh.triangleCount());
         double size = mesh.bounds().diagonal();
         TileTraversal tiles = new TileTraversal(tree);
-        RayTracer single = tree.newTraversal();
+        RayTracer single = new StackTraversal(tree);
         for (int number = 0; number < 2; number++) {
             PinholeView view = PinholeView.random(mesh, random, number, PICTURE);
             int rows = 3 * PICTURE / 4;

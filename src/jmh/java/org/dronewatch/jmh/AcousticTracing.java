@@ -81,7 +81,7 @@ public class AcousticTracing {
             levels = AcousticSettings.at(MICROPHONE)
                     .withPropagation(LevelModel.DEFAULT.withRays(20, 20))
                     .create();
-            traversal = site.world.newTraversal();
+            traversal = site.world.newRayTracer();
         }
     }
 
@@ -99,7 +99,7 @@ public class AcousticTracing {
     private double[] bouncingRays() {
         double[] numbers = new double[NUMBERS * RAYS];
         SplittableRandom random = new SplittableRandom(2);
-        RayTracer traversal = world.newTraversal();
+        RayTracer traversal = world.newRayTracer();
         TriangleMesh mesh = world.mesh();
         double[] normal = new double[3];
         AcousticRay ray = new AcousticRay();

@@ -6,6 +6,7 @@ import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.SequentialTraversal;
 import org.dronewatch.kdtree.StackTraversal;
+import org.dronewatch.kdtree.TracingIndex;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -38,7 +39,7 @@ public class ClosestHit {
     public String rays;
 
     /** The way through the tree. */
-    @Param({"stack", "sequential", "scattered"})
+    @Param({"stack", "sequential", "incoherent"})
     public String kind;
 
     private RayTracer traversal;
@@ -52,7 +53,7 @@ public class ClosestHit {
         traversal = switch (kind) {
             case "stack" -> new StackTraversal(tree);
             case "sequential" -> new SequentialTraversal(tree);
-            default -> tree.newScatteredTraversal();
+            default -> new TracingIndex(tree).newIncoherentRayTracer();
         };
         set = Bench.rays(tree, rays);
     }

@@ -10,6 +10,7 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.Meshes;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 
 /**
  * Counts the random rays that get out of a closed mesh; there should be none. Arguments, all optional: {@code ball} or
@@ -64,7 +65,7 @@ public final class LeakCount {
     }
 
     private void traceBlocks() {
-        RayTracer traversal = tree.newTraversal();
+        RayTracer traversal = new StackTraversal(tree);
         for (long block = nextBlock.getAndIncrement(); block * BLOCK < rays; block = nextBlock.getAndIncrement()) {
             leaks.addAndGet(leaksOfBlock(traversal, new SplittableRandom(seed + block)));
         }

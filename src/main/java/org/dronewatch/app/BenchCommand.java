@@ -11,6 +11,7 @@ import org.dronewatch.bench.RayFile;
 import org.dronewatch.bench.RayGenerator;
 import org.dronewatch.bench.RaySet;
 import org.dronewatch.bench.TraversalKind;
+import org.dronewatch.kdtree.KDTreeStats;
 import org.dronewatch.mesh.io.LoadedModel;
 import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.parallel.Workers;
@@ -87,7 +88,7 @@ final class BenchCommand implements Callable<Integer> {
         LoadedModel loaded = new ObjLoader(Path.of("")).loadAsWritten(model);
         spec.commandLine().getErr().println("read " + loaded.describe());
         KernelBench bench = new KernelBench(loaded.mesh(), traversal, threads);
-        spec.commandLine().getErr().println(bench.tree().stats());
+        spec.commandLine().getErr().println(KDTreeStats.of(bench.tree()));
         List<RaySet> sets = given == null ? madeRays(bench) : List.of(given);
         for (RaySet set : sets) {
             measure(bench, set);

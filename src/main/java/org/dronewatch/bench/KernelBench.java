@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.TracingIndex;
 import org.dronewatch.parallel.Workers;
 
 /** Traces sets of rays over and over and takes the time. */
@@ -20,7 +21,7 @@ public final class KernelBench {
 
     private static final int BUILDS = 3;
 
-    private final KDTree tree;
+    private final TracingIndex index;
     private final double buildSeconds;
     private final TraversalKind kind;
     private final int threads;
@@ -41,7 +42,7 @@ public final class KernelBench {
             seconds[i] = 1e-9 * (System.nanoTime() - start);
         }
         Arrays.sort(seconds);
-        this.tree = built;
+        this.index = new TracingIndex(built);
         this.buildSeconds = seconds[BUILDS / 2];
         this.kind = kind;
         this.threads = threads;
@@ -59,7 +60,7 @@ public final class KernelBench {
         triangles = new int[set.count()];
         double[] rates = new double[passes];
         List<Tracer> tracers =
-                Stream.generate(kind.tracers(tree, set)).limit(threads).toList();
+                Stream.generate(kind.tracers(index, set)).limit(threads).toList();
         warmUp(tracers);
         progress.accept(set.name());
         for (int pass = 0; pass < passes; pass++) {
@@ -115,7 +116,7 @@ public final class KernelBench {
 
     /** The tree that is traced. */
     public KDTree tree() {
-        return tree;
+        return index.tree();
     }
 
     /** Median time to build the tree, s. */
@@ -131,7 +132,7 @@ public final class KernelBench {
     /** Triangles of the last set by their number in the file; -1 for none. */
     public int[] sourceTriangles() {
         return Arrays.stream(triangles)
-                .map(triangle -> triangle < 0 ? -1 : tree.mesh().sourceNumber(triangle))
+                .map(triangle -> triangle < 0 ? -1 : tree().mesh().sourceNumber(triangle))
                 .toArray();
     }
 }

@@ -1,6 +1,7 @@
 package org.dronewatch.bench;
 
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.kdtree.TileTraversal;
 
 /** Traces the rays of a picture tile by tile; a piece is a row of tiles. */
@@ -22,7 +23,7 @@ final class PictureTracer implements Tracer {
         this.picture = picture;
         this.isTile = isTile;
         this.traversal = new TileTraversal(tree);
-        this.single = new RaySetTracer(tree.newTraversal(), set);
+        this.single = new RaySetTracer(new StackTraversal(tree), set);
         this.traversal.setPicture(picture.origin(), picture.corner(), picture.right(), picture.down());
     }
 

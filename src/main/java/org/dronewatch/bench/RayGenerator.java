@@ -6,6 +6,7 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Triangle;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
@@ -83,7 +84,7 @@ public final class RayGenerator {
     public RaySet diffuse(RaySet camera) {
         SplittableRandom random = new SplittableRandom(seed);
         float[] rays = new float[DIFFUSE_RAYS * RaySet.FLOATS];
-        RayTracer traversal = tree.newTraversal();
+        RayTracer traversal = new StackTraversal(tree);
         int made = 0;
         for (int path = 0; path < MAX_PATHS && made < DIFFUSE_RAYS; path++) {
             int start = random.nextInt(camera.count()) * RaySet.FLOATS;

@@ -7,6 +7,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.KDTreeStats;
+import org.dronewatch.kdtree.TracingIndex;
 import org.dronewatch.parallel.Workers;
 import org.jogamp.vecmath.Vector3d;
 
@@ -15,7 +17,7 @@ final class TracingStudy {
     private static final int LEAST = 1000;
     private static final int GROWTH = 5;
 
-    private final List<KDTree> grounds = new ArrayList<>();
+    private final List<TracingIndex> grounds = new ArrayList<>();
     private final int largest;
     private final Stopwatch watch;
     private final Consumer<String> progress;
@@ -42,8 +44,8 @@ final class TracingStudy {
             progress.accept(String.format(Locale.ROOT, "the tree of %,d triangles", triangles));
             build.add(triangles, watch.seconds(() -> KDTree.of(mesh)));
             KDTree tree = KDTree.of(mesh);
-            memory.add(triangles, tree.stats().bytes() / (double) triangles);
-            grounds.add(tree);
+            memory.add(triangles, KDTreeStats.of(tree).bytes() / (double) triangles);
+            grounds.add(new TracingIndex(tree));
         }
         return List.of(
                 new CostCurves("build", "Building the tree", "triangles", "time [s]", List.of(build.line())),
@@ -92,15 +94,15 @@ final class TracingStudy {
         progress.accept(name);
         List<Runnable> works = new ArrayList<>();
         List<Integer> counts = new ArrayList<>();
-        for (KDTree tree : grounds) {
-            RaySet set = rays.apply(tree);
+        for (TracingIndex index : grounds) {
+            RaySet set = rays.apply(index.tree());
             counts.add(set.count());
-            works.add(tracing(kind.tracers(tree, set).get(), set.count()));
+            works.add(tracing(kind.tracers(index, set).get(), set.count()));
         }
         double[] seconds = watch.secondsInTurn(works);
         CostCurves.Points points = new CostCurves.Points(name);
         for (int i = 0; i < seconds.length; i++) {
-            points.add(grounds.get(i).mesh().triangleCount(), 1e-6 * counts.get(i) / seconds[i]);
+            points.add(grounds.get(i).tree().mesh().triangleCount(), 1e-6 * counts.get(i) / seconds[i]);
         }
         return points.line();
     }

@@ -2,9 +2,8 @@ package org.dronewatch.bench;
 
 import java.util.Locale;
 import java.util.function.Supplier;
-import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.SequentialTraversal;
-import org.dronewatch.kdtree.StackTraversal;
+import org.dronewatch.kdtree.TracingIndex;
 
 /** The ways through a tree that can be measured. */
 public enum TraversalKind {
@@ -29,16 +28,16 @@ public enum TraversalKind {
     }
 
     /** What makes a tracer of this kind for each thread. */
-    Supplier<Tracer> tracers(KDTree tree, RaySet set) {
+    Supplier<Tracer> tracers(TracingIndex index, RaySet set) {
         return switch (of(set)) {
-            case SEQUENTIAL -> () -> new RaySetTracer(new SequentialTraversal(tree), set);
+            case SEQUENTIAL -> () -> new RaySetTracer(new SequentialTraversal(index.tree()), set);
             case TILES -> {
                 Picture picture = new Picture(set);
                 boolean[][] isTile = PictureTracer.tilesOf(picture);
-                yield () -> new PictureTracer(tree, set, picture, isTile);
+                yield () -> new PictureTracer(index.tree(), set, picture, isTile);
             }
-            case WIDE -> () -> new RaySetTracer(tree.newScatteredTraversal(), set);
-            default -> () -> new RaySetTracer(new StackTraversal(tree), set);
+            case WIDE -> () -> new RaySetTracer(index.newIncoherentRayTracer(), set);
+            default -> () -> new RaySetTracer(index.newRayTracer(), set);
         };
     }
 

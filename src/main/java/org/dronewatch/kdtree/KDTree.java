@@ -5,8 +5,8 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles at their places. Holds data only; a
- * {@link RayTracer} walks it and {@link KDTreeStats} measures it. Immutable, shared by all threads.
+ * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles at their places. Holds data only: ray
+ * tracers walk it, {@link StackTraversal} for one, and {@link KDTreeStats} measures it. Immutable, shared by all threads.
  */
 public final class KDTree {
     private final TriangleMesh mesh;
@@ -15,9 +15,6 @@ public final class KDTree {
     private final PlacedTriangles triangles;
     private final float[] bounds;
     private final int depth;
-
-    /** For scattered rays; built when first asked for. */
-    private WideTree wide;
 
     /**
      * A finished tree; the builder's own arrays are handed over, not copied.
@@ -55,49 +52,6 @@ public final class KDTree {
     /** The root's box: the mesh's bounds rounded outwards by up to four units in the last place. */
     public AABB bounds() {
         return new AABB(bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
-    }
-
-    /** Measures the tree. */
-    public KDTreeStats stats() {
-        return KDTreeStats.of(this);
-    }
-
-    /** A new stack-based traversal, the default one, for the use of one thread. */
-    public RayTracer newTraversal() {
-        return new StackTraversal(this);
-    }
-
-    /**
-     * A new traversal for rays that have nothing to do with each other, as those of sound that was scattered, for the use of
-     * one thread. Where the processor's vectors can be used ({@code --add-modules jdk.incubator.vector}) it is three to four
-     * times as fast in large models, after building a second tree once, by several threads if there are; elsewhere it is
-     * the default one. Both hit the same; where triangles meet in the very point that a ray hits, their answers may differ
-     * in the triangle, and in the last bit of the distance.
-     *
-     * @throws CancellationException when the thread is interrupted while the second tree is built
-     */
-    public RayTracer newScatteredTraversal() {
-        return hasWide() ? new WideTraversal(this, wide()) : newTraversal();
-    }
-
-    /** Whether scattered rays have a tree of their own. */
-    public boolean hasWide() {
-        return Vectors.areAvailable() && reach() < WideTree.FARTHEST && mesh.triangleCount() > 0;
-    }
-
-    private double reach() {
-        double reach = 0.0;
-        for (float bound : bounds) {
-            reach = Math.max(reach, Math.abs(bound));
-        }
-        return reach;
-    }
-
-    private synchronized WideTree wide() {
-        if (wide == null) {
-            wide = new WideTreeBuilder(triangles).build();
-        }
-        return wide;
     }
 
     long[] nodes() {

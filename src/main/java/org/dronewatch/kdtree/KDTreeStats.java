@@ -24,7 +24,8 @@ public record KDTreeStats(
         double sahCost,
         long bytes) {
 
-    static KDTreeStats of(KDTree tree) {
+    /** Measures a tree. */
+    public static KDTreeStats of(KDTree tree) {
         Count count = new Count(tree);
         double cost = count.costOf(0, tree.rootBox().clone());
         int filled = count.leaves - count.emptyLeaves;

@@ -10,6 +10,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.kdtree.TileTraversal;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.optics.CameraObject;
@@ -43,7 +44,7 @@ final class SitePainter {
     /** What one thread paints with. */
     private final class Brush {
         private final TileTraversal tiles = new TileTraversal(tree);
-        private final RayTracer single = tree.newTraversal();
+        private final RayTracer single = new StackTraversal(tree);
         private final double[] direction = new double[3];
 
         /** Depth and triangle of what a single ray found. */

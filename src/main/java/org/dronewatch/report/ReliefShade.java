@@ -18,7 +18,7 @@ final class ReliefShade {
     ReliefShade(World world) {
         this.world = world;
         this.mesh = world.mesh();
-        this.traversal = world.newTraversal();
+        this.traversal = world.newRayTracer();
         this.above = world.bounds().maxZ() + 1.0;
     }
 

@@ -12,7 +12,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.TracingIndex;
 import org.dronewatch.mesh.io.LoadedModel;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.mesh.io.ObjLoader;
@@ -29,7 +29,7 @@ public final class ModelCache {
     private final ObjLoader loader;
     private final Consumer<String> notes;
     private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
-    private final Map<List<ModelSettings>, KDTree> trees = new HashMap<>();
+    private final Map<List<ModelSettings>, TracingIndex> indexes = new HashMap<>();
     private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
     private final Set<String> noted = new HashSet<>();
     private double loadSeconds;
@@ -51,9 +51,9 @@ public final class ModelCache {
         models.computeIfAbsent(settings, this::load);
     }
 
-    /** The tree over some models as one mesh. */
-    synchronized KDTree tree(List<ModelSettings> settings) {
-        return trees.computeIfAbsent(settings, this::build);
+    /** What finds the triangles of some models, as one mesh, along rays. */
+    synchronized TracingIndex index(List<ModelSettings> settings) {
+        return indexes.computeIfAbsent(settings, this::build);
     }
 
     /** What the materials of some models look like, by name: red, green and blue in the lowest 24 bits. */
@@ -81,15 +81,15 @@ public final class ModelCache {
         return new LinkedHashMap<>(files);
     }
 
-    private KDTree build(List<ModelSettings> settings) {
+    private TracingIndex build(List<ModelSettings> settings) {
         List<TriangleMesh> meshes = new ArrayList<>();
         for (ModelSettings model : settings) {
             meshes.add(models.computeIfAbsent(model, this::load).mesh());
         }
         long start = System.nanoTime();
-        KDTree tree = KDTree.of(World.merge(meshes));
+        TracingIndex index = TracingIndex.of(World.merge(meshes));
         buildSeconds += NANO * (System.nanoTime() - start);
-        return tree;
+        return index;
     }
 
     private LoadedModel load(ModelSettings settings) {

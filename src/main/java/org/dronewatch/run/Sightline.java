@@ -17,7 +17,7 @@ public final class Sightline {
     /** In a world, for one thread. */
     public Sightline(World world) {
         this.world = world;
-        this.traversal = world.newTraversal();
+        this.traversal = world.newRayTracer();
     }
 
     /** Whether a sensor has a field of view at all; microphones have none. */

@@ -47,7 +47,7 @@ public final class Stage {
     public Stage(SceneSettings settings, ModelCache models, long runSeed) {
         PictureMemory.check(settings, Runtime.getRuntime().maxMemory());
         WorldSettings site = settings.world();
-        this.world = new World(models.tree(site.models()), site.noise(), site.surfaces(), site.atmosphere())
+        this.world = new World(models.index(site.models()), site.noise(), site.surfaces(), site.atmosphere())
                 .withRain(site.rain())
                 .withLight(site.light());
         this.modelsByFirstTriangle = models.firstTriangles(site.models());
@@ -56,7 +56,8 @@ public final class Stage {
         this.runSeed = runSeed;
         FlightPaths paths = new FlightPaths(world.newGround());
         settings.fliers().forEach((id, drone) -> {
-            Drone created = new Drone(id, drone, models.tree(List.of(drone.model())));
+            Drone created =
+                    new Drone(id, drone, models.index(List.of(drone.model())).tree());
             fliers.add(new Flier(created, paths.of(id, drone)));
         });
         settings.enabledSensors().forEach((id, sensor) -> lookers.add(new Looker(id, sensor)));

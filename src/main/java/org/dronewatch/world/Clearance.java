@@ -24,7 +24,7 @@ public final class Clearance {
     /** For the surfaces of a world. */
     public Clearance(World world) {
         this.mesh = world.mesh();
-        this.traversal = world.newTraversal();
+        this.traversal = world.newRayTracer();
     }
 
     /** Whether a place lies on a surface. */

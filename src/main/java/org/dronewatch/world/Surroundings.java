@@ -12,7 +12,7 @@ final class Surroundings {
 
     Surroundings(World world) {
         this.mesh = world.mesh();
-        this.traversal = world.newTraversal();
+        this.traversal = world.newRayTracer();
     }
 
     /**

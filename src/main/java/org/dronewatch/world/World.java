@@ -14,6 +14,7 @@ import org.dronewatch.geometry.Ray;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.TracingIndex;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.Atmosphere;
@@ -30,7 +31,7 @@ public final class World {
     /** How near to an end of a way, as a share of it, a surface counts as the end's own: far above rounding. */
     public static final double SURFACE = 1e-9;
 
-    private final KDTree tree;
+    private final TracingIndex index;
     private final BackgroundNoise backgroundNoise;
     private final List<SurfaceMaterial> surfaces;
     private final Atmosphere atmosphere;
@@ -46,10 +47,22 @@ public final class World {
      * @param atmosphere the air
      */
     public World(KDTree tree, BackgroundNoise backgroundNoise, SurfaceSettings surfaces, Atmosphere atmosphere) {
+        this(new TracingIndex(tree), backgroundNoise, surfaces, atmosphere);
+    }
+
+    /**
+     * A world around a finished index. Worlds that share it share its BVH, too.
+     *
+     * @param index of the mesh, in the world's frame
+     * @param backgroundNoise the sound of the site without drones
+     * @param surfaces what the mesh's materials are to sound
+     * @param atmosphere the air
+     */
+    public World(TracingIndex index, BackgroundNoise backgroundNoise, SurfaceSettings surfaces, Atmosphere atmosphere) {
         this(
-                tree,
+                index,
                 backgroundNoise,
-                tree.mesh().materialNames().stream().map(surfaces::of).toList(),
+                index.tree().mesh().materialNames().stream().map(surfaces::of).toList(),
                 atmosphere);
     }
 
@@ -63,12 +76,20 @@ public final class World {
      * @throws IllegalArgumentException when there are more or fewer surfaces than materials
      */
     public World(KDTree tree, BackgroundNoise backgroundNoise, List<SurfaceMaterial> surfaces, Atmosphere atmosphere) {
-        int materials = tree.mesh().materialNames().size();
+        this(new TracingIndex(tree), backgroundNoise, surfaces, atmosphere);
+    }
+
+    private World(
+            TracingIndex index,
+            BackgroundNoise backgroundNoise,
+            List<SurfaceMaterial> surfaces,
+            Atmosphere atmosphere) {
+        int materials = index.tree().mesh().materialNames().size();
         if (surfaces.size() != materials) {
             throw new IllegalArgumentException(
                     surfaces.size() + " surfaces for " + materials + " materials: needs one for each");
         }
-        this.tree = tree;
+        this.index = index;
         this.backgroundNoise = backgroundNoise;
         this.surfaces = List.copyOf(surfaces);
         this.atmosphere = atmosphere;
@@ -77,7 +98,7 @@ public final class World {
     }
 
     private World(World other, double rain, Light light) {
-        this.tree = other.tree;
+        this.index = other.index;
         this.backgroundNoise = other.backgroundNoise;
         this.surfaces = other.surfaces;
         this.atmosphere = other.atmosphere;
@@ -141,9 +162,9 @@ public final class World {
         }
     }
 
-    /** The nearest triangle along a ray, or empty. Convenient; loops use one {@link #newTraversal()} for many rays. */
+    /** The nearest triangle along a ray, or empty. Convenient; loops use one {@link #newRayTracer()} for many rays. */
     public Optional<Hit> closestHit(Ray ray) {
-        return newTraversal().closestHit(ray);
+        return newRayTracer().closestHit(ray);
     }
 
     /**
@@ -153,7 +174,7 @@ public final class World {
     public boolean isOccluded(Point3d from, Point3d to) {
         Vector3d way = new Vector3d(to);
         way.sub(from);
-        return newTraversal().isOccluded(from.x, from.y, from.z, way.x, way.y, way.z, SURFACE, 1.0 - SURFACE);
+        return newRayTracer().isOccluded(from.x, from.y, from.z, way.x, way.y, way.z, SURFACE, 1.0 - SURFACE);
     }
 
     /**
@@ -169,7 +190,7 @@ public final class World {
 
     /** The heights of the highest surfaces, for the use of one thread: faster than {@link #surfaceHeight} for many places. */
     public Ground newGround() {
-        RayTracer traversal = newTraversal();
+        RayTracer traversal = newRayTracer();
         double above = bounds().maxZ() + 1.0;
         return (x, y) -> traversal.closestHit(x, y, above, 0.0, 0.0, -1.0, 0.0, Double.POSITIVE_INFINITY)
                 ? OptionalDouble.of(above - traversal.distance())
@@ -184,32 +205,32 @@ public final class World {
         return new Surroundings(this).showTheirBacks(place);
     }
 
-    /** A traversal of the world's tree for the use of one thread. */
-    public RayTracer newTraversal() {
-        return tree.newTraversal();
+    /** A ray tracer for the use of one thread. */
+    public RayTracer newRayTracer() {
+        return index.newRayTracer();
     }
 
     /**
-     * A traversal for rays that have nothing to do with each other, as those of scattered sound, for the use of one thread:
-     * faster than {@link #newTraversal()} where the processor's vectors can be used.
+     * A ray tracer for incoherent rays, which have nothing to do with each other, as those of diffuse sound, for the use of
+     * one thread: faster than {@link #newRayTracer()} where the processor's vectors can be used.
      */
-    public RayTracer newScatteredTraversal() {
-        return tree.newScatteredTraversal();
+    public RayTracer newIncoherentRayTracer() {
+        return index.newIncoherentRayTracer();
     }
 
     /** The world's tree. */
     public KDTree tree() {
-        return tree;
+        return index.tree();
     }
 
     /** The world's mesh. */
     public TriangleMesh mesh() {
-        return tree.mesh();
+        return tree().mesh();
     }
 
     /** The box around the world, m. */
     public AABB bounds() {
-        return tree.bounds();
+        return tree().bounds();
     }
 
     /** The sound of the place without drones. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 import org.jogamp.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
 
@@ -34,7 +35,7 @@ class RayGeneratorTest {
     void diffuseRaysLeaveWhatTheCameraSees() {
         RaySet diffuse = RAYS.diffuse(RAYS.camera(200, 100));
         assertThat(diffuse.count()).isEqualTo(1_000_000);
-        RayTracer traversal = GROUND.newTraversal();
+        RayTracer traversal = new StackTraversal(GROUND);
         double cosines = 0.0;
         int within45 = 0;
         int rays = 2000;

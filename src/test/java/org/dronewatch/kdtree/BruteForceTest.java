@@ -54,8 +54,10 @@ class BruteForceTest {
                 .toArray(BruteForce.Answer[]::new);
         double size = mesh.triangleCount() == 0 ? 0.0 : mesh.bounds().diagonal();
 
-        for (RayTracer traversal :
-                List.of(new StackTraversal(tree), new SequentialTraversal(tree), tree.newScatteredTraversal())) {
+        for (RayTracer traversal : List.of(
+                new StackTraversal(tree),
+                new SequentialTraversal(tree),
+                new TracingIndex(tree).newIncoherentRayTracer())) {
             List<String> excused = new ArrayList<>();
             List<String> wrong = new ArrayList<>();
             int hits = 0;

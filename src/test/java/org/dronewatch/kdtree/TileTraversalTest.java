@@ -197,7 +197,7 @@ class TileTraversalTest {
             numbers[i / 3] = i / 3;
         }
         KDTree tree = KDTree.of(TriangleMesh.of(all, numbers));
-        assertThat(tree.stats().nodes()).isGreaterThan(20);
+        assertThat(KDTreeStats.of(tree).nodes()).isGreaterThan(20);
         TileTraversal tiles = new TileTraversal(tree);
         tiles.setPicture(
                 new double[] {0, 0, 1}, new double[] {1, -0.004, -0.01}, new double[] {0, 0.001, 0}, new double[] {
@@ -270,7 +270,7 @@ class TileTraversalTest {
     private static void compare(String name, TriangleMesh mesh, int views, int width, long seed) {
         KDTree tree = KDTree.of(mesh);
         TileTraversal tiles = new TileTraversal(tree);
-        RayTracer single = tree.newTraversal();
+        RayTracer single = new StackTraversal(tree);
         BruteForce exact = new BruteForce(mesh);
         double size = mesh.triangleCount() == 0 ? 0.0 : mesh.bounds().diagonal();
         SplittableRandom random = new SplittableRandom(seed);

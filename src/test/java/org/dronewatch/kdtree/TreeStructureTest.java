@@ -37,7 +37,7 @@ class TreeStructureTest {
 
     @Test
     void noTrianglesMakeOneEmptyLeaf() {
-        KDTreeStats stats = KDTree.of(TriangleMesh.of(new float[0], new int[0])).stats();
+        KDTreeStats stats = KDTreeStats.of(KDTree.of(TriangleMesh.of(new float[0], new int[0])));
 
         assertThat(stats).isEqualTo(new KDTreeStats(0, 1, 1, 1, 0.0, 0, 0, 0.0, 8));
     }
@@ -46,7 +46,7 @@ class TreeStructureTest {
     void trianglesThatNoPlanePartsShareALeaf() {
         KDTree tree = KDTree.of(Meshes.degenerate().get("identical"));
 
-        assertThat(tree.stats().maxLeafSize()).isEqualTo(50);
+        assertThat(KDTreeStats.of(tree).maxLeafSize()).isEqualTo(50);
     }
 
     @Test

@@ -209,7 +209,7 @@ final class TreeValidator {
     }
 
     private void checkStatistics() {
-        KDTreeStats stats = tree.stats();
+        KDTreeStats stats = KDTreeStats.of(tree);
         int entries = tree.leafPlaces().length;
         int filled = leaves - emptyLeaves;
         assertThat(stats)

@@ -10,7 +10,7 @@ enum Way {
     STACK(StackTraversal::new),
     SEQUENTIAL(SequentialTraversal::new),
     /** By vectors where the machine has them, as in the build's own tests. */
-    SCATTERED(KDTree::newScatteredTraversal);
+    SCATTERED(tree -> new TracingIndex(tree).newIncoherentRayTracer());
 
     private final Function<KDTree, RayTracer> maker;
 

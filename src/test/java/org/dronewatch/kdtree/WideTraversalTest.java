@@ -26,9 +26,10 @@ class WideTraversalTest {
     void scatteredRaysHitWhatTheyHitInTheKdTree(String model) {
         TriangleMesh mesh = Meshes.model(model);
         KDTree tree = KDTree.of(mesh);
-        assertThat(tree.hasWide()).isTrue();
-        RayTracer wide = tree.newScatteredTraversal();
-        RayTracer narrow = tree.newTraversal();
+        TracingIndex index = new TracingIndex(tree);
+        assertThat(index.hasBvh()).isTrue();
+        RayTracer wide = index.newIncoherentRayTracer();
+        RayTracer narrow = new StackTraversal(tree);
         assertThat(wide).isInstanceOf(WideTraversal.class);
         long seed = 20261121;
         Random random = new Random(seed);
@@ -145,8 +146,8 @@ class WideTraversalTest {
     void numbersThatSinglePrecisionCannotBoundAreLeftToTheKdTree() {
         TriangleMesh mesh = Meshes.model("house.obj");
         KDTree tree = KDTree.of(mesh);
-        RayTracer wide = tree.newScatteredTraversal();
-        RayTracer narrow = tree.newTraversal();
+        RayTracer wide = new TracingIndex(tree).newIncoherentRayTracer();
+        RayTracer narrow = new StackTraversal(tree);
         double[][] rays = {
             {1e14, 0.3, 5, -1, 0, 0},
             {30, 0.3, 5, -1e-12, 1e-14, 0},
@@ -163,7 +164,8 @@ class WideTraversalTest {
         // A mesh of astronomic size has no second tree at all.
         float[] far = {1e20f, 0, 0, 1e20f, 1, 0, 1e20f, 0, 1};
         KDTree astronomic = KDTree.of(TriangleMesh.of(far, new int[] {0, 1, 2}));
-        assertThat(astronomic.hasWide()).isFalse();
-        assertThat(astronomic.newScatteredTraversal()).isNotInstanceOf(WideTraversal.class);
+        TracingIndex farAway = new TracingIndex(astronomic);
+        assertThat(farAway.hasBvh()).isFalse();
+        assertThat(farAway.newIncoherentRayTracer()).isNotInstanceOf(WideTraversal.class);
     }
 }

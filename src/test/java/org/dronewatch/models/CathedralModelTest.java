@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.sound.SurfaceMaterials;
@@ -32,7 +33,7 @@ class CathedralModelTest {
     void noRayGetsOut() {
         long seed = 1163;
         SplittableRandom random = new SplittableRandom(seed);
-        RayTracer traversal = tree.newTraversal();
+        RayTracer traversal = new StackTraversal(tree);
         for (int i = 0; i < 200_000; i++) {
             double x = -29 + 64 * random.nextDouble();
             double z = 0.2 + 13.5 * random.nextDouble();
@@ -58,7 +59,7 @@ class CathedralModelTest {
 
     @Test
     void aDroneHasRoomAlongTheNave() {
-        RayTracer traversal = tree.newTraversal();
+        RayTracer traversal = new StackTraversal(tree);
         for (double x = -20; x <= 30; x += 5) {
             for (int way = 0; way < 64; way++) {
                 double angle = 2 * Math.PI * way / 64;
@@ -73,7 +74,7 @@ class CathedralModelTest {
     @Test
     void theFreePlaceIsFree() {
         Point place = CathedralModel.FREE_PLACE;
-        RayTracer traversal = tree.newTraversal();
+        RayTracer traversal = new StackTraversal(tree);
         int directions = 5000;
         for (int i = 0; i < directions; i++) {
             double up = 1 - (2 * i + 1.0) / directions;

@@ -13,6 +13,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Hit;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -225,7 +226,7 @@ class SitePictureTest {
     }
 
     private static boolean meets(Drone drone, CameraObject camera, int column, int row) {
-        RayTracer traversal = drone.tree().newTraversal();
+        RayTracer traversal = new StackTraversal(drone.tree());
         var origin = camera.position().toPoint3d();
         drone.worldToModel().transform(origin);
         var direction = camera.ray(column, row).direction();

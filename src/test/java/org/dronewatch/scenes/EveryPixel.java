@@ -3,6 +3,7 @@ package org.dronewatch.scenes;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
@@ -12,8 +13,8 @@ final class EveryPixel {
     private EveryPixel() {}
 
     static int count(CameraObject camera, World world, Drone drone) {
-        RayTracer ground = world.newTraversal();
-        RayTracer body = drone.tree().newTraversal();
+        RayTracer ground = world.newRayTracer();
+        RayTracer body = new StackTraversal(drone.tree());
         Matrix4d m = drone.worldToModel();
         Position eye = camera.position();
         double x = m.m00 * eye.x() + m.m01 * eye.y() + m.m02 * eye.z() + m.m03;

@@ -125,7 +125,7 @@ public final class CameraSensor implements Sensor {
                 .sun()
                 .map(shining -> shining.direction().toVector3d())
                 .filter(way -> way.z >= 0.0
-                        && !world.newTraversal()
+                        && !world.newRayTracer()
                                 .isOccluded(
                                         at.x(), at.y(), at.z(), way.x, way.y, way.z, 0.0, Double.POSITIVE_INFINITY));
     }

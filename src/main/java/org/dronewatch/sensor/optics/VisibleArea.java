@@ -3,6 +3,7 @@ package org.dronewatch.sensor.optics;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
@@ -34,7 +35,7 @@ public final class VisibleArea {
     public VisibleArea(CameraObject camera, World world) {
         this.camera = camera;
         this.world = world;
-        this.site = world.newTraversal();
+        this.site = world.newRayTracer();
         Outline.Pyramid outline = camera.outline();
         this.forward = outline.forward().toVector3d();
         this.right = outline.right().toVector3d();
@@ -70,7 +71,7 @@ public final class VisibleArea {
         double half = reach / Math.sqrt(range * range - reach * reach);
         double share = 4.0 * half * half / RAYS;
         drone.worldToModel(toModel);
-        RayTracer model = drone.tree().newTraversal();
+        RayTracer model = new StackTraversal(drone.tree());
         double area = 0.0;
         Vector3d ray = new Vector3d();
         for (int i = 0; i < RAYS; i++) {

@@ -20,7 +20,7 @@ final class VisibleShare {
 
     VisibleShare(World world, Position place) {
         this.place = place;
-        this.traversal = world.newTraversal();
+        this.traversal = world.newRayTracer();
     }
 
     /** The share, 0 to 1. */

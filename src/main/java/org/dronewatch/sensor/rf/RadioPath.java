@@ -24,7 +24,7 @@ public final class RadioPath {
     /** For the paths of a site. */
     public RadioPath(World world) {
         this.world = world;
-        this.traversal = world.newTraversal();
+        this.traversal = world.newRayTracer();
         this.above = world.bounds().maxZ() + 1.0;
     }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Ray;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.sensor.optics.*;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
@@ -20,9 +21,10 @@ final class FullRetrace {
         this.pixels = new int[drones.size()];
         this.owners = new int[camera.width() * camera.height()];
         this.distances = new float[owners.length];
-        RayTracer ground = world.newTraversal();
-        List<RayTracer> trees =
-                drones.stream().map(drone -> drone.tree().newTraversal()).toList();
+        RayTracer ground = world.newRayTracer();
+        List<RayTracer> trees = drones.stream()
+                .<RayTracer>map(drone -> new StackTraversal(drone.tree()))
+                .toList();
         for (int row = 0; row < camera.height(); row++) {
             for (int column = 0; column < camera.width(); column++) {
                 int pixel = row * camera.width() + column;

@@ -20,7 +20,7 @@ final class EdgePath {
     private double rise;
 
     EdgePath(World world) {
-        this.traversal = world.newTraversal();
+        this.traversal = world.newRayTracer();
     }
 
     /** Looks for the nearest edge between two points that do not see each other; false where there is no way round. */

@@ -39,7 +39,7 @@ final class ExactPaths {
         this.model = model;
         this.mesh = world.mesh();
         this.planes = planes;
-        this.traversal = world.newTraversal();
+        this.traversal = world.newRayTracer();
         this.surfaces = surfaces;
         this.air = air;
         this.walls = new WallPassage(world, surfaces);

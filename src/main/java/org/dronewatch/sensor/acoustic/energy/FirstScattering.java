@@ -31,7 +31,7 @@ final class FirstScattering {
 
     FirstScattering(World world, BandSurfaces surfaces, Air air, EnergyTally tally) {
         this.mesh = world.mesh();
-        this.traversal = world.newScatteredTraversal();
+        this.traversal = world.newIncoherentRayTracer();
         this.surfaces = surfaces;
         this.air = air;
         this.tally = tally;

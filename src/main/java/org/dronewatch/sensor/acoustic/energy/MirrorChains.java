@@ -37,7 +37,7 @@ final class MirrorChains {
     MirrorChains(World world, WallPlanes planes, BandSurfaces surfaces, Air air, int maxOrder) {
         this.mesh = world.mesh();
         this.planes = planes;
-        this.traversal = world.newTraversal();
+        this.traversal = world.newRayTracer();
         this.surfaces = surfaces;
         this.air = air;
         this.maxOrder = maxOrder;

@@ -76,7 +76,7 @@ final class RayJourney {
         this.model = model;
         this.sensor = sensor;
         this.mesh = world.mesh();
-        this.traversal = world.newScatteredTraversal();
+        this.traversal = world.newIncoherentRayTracer();
         this.surfaces = surfaces;
         this.planes = planes;
         this.ball = new ReceiverBall(radius, air, tally);

@@ -25,7 +25,7 @@ final class WallPassage {
 
     WallPassage(World world, BandSurfaces surfaces) {
         this.mesh = world.mesh();
-        this.traversal = world.newScatteredTraversal();
+        this.traversal = world.newIncoherentRayTracer();
         this.surfaces = surfaces;
     }
 

@@ -40,7 +40,7 @@ final class RayStretch {
         this.sensor = sensor;
         this.radius = radius;
         this.detectionLevel = detectionLevel;
-        this.traversal = world.newTraversal();
+        this.traversal = world.newRayTracer();
         this.reflections = new ReflectionGenerator(world.mesh(), surfaces, sensor);
     }
 

@@ -354,9 +354,9 @@ class EnergyModelTest {
                 new ReceiverBall(0.5, new Air(Atmosphere.STANDARD), new EnergyTally(new Air(Atmosphere.STANDARD)));
         double whole = 4.0 / 3.0 * Math.PI * 0.125;
 
-        assertThat(ball.surround(new Position(0, 0, 0.1), floor.newTraversal()))
+        assertThat(ball.surround(new Position(0, 0, 0.1), floor.newRayTracer()))
                 .isCloseTo(0.648 * whole, within(0.01 * whole));
-        assertThat(ball.surround(new Position(0, 0, 0.6), floor.newTraversal())).isCloseTo(whole, within(1e-9));
+        assertThat(ball.surround(new Position(0, 0, 0.6), floor.newRayTracer())).isCloseTo(whole, within(1e-9));
     }
 
     /** Late mirror reflections do not depend on how much of the ball about the drone the floor cuts off. */

@@ -1,0 +1,74 @@
+package org.dronewatch.kdtree;
+
+import java.util.concurrent.CancellationException;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.TriangleMesh;
+
+/**
+ * What finds the triangles of a mesh along rays: its kd-tree, and a BVH for incoherent rays that is built when first asked
+ * for. Immutable as far as callers can see, and shared by all threads: whoever keeps it keeps the BVH, too.
+ */
+public final class TracingIndex {
+    private final KDTree tree;
+    private WideTree wide;
+
+    /** An index around a finished tree; the BVH is built later, if ever. */
+    public TracingIndex(KDTree tree) {
+        this.tree = tree;
+    }
+
+    /**
+     * Builds the index of a mesh; in one without triangles no ray hits anything.
+     *
+     * @throws CancellationException when the thread is interrupted meanwhile
+     */
+    public static TracingIndex of(TriangleMesh mesh) {
+        return new TracingIndex(KDTree.of(mesh));
+    }
+
+    /** The kd-tree of the mesh. */
+    public KDTree tree() {
+        return tree;
+    }
+
+    /** A new stack-based traversal of the kd-tree, the default ray tracer, for the use of one thread. */
+    public RayTracer newRayTracer() {
+        return new StackTraversal(tree);
+    }
+
+    /**
+     * A new ray tracer for incoherent rays, which have nothing to do with each other, as those of diffuse sound, for the use
+     * of one thread. Where the processor's vectors can be used ({@code --add-modules jdk.incubator.vector}) it is three to
+     * four times as fast in large models, once the BVH is built, by several threads if there are; elsewhere it is that of
+     * {@link #newRayTracer()}. Both hit the same; where triangles meet in the very point that a ray hits, they may differ in
+     * the triangle that they name, and in the last bit of the distance.
+     *
+     * @throws CancellationException when the thread is interrupted while the BVH is built
+     */
+    public RayTracer newIncoherentRayTracer() {
+        return hasBvh() ? new WideTraversal(tree, wide()) : newRayTracer();
+    }
+
+    /**
+     * Whether incoherent rays have a BVH: if the processor's vectors can be used, and the mesh has triangles, none of them so
+     * far from the origin that single precision cannot bound them.
+     */
+    public boolean hasBvh() {
+        return Vectors.areAvailable() && tree.mesh().triangleCount() > 0 && reach(tree.bounds()) < WideTree.FARTHEST;
+    }
+
+    private static double reach(AABB box) {
+        double x = Math.max(Math.abs(box.minX()), Math.abs(box.maxX()));
+        double y = Math.max(Math.abs(box.minY()), Math.abs(box.maxY()));
+        double z = Math.max(Math.abs(box.minZ()), Math.abs(box.maxZ()));
+        return Math.max(x, Math.max(y, z));
+    }
+
+    /** The BVH, built when first asked for. */
+    synchronized WideTree wide() {
+        if (wide == null) {
+            wide = new WideTreeBuilder(tree.triangles()).build();
+        }
+        return wide;
+    }
+}
