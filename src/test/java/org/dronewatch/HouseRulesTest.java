@@ -9,69 +9,31 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
-import java.util.ArrayList;
-import java.util.List;
+import org.dronewatch.House.Storey;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
 
 /** The rooms of the house and the one way in which they may know each other. */
 @AnalyzeClasses(packages = "org.dronewatch", importOptions = ImportOption.DoNotIncludeTests.class)
 class HouseRulesTest {
-    private static final String HOUSE = "org.dronewatch.";
-
-    /**
-     * The rooms from the roof to the ground. A line is a storey: its rooms lie side by side and do not know each other, but for
-     * those of the ground floor.
-     */
-    private static final List<List<String>> STOREYS = List.of(
-            List.of("app.."),
-            List.of("viewer.."),
-            List.of("report.."),
-            List.of("bench..", "models..", "render.."),
-            List.of("analysis..", "scenes.."),
-            List.of("scene"),
-            List.of("run"),
-            List.of("scenario"),
-            List.of("catalog"),
-            List.of("fusion"),
-            List.of("sensor.camera..", "sensor.thermal..", "sensor.radar..", "sensor.rf..", "sensor.acoustic.."),
-            List.of("sensor.optics"),
-            List.of("sensor"),
-            List.of("positioner"),
-            List.of("drone"),
-            List.of("flight"),
-            List.of("world"),
-            List.of("mesh.io", "geo"),
-            List.of("bvh", "raster"),
-            List.of("kdtree"),
-            List.of("sound", "geometry", "parallel", "setting.."));
-
     @ArchTest
-    static void arrowsLeadDown(JavaClasses house) {
-        int ground = STOREYS.size() - 1;
-        List<String> above = new ArrayList<>();
-        for (int storey = 0; storey <= ground; storey++) {
-            for (String room : STOREYS.get(storey)) {
-                List<String> forbidden = new ArrayList<>(above);
-                if (storey < ground) {
-                    STOREYS.get(storey).stream()
-                            .filter(other -> !other.equals(room))
-                            .forEach(forbidden::add);
-                }
-                if (!forbidden.isEmpty()) {
+    static void everyRoomUsesOnlyThoseBelowIt(JavaClasses house) {
+        for (Storey storey : House.STOREYS) {
+            for (String room : storey.rooms()) {
+                String[] forbidden = House.forbidden(storey, room).stream()
+                        .map(House.NAME::concat)
+                        .toArray(String[]::new);
+                if (forbidden.length > 0) {
                     noClasses()
                             .that()
-                            .resideInAPackage(HOUSE + room)
+                            .resideInAPackage(House.NAME + room)
                             .should()
                             .dependOnClassesThat()
-                            .resideInAnyPackage(forbidden.stream()
-                                    .map(other -> HOUSE + other)
-                                    .toArray(String[]::new))
+                            .resideInAnyPackage(forbidden)
                             .allowEmptyShould(true)
                             .check(house);
                 }
             }
-            above.addAll(STOREYS.get(storey));
         }
     }
 
@@ -79,9 +41,9 @@ class HouseRulesTest {
     static void everyClassIsInARoom(JavaClasses house) {
         classes()
                 .should()
-                .resideInAnyPackage(STOREYS.stream()
-                        .flatMap(List::stream)
-                        .map(room -> HOUSE + room)
+                .resideInAnyPackage(House.STOREYS.stream()
+                        .flatMap(storey -> storey.rooms().stream())
+                        .map(House.NAME::concat)
                         .toArray(String[]::new))
                 .check(house);
     }

@@ -15,12 +15,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The schema of scene files and the page of all settings are those of the records. When a record has changed, write both
- * again: {@code mvn test -Dtest=GeneratedDocsTest -Ddronewatch.docs=write}.
+ * The schema of scene files and the page of all settings are those of the records, and the drawing of the packages is that of
+ * the build's rules. When one of them has changed, write them again: {@code mvn test -Dtest=GeneratedDocsTest -Ddronewatch.docs=write}.
  */
 class GeneratedDocsTest {
     private static final Path SCHEMA = Path.of("scenes/scene.schema.json");
     private static final Path REFERENCE = Path.of("src/site/markdown/settings.md");
+    private static final Path HOUSE = Path.of("src/site/images/packages.svg");
     private static RecordTexts texts;
 
     @BeforeAll
@@ -46,6 +47,11 @@ class GeneratedDocsTest {
     @Test
     void thePageOfAllSettingsIsThatOfTheRecords() throws IOException {
         assertUpToDate(REFERENCE, new SettingsReference(texts).write());
+    }
+
+    @Test
+    void theDrawingOfTheHouseIsThatOfItsRules() throws IOException {
+        assertUpToDate(HOUSE, HouseDrawing.write());
     }
 
     private static Schema schema() throws IOException {
