@@ -17,6 +17,7 @@ import org.dronewatch.mesh.io.LoadedModel;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
 
 /**
@@ -65,15 +66,15 @@ public final class ModelCache {
         return colours;
     }
 
-    /** The files of some models, in their order, by the number of the first triangle of each in their tree's mesh. */
-    synchronized NavigableMap<Integer, String> firstTriangles(List<ModelSettings> settings) {
-        NavigableMap<Integer, String> files = new TreeMap<>();
-        int first = 0;
+    /** Some models, in their order, by the number of the first triangle of each in their tree's mesh. */
+    synchronized NavigableMap<Integer, SiteModel> firstTriangles(List<ModelSettings> settings) {
+        NavigableMap<Integer, SiteModel> starts = new TreeMap<>();
+        int next = 0;
         for (ModelSettings model : settings) {
-            files.put(first, model.file().replaceFirst("^packaged:", ""));
-            first += models.computeIfAbsent(model, this::load).mesh().triangleCount();
+            starts.put(next, SiteModel.of(model));
+            next += models.computeIfAbsent(model, this::load).mesh().triangleCount();
         }
-        return files;
+        return starts;
     }
 
     /** The files that were read of each model, by its name in the settings, in the order in which they were read. */

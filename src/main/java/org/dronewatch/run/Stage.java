@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
@@ -38,7 +37,6 @@ import org.dronewatch.world.WorldSettings;
 public final class Stage {
     private final World world;
     private final Map<String, Integer> colours;
-    private final NavigableMap<Integer, String> modelsByFirstTriangle;
     private final List<Flier> fliers = new ArrayList<>();
     private final List<Looker> lookers = new ArrayList<>();
     private final Map<String, Pointing> pointings = new LinkedHashMap<>();
@@ -49,8 +47,8 @@ public final class Stage {
         WorldSettings site = settings.world();
         this.world = new World(models.index(site.models()), site.noise(), site.surfaces(), site.atmosphere())
                 .withRain(site.rain())
-                .withLight(site.light());
-        this.modelsByFirstTriangle = models.firstTriangles(site.models());
+                .withLight(site.light())
+                .withModels(models.firstTriangles(site.models()));
         this.colours = Map.copyOf(models.colours(site.models()));
         warn(settings, models);
         this.runSeed = runSeed;
@@ -114,7 +112,7 @@ public final class Stage {
      * @param triangle number in the world's mesh
      */
     public String modelOf(int triangle) {
-        return modelsByFirstTriangle.floorEntry(triangle).getValue();
+        return world.obstacle(triangle).model().file();
     }
 
     /** The drones at a time, seconds since the start of the run. */

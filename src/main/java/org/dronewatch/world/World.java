@@ -3,8 +3,10 @@ package org.dronewatch.world;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.TreeMap;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.Hit;
@@ -37,6 +39,9 @@ public final class World {
     private final Atmosphere atmosphere;
     private final double rain;
     private final Light light;
+
+    /** The models by the number of the first triangle of each. */
+    private final NavigableMap<Integer, SiteModel> models;
 
     /**
      * A world around a finished tree.
@@ -95,25 +100,39 @@ public final class World {
         this.atmosphere = atmosphere;
         this.rain = 0.0;
         this.light = Light.DAY;
+        this.models = new TreeMap<>(Map.of(0, SiteModel.UNNAMED));
     }
 
-    private World(World other, double rain, Light light) {
+    private World(World other, double rain, Light light, NavigableMap<Integer, SiteModel> models) {
         this.index = other.index;
         this.backgroundNoise = other.backgroundNoise;
         this.surfaces = other.surfaces;
         this.atmosphere = other.atmosphere;
         this.rain = rain;
         this.light = light;
+        this.models = models;
     }
 
     /** This world in rain, mm/h, 0 or more. */
     public World withRain(double millimetresPerHour) {
-        return new World(this, Check.notNegative("rain", millimetresPerHour, Quantity.PRECIPITATION), light);
+        return new World(this, Check.notNegative("rain", millimetresPerHour, Quantity.PRECIPITATION), light, models);
     }
 
     /** This world by another light. */
     public World withLight(Light other) {
-        return new World(this, rain, other);
+        return new World(this, rain, other, models);
+    }
+
+    /**
+     * This world that knows the models that it was merged from.
+     *
+     * @param byFirstTriangle models by the number of the first triangle of each in the mesh; one begins at 0
+     */
+    public World withModels(NavigableMap<Integer, SiteModel> byFirstTriangle) {
+        if (!byFirstTriangle.containsKey(0)) {
+            throw new IllegalArgumentException("no model begins at triangle 0, but at " + byFirstTriangle.keySet());
+        }
+        return new World(this, rain, light, new TreeMap<>(byFirstTriangle));
     }
 
     /** A world of a mesh with negligible noise (0 dB). */
@@ -231,6 +250,12 @@ public final class World {
     /** The box around the world, m. */
     public AABB bounds() {
         return tree().bounds();
+    }
+
+    /** A triangle of the mesh, as what stands in a line of sight. */
+    public Obstacle obstacle(int triangle) {
+        String material = mesh().materialNames().get(mesh().material(triangle));
+        return new Obstacle(models.floorEntry(triangle).getValue(), material);
     }
 
     /** The sound of the place without drones. */

@@ -16,15 +16,19 @@ import org.dronewatch.setting.Quantity;
  * @param scale metres for each unit of the file, 1e-6 to 1e6
  * @param position where the model's origin goes, m
  * @param heading turn about the vertical, clockwise seen from above as on a compass, rad
+ * @param role what it is to the site, so that what hides a drone can be told apart; without meaning for a drone's model
  */
 public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,
         UpAxis upAxis,
         @In(value = Quantity.NUMBER, from = 1e-6, to = 1e6) double scale,
         Position position,
-        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading) {
+        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading,
+        ModelRole role) {
     /** The prefix of models that come with the library. */
     public static final String PACKAGED = "packaged:";
+
+    private static final String HILL = PACKAGED + "hill.obj";
 
     /**
      * Checks the limits.
@@ -32,16 +36,17 @@ public record ModelSettings(
      * @throws IllegalArgumentException when one does not hold
      */
     public ModelSettings {
-        Limits.check(ModelSettings.class, file, upAxis, scale, position, heading);
+        Limits.check(ModelSettings.class, file, upAxis, scale, position, heading, role);
         if (file.isBlank()) {
             throw new IllegalArgumentException("file is empty: it must name an .obj file");
         }
     }
 
-    /** A y-up file in metres, at the origin, as most OBJ files are. */
+    /** A y-up file in metres, at the origin, as most OBJ files are; a building unless it is the packaged hill, which is terrain. */
     @Defaults("file")
     public static ModelSettings of(String file) {
-        return new ModelSettings(file, UpAxis.Y, 1.0, new Position(0, 0, 0), 0.0);
+        ModelRole role = file.equals(HILL) ? ModelRole.TERRAIN : ModelRole.BUILDING;
+        return new ModelSettings(file, UpAxis.Y, 1.0, new Position(0, 0, 0), 0.0, role);
     }
 
     /** A model that comes with the library, such as {@code hill.obj}. */
@@ -51,21 +56,31 @@ public record ModelSettings(
 
     /** These settings with another axis up. */
     public ModelSettings withUpAxis(UpAxis axis) {
-        return new ModelSettings(file, axis, scale, position, heading);
+        return new ModelSettings(file, axis, scale, position, heading, role);
     }
 
     /** These settings with another scale, metres for each unit of the file. */
     public ModelSettings withScale(double factor) {
-        return new ModelSettings(file, upAxis, factor, position, heading);
+        return new ModelSettings(file, upAxis, factor, position, heading, role);
     }
 
     /** These settings with another place, m. */
     public ModelSettings withPosition(Position place) {
-        return new ModelSettings(file, upAxis, scale, place, heading);
+        return new ModelSettings(file, upAxis, scale, place, heading, role);
     }
 
     /** These settings with another heading, rad clockwise from above. */
     public ModelSettings withHeading(double angle) {
-        return new ModelSettings(file, upAxis, scale, position, angle);
+        return new ModelSettings(file, upAxis, scale, position, angle, role);
+    }
+
+    /** These settings as another part of the site. */
+    public ModelSettings withRole(ModelRole other) {
+        return new ModelSettings(file, upAxis, scale, position, heading, other);
+    }
+
+    /** The file's name as results show it: without {@value #PACKAGED}. */
+    public String shownFile() {
+        return file.startsWith(PACKAGED) ? file.substring(PACKAGED.length()) : file;
     }
 }

@@ -1,0 +1,13 @@
+package org.dronewatch.mesh.io;
+
+/** What a model is to the site. */
+public enum ModelRole {
+    /** The ground: hills, dams, pits. */
+    TERRAIN,
+    /** What was built: houses, walls, masts. */
+    BUILDING,
+    /** What grows: trees, hedges. */
+    VEGETATION,
+    /** Anything else, such as parked vehicles. */
+    OTHER
+}

@@ -1,0 +1,20 @@
+package org.dronewatch.world;
+
+import org.dronewatch.mesh.io.ModelRole;
+import org.dronewatch.mesh.io.ModelSettings;
+
+/**
+ * One of the models that a world was merged from.
+ *
+ * @param file its file, without the prefix of packaged models; empty for a world that was made of a tree, not of files
+ * @param role what it is to the site
+ */
+public record SiteModel(String file, ModelRole role) {
+    /** A model of which nothing is known: a building without a file. */
+    static final SiteModel UNNAMED = new SiteModel("", ModelRole.BUILDING);
+
+    /** As its settings name it. */
+    public static SiteModel of(ModelSettings settings) {
+        return new SiteModel(settings.shownFile(), settings.role());
+    }
+}
