@@ -5,6 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 import tools.jackson.dataformat.yaml.YAMLMapper;
 
@@ -208,6 +210,9 @@ final class SampleSite {
         ObjectNode scene = (ObjectNode) YAMLMapper.shared().readTree(RICH);
         keep((ObjectNode) scene.get("drones"), dice);
         keep((ObjectNode) scene.get("sensors"), dice);
+        if (dice.oneIn(2)) {
+            lookAtADrone(scene);
+        }
         scene.remove("prices");
         if (scene.at("/sensors/warm/positioner").isObject()) {
             ((ObjectNode) scene.at("/sensors/warm/positioner")).remove("cues");
@@ -216,6 +221,18 @@ final class SampleSite {
             ((ObjectNode) scene.get("world")).remove("origin");
         }
         return YAMLMapper.shared().writeValueAsString(scene);
+    }
+
+    /** Puts a drone into the middle of what the sensors see: however narrow a view is, there is something in it. */
+    private static void lookAtADrone(ObjectNode scene) {
+        ArrayNode place = JsonMapper.shared().createArrayNode().add(20).add(30).add(15);
+        ObjectNode flight = ((ObjectNode) scene.get("drones")).putObject("seen").put("model", "drone.obj");
+        flight.putObject("flight").put("kind", "hover").set("position", place);
+        scene.get("sensors").forEach(sensor -> {
+            if (sensor.has("aim")) {
+                ((ObjectNode) sensor).putObject("aim").set("lookAt", place);
+            }
+        });
     }
 
     private static void keep(ObjectNode parts, Dice dice) {

@@ -47,6 +47,7 @@ final class SchemaScenes {
 
     private final Dice dice;
     private final boolean large;
+    private final List<ArrayNode> places = new ArrayList<>();
     private final Set<String> sensors = new HashSet<>();
     private String largeSensor = "";
     private String sensor = "";
@@ -180,6 +181,15 @@ final class SchemaScenes {
 
     /** A place on the site or about it, seldom far away. */
     private ArrayNode place() {
+        // One of the others again: what is looked at is then where a drone is.
+        if (!places.isEmpty() && dice.oneIn(4)) {
+            return dice.pick(places).deepCopy();
+        }
+        places.add(newPlace());
+        return places.get(places.size() - 1).deepCopy();
+    }
+
+    private ArrayNode newPlace() {
         double reach = dice.oneIn(30) ? Math.pow(10, dice.between(3, 12)) : 80;
         ArrayNode place = JsonMapper.shared().createArrayNode();
         place.add(dice.between(-reach, reach));

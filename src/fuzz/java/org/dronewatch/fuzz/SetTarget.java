@@ -58,17 +58,24 @@ final class SetTarget implements FuzzTarget {
         collect("", YAMLMapper.shared().readTree(scene));
         lengths = paths.stream().filter(path -> LENGTH.matcher(path).find()).toList();
         List<String> arguments = new ArrayList<>(List.of("run", "{}/" + SampleSite.SCENE, "--out", "{}/out"));
-        for (int i = dice.between(1, 5); i > 0; i--) {
+        for (int i = dice.oneIn(2) ? 1 : dice.between(2, 5); i > 0; i--) {
             arguments.add(SET);
             arguments.add(
                     dice.oneIn(2)
-                            ? dice.pick(numbers) + "=" + NastyValues.magnitude(dice)
+                            ? number(dice) + "=" + NastyValues.magnitude(dice)
                             : path(dice)
                                     + (dice.oneIn(40) ? dice.pick("", "==", " = ", ":") : "=")
                                     + NastyValues.any(dice));
         }
         String what = dice.oneIn(5) ? "overrides" : WITHOUT_REPORT;
         return SampleSite.scene(what, scene, arguments.toArray(String[]::new));
+    }
+
+    /** A number's path: of a sensor as often as of all the rest. */
+    private String number(Dice dice) {
+        List<String> ofSensors =
+                numbers.stream().filter(path -> path.startsWith("sensors.")).toList();
+        return dice.pick(ofSensors.isEmpty() || dice.oneIn(2) ? numbers : ofSensors);
     }
 
     private String path(Dice dice) {
