@@ -20,6 +20,7 @@ public final class House {
             new Storey("what is run", "scenario"),
             new Storey("", "catalog"),
             new Storey("alerts", "fusion"),
+            new Storey("", "tracking"),
             new Storey(
                     "what senses",
                     "sensor.camera..",

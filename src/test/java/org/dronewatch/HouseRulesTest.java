@@ -12,6 +12,9 @@ import com.tngtech.archunit.lang.ArchRule;
 import org.dronewatch.House.Storey;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
+import org.dronewatch.sensor.Detection;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.tracking.PerfectAssociation;
 
 /** The rooms of the house and the one way in which they may know each other. */
 @AnalyzeClasses(packages = "org.dronewatch", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -61,6 +64,20 @@ class HouseRulesTest {
             .areAssignableTo(ThreatLabel.class)
             .orShould()
             .callMethod(DroneSettings.class, "label");
+
+    /** From what mounts and alerts are handed, the truth cannot be reached. */
+    @ArchTest
+    static final ArchRule MOUNTS_AND_ALERTS_DO_NOT_KNOW_THE_TRUTH = noClasses()
+            .that()
+            .resideInAnyPackage("org.dronewatch.positioner", "org.dronewatch.fusion", "org.dronewatch.tracking")
+            .and()
+            .doNotBelongToAnyOf(PerfectAssociation.class)
+            .should()
+            .dependOnClassesThat()
+            .belongToAnyOf(Observation.class, Detection.class)
+            .orShould()
+            .dependOnClassesThat()
+            .resideInAnyPackage("org.dronewatch.drone", "org.dronewatch.flight");
 
     @ArchTest
     static final ArchRule ONLY_THE_SCENE_KNOWS_DSOL = noClasses()

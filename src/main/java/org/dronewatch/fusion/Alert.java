@@ -3,13 +3,13 @@ package org.dronewatch.fusion;
 import java.util.List;
 
 /**
- * A site is alerted to a drone.
+ * A site is alerted to a contact.
  *
- * @param drone name of the drone
+ * @param contact number of the contact
  * @param time when, seconds since the start of the run
- * @param sensors names of those on which it rests, the first to detect the drone first
+ * @param sensors names of those on which it rests, the first to detect it first
  */
-public record Alert(String drone, double time, List<String> sensors) {
+public record Alert(int contact, double time, List<String> sensors) {
     /** Keeps its own list. */
     public Alert {
         sensors = List.copyOf(sensors);

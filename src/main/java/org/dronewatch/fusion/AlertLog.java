@@ -4,48 +4,47 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.sensor.Observation;
+import org.dronewatch.tracking.ContactLook;
 
-/** Follows the observations of one run, in order of time, and notices the first moment of alert for each drone. */
+/** Follows the looks of one run at its contacts, in order of time, and notices the first moment of alert for each contact. */
 public final class AlertLog {
     private final AlertSettings settings;
-    private final Map<String, Map<String, SensorTrack>> tracks = new LinkedHashMap<>();
-    private final Map<String, Alert> alerts = new LinkedHashMap<>();
+    private final Map<Integer, Map<String, SensorTrack>> tracks = new LinkedHashMap<>();
+    private final Map<Integer, Alert> alerts = new LinkedHashMap<>();
 
     /** A log of a run that begins. */
     public AlertLog(AlertSettings settings) {
         this.settings = settings;
     }
 
-    /** Takes what the sensors observed at one time. */
-    public void add(List<Observation> observations) {
-        for (Observation observation : observations) {
-            if (!alerts.containsKey(observation.drone())) {
-                Map<String, SensorTrack> ofDrone =
-                        tracks.computeIfAbsent(observation.drone(), drone -> new LinkedHashMap<>());
-                ofDrone.computeIfAbsent(observation.sensor(), sensor -> new SensorTrack(sensor, settings.confirm()))
-                        .add(observation);
+    /** Takes the sensors' looks of one time. */
+    public void add(List<ContactLook> looks) {
+        for (ContactLook look : looks) {
+            if (!alerts.containsKey(look.contact())) {
+                tracks.computeIfAbsent(look.contact(), contact -> new LinkedHashMap<>())
+                        .computeIfAbsent(look.sensor(), sensor -> new SensorTrack(sensor, settings.confirm()))
+                        .add(look);
             }
         }
-        for (Observation observation : observations) {
-            if (!alerts.containsKey(observation.drone())) {
-                decide(observation.drone(), observation.arrival());
+        for (ContactLook look : looks) {
+            if (!alerts.containsKey(look.contact())) {
+                decide(look.contact(), look.time());
             }
         }
     }
 
-    private void decide(String drone, double time) {
-        List<String> sensors = settings.rule().carriers(tracks.get(drone).values(), time).stream()
+    private void decide(int contact, double time) {
+        List<String> sensors = settings.rule().carriers(tracks.get(contact).values(), time).stream()
                 .map(SensorTrack::sensor)
                 .toList();
         if (!sensors.isEmpty()) {
-            alerts.put(drone, new Alert(drone, time, sensors));
-            tracks.remove(drone);
+            alerts.put(contact, new Alert(contact, time, sensors));
+            tracks.remove(contact);
         }
     }
 
-    /** The alert to a drone, if there was one so far. */
-    public Optional<Alert> alert(String drone) {
-        return Optional.ofNullable(alerts.get(drone));
+    /** The alert to a contact, if there was one so far. */
+    public Optional<Alert> alert(int contact) {
+        return Optional.ofNullable(alerts.get(contact));
     }
 }

@@ -1,8 +1,8 @@
 package org.dronewatch.fusion;
 
-import org.dronewatch.sensor.Observation;
+import org.dronewatch.tracking.ContactLook;
 
-/** What one sensor has of one drone so far. */
+/** What one sensor has of one contact so far. */
 public final class SensorTrack {
     private final String sensor;
     private final ConfirmedLooks looks;
@@ -15,10 +15,10 @@ public final class SensorTrack {
         this.looks = new ConfirmedLooks(confirmation);
     }
 
-    void add(Observation observation) {
-        looked = observation.arrival();
-        probability = observation.probability();
-        if (looks.add(observation.isDetected())) {
+    void add(ContactLook look) {
+        looked = look.time();
+        probability = look.probability();
+        if (looks.add(look.isDetected())) {
             confirmed = looked;
         }
     }

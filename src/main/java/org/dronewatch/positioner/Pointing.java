@@ -1,6 +1,6 @@
 package org.dronewatch.positioner;
 
-import java.util.Optional;
+import java.util.OptionalInt;
 
 /**
  * Where a mount that turns points at one moment.
@@ -9,12 +9,12 @@ import java.util.Optional;
  * @param panRate how fast it turned to there, clockwise, rad/s
  * @param tiltRate how fast it tilted to there, upwards, rad/s
  * @param fov the sensor's field of view now, rad
- * @param target name of the drone that it follows, or empty while it searches
+ * @param contact number of the contact that it follows; empty while it searches
  */
-public record Pointing(Direction direction, double panRate, double tiltRate, double fov, Optional<String> target) {
+public record Pointing(Direction direction, double panRate, double tiltRate, double fov, OptionalInt contact) {
 
     /** Where a mount that does not move points. */
-    public static Pointing still(Direction direction, double fov, Optional<String> target) {
-        return new Pointing(direction, 0.0, 0.0, fov, target);
+    public static Pointing still(Direction direction, double fov, OptionalInt contact) {
+        return new Pointing(direction, 0.0, 0.0, fov, contact);
     }
 }

@@ -3,6 +3,7 @@ package org.dronewatch.positioner;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
 
 /**
@@ -15,7 +16,7 @@ public final class Positioner {
 
     private static final double LOOKS = 1.5;
 
-    private record Cue(double due, String drone, Sighting sighting, double time) {}
+    private record Cue(double due, int contact, Sighting sighting, double time) {}
 
     private final PositionerSettings settings;
     private final Position place;
@@ -51,28 +52,30 @@ public final class Positioner {
     }
 
     /**
-     * Another sensor has detected a drone.
+     * Another sensor has detected a contact.
      *
+     * @param contact its number
+     * @param sighting where that sensor believes it to be
      * @param detected when it knew, s
      */
-    public void cue(String drone, Sighting sighting, double detected) {
-        cues.add(new Cue(detected + settings.delay(), drone, sighting, detected));
+    public void cue(int contact, Sighting sighting, double detected) {
+        cues.add(new Cue(detected + settings.delay(), contact, sighting, detected));
     }
 
-    /** The mount's own sensor has seen a drone, at its last look. */
-    public void see(String drone, Sighting sighting, double seen) {
-        follow(drone, sighting, seen, seen);
-        if (track.filter(followed -> followed.drone().equals(drone)).isPresent()) {
+    /** The mount's own sensor has seen a contact, at its last look. */
+    public void see(int contact, Sighting sighting, double seen) {
+        follow(contact, sighting, seen, seen);
+        if (track.filter(followed -> followed.contact() == contact).isPresent()) {
             own = sighting.direction();
             ownTime = seen;
         }
     }
 
-    private void follow(String drone, Sighting sighting, double seen, double told) {
+    private void follow(int contact, Sighting sighting, double seen, double told) {
         if (track.isEmpty()) {
-            track = Optional.of(new Track(drone, sighting, seen, told));
+            track = Optional.of(new Track(contact, sighting, seen, told));
             ownTime = Double.NEGATIVE_INFINITY;
-        } else if (track.get().drone().equals(drone)) {
+        } else if (track.get().contact() == contact) {
             track.get().add(sighting, seen, told);
         }
     }
@@ -83,7 +86,7 @@ public final class Positioner {
         while (!cues.isEmpty() && cues.peek().due() <= now) {
             Cue cue = cues.poll();
             if (now - cue.due() <= settings.hold()) {
-                follow(cue.drone(), cue.sighting(), cue.time(), cue.due());
+                follow(cue.contact(), cue.sighting(), cue.time(), cue.due());
             }
         }
         boolean holds = track.isPresent() && now - ownTime <= fresh;
@@ -99,7 +102,11 @@ public final class Positioner {
         time = now;
         boolean moved = since > 0.0;
         return new Pointing(
-                direction, moved ? turned / since : 0.0, moved ? tilted / since : 0.0, fov, track.map(Track::drone));
+                direction,
+                moved ? turned / since : 0.0,
+                moved ? tilted / since : 0.0,
+                fov,
+                track.map(followed -> OptionalInt.of(followed.contact())).orElse(OptionalInt.empty()));
     }
 
     /** The field of view changes by the same factor in the same time. */

@@ -3,6 +3,7 @@ package org.dronewatch.positioner;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -85,7 +86,7 @@ public record PositionerSettings(
     public Pointing turnedTo(Position mount, Position place, double widest) {
         Position way = place.minus(mount);
         Direction wanted = way.length() > 0.0 ? Direction.of(way) : new Direction(0.0, 0.0);
-        return Pointing.still(tilted(wanted), zoom.map(ZoomSettings::tracked).orElse(widest), Optional.empty());
+        return Pointing.still(tilted(wanted), zoom.map(ZoomSettings::tracked).orElse(widest), OptionalInt.empty());
     }
 
     /** A direction as far up or down as the mount can tilt. */

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 
 /**
- * What a mount knows of the drone that it follows. Places are smoothed and led by an alpha-beta filter: the place gains
+ * What a mount knows of the contact that it follows. Places are smoothed and led by an alpha-beta filter: the place gains
  * {@code alpha} of what a sighting differs from what was expected, the velocity {@code beta} of it over the time between,
  * with {@code beta = alpha^2 / (2 - alpha)} (Benedict and Bordner 1962). Directions without a range are taken as they are.
  */
@@ -13,20 +13,20 @@ final class Track {
     private static final double BETA = ALPHA * ALPHA / (2.0 - ALPHA);
     private static final Position REST = new Position(0, 0, 0);
 
-    private final String drone;
+    private final int contact;
     private Optional<Position> place = Optional.empty();
     private Position velocity = REST;
     private double placed;
     private Direction direction;
     private double told;
 
-    Track(String drone, Sighting sighting, double time, double told) {
-        this.drone = drone;
+    Track(int contact, Sighting sighting, double time, double told) {
+        this.contact = contact;
         add(sighting, time, told);
     }
 
-    String drone() {
-        return drone;
+    int contact() {
+        return contact;
     }
 
     /** When the mount was last told of it, s. */

@@ -21,7 +21,7 @@ final class RangePlots {
     private record Subject(int run, String drone) {}
 
     void add(Frame frame) {
-        for (Observation observation : frame.observations()) {
+        for (Observation observation : frame.ofDrones()) {
             // Minus infinity is the level of silence: nothing to draw.
             if (points < MAX_POINTS && Double.isFinite(observation.value())) {
                 points++;

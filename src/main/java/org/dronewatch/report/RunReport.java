@@ -145,7 +145,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
                     o.sensor(),
                     o.kind(),
                     o.drone(),
-                    Numbers.text(o.range()),
+                    o.isFalse() ? "" : Numbers.text(o.range()),
                     Numbers.text(o.value()),
                     Numbers.text(o.threshold()),
                     o.unit(),

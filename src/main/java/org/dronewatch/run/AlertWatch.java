@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.fusion.Alert;
 import org.dronewatch.fusion.AlertLog;
@@ -15,6 +16,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.world.World;
 
 /** Follows one run for its alerts: when each drone could first have been seen, when the site was alerted, how early that was. */
@@ -36,7 +38,12 @@ public final class AlertWatch {
         this.log = new AlertLog(settings.alert());
     }
 
-    public void add(Frame frame) {
+    /**
+     * Takes one moment of the run.
+     *
+     * @param stage the run's stage, which has just looked
+     */
+    public void add(Frame frame, Stage stage) {
         int all = frame.drones().size();
         if (firstSights.size() == all && placesAtAlert.size() == all) {
             return;
@@ -44,7 +51,7 @@ public final class AlertWatch {
         Map<String, Drone> drones = new HashMap<>();
         frame.drones().forEach(drone -> drones.put(drone.id(), drone));
         for (Observation observation : frame.observations()) {
-            if (!firstSights.containsKey(observation.drone())) {
+            if (!observation.isFalse() && !firstSights.containsKey(observation.drone())) {
                 SensorSettings<?> sensor = settings.sensors().get(observation.sensor());
                 Position place = Position.of(drones.get(observation.drone()).position());
                 if (Sightline.looks(sensor) && sightline.isPossible(sensor, place)) {
@@ -52,11 +59,13 @@ public final class AlertWatch {
                 }
             }
         }
-        log.add(frame.observations());
-        for (Observation observation : frame.observations()) {
-            String drone = observation.drone();
-            if (log.alert(drone).isPresent() && !placesAtAlert.containsKey(drone)) {
-                placesAtAlert.put(drone, Position.of(drones.get(drone).position()));
+        log.add(stage.contactLooks());
+        for (ContactLook look : stage.contactLooks()) {
+            if (log.alert(look.contact()).isPresent()) {
+                stage.association()
+                        .droneOf(look.contact())
+                        .ifPresent(drone -> placesAtAlert.computeIfAbsent(
+                                drone, id -> Position.of(drones.get(id).position())));
             }
         }
     }
@@ -75,7 +84,8 @@ public final class AlertWatch {
     }
 
     private AlertResult result(Drone drone, Stage stage, double simulated) {
-        Optional<Alert> alert = log.alert(drone.id());
+        OptionalInt contact = stage.association().contactOf(drone.id());
+        Optional<Alert> alert = contact.isPresent() ? log.alert(contact.getAsInt()) : Optional.empty();
         AlertSettings wanted = settings.alert();
         Optional<Position> place = Optional.ofNullable(placesAtAlert.get(drone.id()));
         OptionalDouble distance = OptionalDouble.empty();

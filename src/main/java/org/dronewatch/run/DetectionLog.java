@@ -29,8 +29,24 @@ public final class DetectionLog {
                 .forEach(drone -> pairs.put(List.of(sensor, drone), new Pair(sensor, sensorSettings.kind(), drone))));
     }
 
-    public void add(Observation observation) {
-        Pair pair = pairs.get(List.of(observation.sensor(), observation.drone()));
+    /**
+     * Takes what all sensors observed at one time. A sensor that observed a drone several times detected it if it did so once;
+     * false measurements are nobody's detection.
+     */
+    public void add(List<Observation> observations) {
+        Map<List<String>, Observation> looks = new LinkedHashMap<>();
+        for (Observation observation : observations) {
+            if (!observation.isFalse()) {
+                looks.merge(
+                        List.of(observation.sensor(), observation.drone()),
+                        observation,
+                        (before, next) -> before.isDetected() || !next.isDetected() ? before : next);
+            }
+        }
+        looks.forEach((pair, observation) -> add(pairs.get(pair), observation));
+    }
+
+    private void add(Pair pair, Observation observation) {
         boolean detected = observation.isDetected();
         if (detected != pair.detected) {
             pair.detected = detected;

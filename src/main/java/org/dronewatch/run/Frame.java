@@ -26,6 +26,11 @@ public record Frame(
         pointings = Collections.unmodifiableMap(new LinkedHashMap<>(pointings));
     }
 
+    /** The observations of drones: all but the false measurements. */
+    public List<Observation> ofDrones() {
+        return observations.stream().filter(one -> !one.isFalse()).toList();
+    }
+
     /** A frame of sensors that stand still. */
     public Frame(int run, double time, List<Drone> drones, List<Observation> observations) {
         this(run, time, drones, observations, Map.of());

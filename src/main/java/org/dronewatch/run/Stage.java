@@ -21,6 +21,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SweptValue;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
+import org.dronewatch.sensor.Measurement;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
@@ -28,6 +29,8 @@ import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Switchable;
+import org.dronewatch.tracking.ContactLook;
+import org.dronewatch.tracking.PerfectAssociation;
 import org.dronewatch.world.Clearance;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
@@ -40,6 +43,8 @@ public final class Stage {
     private final List<Flier> fliers = new ArrayList<>();
     private final List<Looker> lookers = new ArrayList<>();
     private final Map<String, Pointing> pointings = new LinkedHashMap<>();
+    private final PerfectAssociation association = new PerfectAssociation();
+    private List<ContactLook> contactLooks = List.of();
     private final long runSeed;
 
     public Stage(SceneSettings settings, ModelCache models, long runSeed) {
@@ -241,8 +246,19 @@ public final class Stage {
         List<List<Observation>> seen = new ArrayList<>(Collections.nCopies(looks.size(), List.of()));
         Workers.forEach(looks.size(), i -> seen.set(i, looks.get(i).get()));
         List<Observation> observations = seen.stream().flatMap(List::stream).toList();
-        lookers.forEach(looker -> looker.learn(observations));
+        contactLooks = association.associate(observations);
+        lookers.forEach(looker -> looker.learn(contactLooks));
         return observations;
+    }
+
+    /** The last looks by contact: what alerts and mounts know of them. */
+    public List<ContactLook> contactLooks() {
+        return contactLooks;
+    }
+
+    /** Which contact is which drone, for scoring. */
+    public PerfectAssociation association() {
+        return association;
     }
 
     /** Where the mounts of the sensors that looked last pointed, by name of the sensor. */
@@ -279,15 +295,20 @@ public final class Stage {
         }
 
         /** Tells its mount what it saw itself, and what the sensors detect that the mount listens to. */
-        void learn(List<Observation> observations) {
-            positioner.ifPresent(mount -> observations.forEach(o -> o.sighting().ifPresent(sighting -> {
-                if (o.sensor().equals(id)) {
-                    mount.see(o.drone(), sighting, o.arrival());
-                } else if (o.isDetected()
-                        && settings.positioner().orElseThrow().cues().contains(o.sensor())) {
-                    mount.cue(o.drone(), sighting, o.arrival());
+        void learn(List<ContactLook> looks) {
+            positioner.ifPresent(mount -> looks.forEach(
+                    look -> look.measurements().forEach(measured -> learn(mount, look.contact(), measured))));
+        }
+
+        private void learn(Positioner mount, int contact, Measurement measured) {
+            measured.sighting().ifPresent(sighting -> {
+                if (measured.sensor().equals(id)) {
+                    mount.see(contact, sighting, measured.time());
+                } else if (measured.isDetected()
+                        && settings.positioner().orElseThrow().cues().contains(measured.sensor())) {
+                    mount.cue(contact, sighting, measured.time());
                 }
-            })));
+            });
         }
 
         /** From the index, not from the last time: adding up intervals drifts. */

@@ -351,7 +351,7 @@ public final class SceneRunner {
                 models,
                 frame -> {
                     progress.add(frame, info, scene.stage());
-                    frame.observations().forEach(log::add);
+                    log.add(frame.observations());
                     listeners.forEach(listener -> listener.observed(frame));
                 },
                 pace,
@@ -397,7 +397,7 @@ public final class SceneRunner {
 
         void add(Frame frame, RunInfo info, Stage stage) {
             time = frame.time();
-            alerts(info, stage).add(frame);
+            alerts(info, stage).add(frame, stage);
         }
     }
 }

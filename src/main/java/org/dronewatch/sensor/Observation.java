@@ -2,20 +2,23 @@ package org.dronewatch.sensor;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.positioner.Sighting;
 
 /**
- * What a sensor measured of a drone at one sample.
+ * The record of one look of a sensor at a drone, with the truth beside what was measured, for scoring. What the sensor itself
+ * reports are its {@link #measurements()}. A sensor may record several looks at one drone at the same time, leave drones out,
+ * and report what is no drone.
  *
  * @param sensor name of the sensor
  * @param kind its kind
- * @param drone name of the drone: the ground truth, kept for scoring
+ * @param drone name of the drone: the ground truth, kept for scoring; empty for a false measurement
  * @param sample index of the sample
  * @param time when what it measured happened, seconds since the start of the run
  * @param arrival when that reached the sensor, seconds since the start of the run: later than {@code time} for sound
- * @param range distance from the sensor to the drone's origin at {@code time}, m
+ * @param range distance from the sensor to the drone's origin at {@code time}, m; not a number for a false measurement
  * @param value what was measured, in the unit
  * @param threshold what the value must reach to count
  * @param unit unit of value and threshold
@@ -39,6 +42,8 @@ public record Observation(
 
     /** The figure of a sensor that knows how likely its look was to detect the drone. */
     public static final String PROBABILITY = "probability";
+
+    private static final String NO_DRONE = "";
 
     /** Keeps its own figures, in their order. */
     public Observation {
@@ -73,6 +78,43 @@ public record Observation(
             double threshold,
             String unit) {
         this(sensor, kind, drone, sample, time, time, range, value, threshold, unit, Map.of());
+    }
+
+    /**
+     * What a sensor reports although there is no drone: noise, a bird, an echo.
+     *
+     * @param sensor name of the sensor
+     * @param kind its kind
+     * @param look number of the look, from 0
+     * @param time when the sensor knew, seconds since the start of the run
+     * @param value what was measured, in the unit
+     * @param threshold what the value must reach to count
+     * @param unit unit of value and threshold
+     * @param sighting where the sensor believes the source to be
+     */
+    public static Observation ofNothing(
+            String sensor,
+            String kind,
+            long look,
+            double time,
+            double value,
+            double threshold,
+            String unit,
+            Optional<Sighting> sighting) {
+        return new Observation(
+                sensor, kind, NO_DRONE, look, time, time, Double.NaN, value, threshold, unit, Map.of(), sighting);
+    }
+
+    /** Whether there is no drone behind it. */
+    public boolean isFalse() {
+        return drone.equals(NO_DRONE);
+    }
+
+    /** What the sensor reports of this look: nothing of a drone that it neither detected nor sighted. */
+    public List<Measurement> measurements() {
+        return isDetected() || sighting.isPresent()
+                ? List.of(new Measurement(sensor, kind, sample, arrival, value, threshold, unit, sighting))
+                : List.of();
     }
 
     /** This observation with where the sensor believes the drone to be, if it does. */

@@ -17,7 +17,8 @@ public interface Sensor {
      * @param drones the drones that reach the sensor at the sample's time: as they are, or, for a signal that takes its
      *     time, as they were when it left them
      * @param sample which look of which sensor this is, when, and with which random numbers
-     * @return an observation for each drone, in the same order
+     * @return what was observed: usually one observation of each drone, in the same order; a sensor may leave drones out,
+     *     observe one several times, and report what is no drone ({@link Observation#ofNothing})
      */
     List<Observation> observe(World world, List<Drone> drones, Sample sample);
 }

@@ -209,7 +209,9 @@ final class CameraVisual extends JPanel {
             return eye.id();
         }
         Pointing pointing = shot.pointing().get();
-        String what = pointing.target().map(drone -> "follows " + drone).orElse("searches");
+        String what = pointing.contact().isPresent()
+                ? "follows contact " + pointing.contact().getAsInt()
+                : "searches";
         return String.format(Locale.ROOT, "%s: %s, %.1f\u00b0", eye.id(), what, Math.toDegrees(pointing.fov()));
     }
 

@@ -26,7 +26,7 @@ final class RecordedRun {
     }
 
     synchronized void add(Frame frame) {
-        for (Observation observation : frame.observations()) {
+        for (Observation observation : frame.ofDrones()) {
             readings.computeIfAbsent(List.of(observation.sensor(), observation.drone()), pair -> new Readings())
                     .add(observation);
         }

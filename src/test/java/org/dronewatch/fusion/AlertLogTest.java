@@ -6,44 +6,37 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Measurement;
+import org.dronewatch.tracking.ContactLook;
 import org.junit.jupiter.api.Test;
 
 class AlertLogTest {
 
-    private static Observation look(String sensor, double time, double value) {
-        return new Observation(sensor, "camera", "drone", 0, time, 100.0, value, 12.0, "px");
+    private static final int CONTACT = 7;
+
+    private static ContactLook look(String sensor, double time, double value) {
+        Measurement measured = new Measurement(sensor, "camera", 0, time, value, 12.0, "px", Optional.empty());
+        boolean detected = measured.isDetected();
+        return new ContactLook(CONTACT, sensor, time, detected ? 1.0 : 0.0, detected ? List.of(measured) : List.of());
     }
 
-    private static Observation likely(String sensor, double time, double probability) {
-        return new Observation(
-                sensor,
-                "radar",
-                "drone",
-                0,
-                time,
-                time,
-                100.0,
-                0.0,
-                1.0,
-                "dB",
-                Map.of(Observation.PROBABILITY, probability));
+    private static ContactLook likely(String sensor, double time, double probability) {
+        return new ContactLook(CONTACT, sensor, time, probability, List.of());
     }
 
     @Test
     void theFirstDetectionOfAnySensorIsAnAlertUnlessTheSettingsSayOtherwise() {
         AlertLog log = new AlertLog(AlertSettings.DEFAULT);
         log.add(List.of(look("a", 0, 11.9), look("b", 0, 3)));
-        assertThat(log.alert("drone")).isEmpty();
+        assertThat(log.alert(CONTACT)).isEmpty();
         log.add(List.of(look("a", 1, 2), look("b", 1, 12)));
         log.add(List.of(look("a", 2, 50), look("b", 2, 50)));
 
-        assertThat(log.alert("drone")).contains(new Alert("drone", 1.0, List.of("b")));
-        assertThat(log.alert("another")).isEmpty();
+        assertThat(log.alert(CONTACT)).contains(new Alert(CONTACT, 1.0, List.of("b")));
+        assertThat(log.alert(CONTACT + 1)).isEmpty();
     }
 
     @Test
@@ -55,10 +48,10 @@ class AlertLogTest {
         List<Optional<Alert>> after = new ArrayList<>();
         for (int i = 0; i < values.length; i++) {
             log.add(List.of(look("a", i, values[i])));
-            after.add(log.alert("drone"));
+            after.add(log.alert(CONTACT));
         }
         assertThat(after.get(4)).isEmpty();
-        assertThat(after.get(5)).contains(new Alert("drone", 5.0, List.of("a")));
+        assertThat(after.get(5)).contains(new Alert(CONTACT, 5.0, List.of("a")));
     }
 
     @Test
@@ -68,7 +61,7 @@ class AlertLogTest {
         for (int i = 0; i < values.length; i++) {
             log.add(List.of(look("a", i, values[i])));
         }
-        assertThat(log.alert("drone")).isEmpty();
+        assertThat(log.alert(CONTACT)).isEmpty();
     }
 
     /** Three of four looks at 0.9 each: 4 * 0.9^3 * 0.1 + 0.9^4 = 0.9477. */
@@ -84,7 +77,7 @@ class AlertLogTest {
             for (int look = 0; look < 4; look++) {
                 log.add(List.of(look("a", look, random.nextDouble() < 0.9 ? 12 : 0)));
             }
-            alerts += log.alert("drone").isPresent() ? 1 : 0;
+            alerts += log.alert(CONTACT).isPresent() ? 1 : 0;
         }
         assertThat((double) alerts / trials).isCloseTo(0.9477, within(4 * Math.sqrt(0.9477 * 0.0523 / trials)));
     }
@@ -95,29 +88,29 @@ class AlertLogTest {
         AlertLog late = new AlertLog(two);
         late.add(List.of(look("a", 0, 20), look("b", 0, 0)));
         late.add(List.of(look("a", 5.5, 0), look("b", 5.5, 20)));
-        assertThat(late.alert("drone")).isEmpty();
+        assertThat(late.alert(CONTACT)).isEmpty();
 
         AlertLog early = new AlertLog(two);
         early.add(List.of(look("a", 0, 20), look("b", 0, 0)));
         early.add(List.of(look("a", 4.5, 0), look("b", 4.5, 20)));
-        assertThat(early.alert("drone")).contains(new Alert("drone", 4.5, List.of("a", "b")));
+        assertThat(early.alert(CONTACT)).contains(new Alert(CONTACT, 4.5, List.of("a", "b")));
     }
 
     /** 1 - 0.4 * 0.5 * 0.7 = 0.86. */
     @Test
     void probabilitiesOfIndependentSensorsJoin() {
-        List<Observation> looks = List.of(likely("a", 0, 0.6), likely("b", 0, 0.5), likely("c", 0, 0.3));
+        List<ContactLook> looks = List.of(likely("a", 0, 0.6), likely("b", 0, 0.5), likely("c", 0, 0.3));
         for (double probability : new double[] {0.8599, 0.86}) {
             AlertLog log = new AlertLog(AlertSettings.DEFAULT.withRule(AlertRule.UnionOfProbabilities.of(probability)));
             log.add(looks);
-            assertThat(log.alert("drone").orElseThrow().sensors()).containsExactly("a", "b", "c");
+            assertThat(log.alert(CONTACT).orElseThrow().sensors()).containsExactly("a", "b", "c");
         }
         AlertLog log = new AlertLog(AlertSettings.DEFAULT.withRule(AlertRule.UnionOfProbabilities.of(0.8601)));
         log.add(looks);
-        assertThat(log.alert("drone")).isEmpty();
+        assertThat(log.alert(CONTACT)).isEmpty();
         // A look of long ago does not count.
         log.add(List.of(likely("c", 3, 0.8)));
-        assertThat(log.alert("drone")).isEmpty();
+        assertThat(log.alert(CONTACT)).isEmpty();
     }
 
     @Test
@@ -125,7 +118,7 @@ class AlertLogTest {
         AlertLog log = new AlertLog(AlertSettings.DEFAULT.withRule(AlertRule.UnionOfProbabilities.of(0.9)));
         log.add(List.of(likely("faint", 0, 0.01), likely("sure", 0, 0.95), likely("fair", 0, 0.5)));
 
-        assertThat(log.alert("drone").orElseThrow().sensors()).containsExactly("sure");
+        assertThat(log.alert(CONTACT).orElseThrow().sensors()).containsExactly("sure");
     }
 
     @Test

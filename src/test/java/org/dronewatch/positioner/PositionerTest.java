@@ -39,14 +39,14 @@ class PositionerTest {
     @Test
     void itTurnsAsFastAsItMayTheShorterWayAfterTheDelay() {
         Positioner mount = positioner(SETTINGS);
-        mount.cue("drone", at(fromPlace(-150, 30, 400)), 1.0);
+        mount.cue(1, at(fromPlace(-150, 30, 400)), 1.0);
 
         // Due at 1.5 s: nothing happens before.
         assertThat(mount.moveTo(1.4).direction()).isEqualTo(new Direction(0, 0));
         mount.moveTo(1.5);
         Pointing halfWay = mount.moveTo(2.5);
         assertThat(halfWay.direction().azimuth()).isCloseTo(rad(-60 * 1.1), within(1e-9));
-        assertThat(halfWay.target()).contains("drone");
+        assertThat(halfWay.contact()).hasValue(1);
         assertThat(halfWay.panRate()).isCloseTo(rad(-60), within(1e-9));
         Pointing there = mount.moveTo(4.0);
         assertThat(Direction.turn(there.direction().azimuth(), rad(-150))).isCloseTo(0.0, within(1e-9));
@@ -56,7 +56,7 @@ class PositionerTest {
     @Test
     void itDoesNotTiltBeyondItsLimits() {
         Positioner mount = positioner(SETTINGS);
-        mount.cue("drone", at(fromPlace(0, 80, 400)), 0.0);
+        mount.cue(1, at(fromPlace(0, 80, 400)), 0.0);
         mount.moveTo(0.5);
 
         assertThat(mount.moveTo(2.5).direction().elevation()).isEqualTo(rad(60));
@@ -65,13 +65,13 @@ class PositionerTest {
     @Test
     void itZoomsByTheSameFactorInTheSameTime() {
         Positioner mount = positioner(SETTINGS);
-        mount.cue("drone", at(fromPlace(0, 0, 400)), 0.0);
+        mount.cue(1, at(fromPlace(0, 0, 400)), 0.0);
         mount.moveTo(0.5);
         // Two seconds from 60 to 2 degrees, a factor of 30: after half a second a factor of 30^(1/4).
         assertThat(mount.moveTo(1.0).fov()).isCloseTo(WIDEST / Math.pow(30, 0.5), within(1e-9));
         assertThat(mount.moveTo(2.5).fov()).isCloseTo(rad(8), within(1e-9));
         // Once it sees the drone itself it zooms in as far as it may, and stays on it.
-        mount.see("drone", at(fromPlace(1, 0, 400)), 2.5);
+        mount.see(1, at(fromPlace(1, 0, 400)), 2.5);
         assertThat(mount.moveTo(2.9).fov()).isCloseTo(rad(8) / Math.pow(30, 0.2), within(1e-9));
     }
 
@@ -82,7 +82,7 @@ class PositionerTest {
         Position velocity = new Position(0, 20, 1);
         for (int scan = 0; scan < 20; scan++) {
             mount.moveTo(scan);
-            mount.cue("drone", at(start.plus(velocity.times(scan))), scan);
+            mount.cue(1, at(start.plus(velocity.times(scan))), scan);
         }
         Pointing pointing = mount.moveTo(19.9);
         Direction wanted = Direction.of(start.plus(velocity.times(19.9)).minus(PLACE));
@@ -103,7 +103,7 @@ class PositionerTest {
         for (int scan = 0; scan < 2000; scan++) {
             double error = rad(1) * random.nextGaussian();
             Position seen = PLACE.plus(new Direction(rad(40) + error, 0).unit().times(800));
-            mount.cue("drone", at(seen), scan);
+            mount.cue(1, at(seen), scan);
             mount.moveTo(scan + 0.5);
             double off = Direction.turn(
                     rad(40), mount.moveTo(scan + 0.99).direction().azimuth());
@@ -124,19 +124,19 @@ class PositionerTest {
     @Test
     void theFirstIsServedUntilItHasNotBeenSeenForAWhile() {
         Positioner mount = positioner(SETTINGS);
-        mount.cue("first", at(fromPlace(20, 0, 400)), 0.0);
-        mount.cue("second", at(fromPlace(-20, 0, 400)), 0.1);
-        assertThat(mount.moveTo(1.0).target()).contains("first");
-        mount.cue("second", at(fromPlace(-20, 0, 400)), 3.2);
+        mount.cue(1, at(fromPlace(20, 0, 400)), 0.0);
+        mount.cue(2, at(fromPlace(-20, 0, 400)), 0.1);
+        assertThat(mount.moveTo(1.0).contact()).hasValue(1);
+        mount.cue(2, at(fromPlace(-20, 0, 400)), 3.2);
         // 'hold' is 3 s.
-        assertThat(mount.moveTo(3.7).target()).contains("second");
-        assertThat(mount.moveTo(7.0).target()).isEmpty();
+        assertThat(mount.moveTo(3.7).contact()).hasValue(2);
+        assertThat(mount.moveTo(7.0).contact()).isEmpty();
     }
 
     @Test
     void aDirectionWithoutARangeIsTakenAsItIs() {
         Positioner mount = positioner(SETTINGS);
-        mount.cue("drone", new Sighting(PLACE, new Direction(rad(33), rad(7)), OptionalDouble.empty()), 0.0);
+        mount.cue(1, new Sighting(PLACE, new Direction(rad(33), rad(7)), OptionalDouble.empty()), 0.0);
         mount.moveTo(0.5);
         Pointing pointing = mount.moveTo(2.5);
 
@@ -147,11 +147,11 @@ class PositionerTest {
     @Test
     void anOldPlaceIsWorthLessThanANewDirection() {
         Positioner mount = positioner(SETTINGS);
-        mount.cue("drone", at(fromPlace(0, 0, 400)), 0.0);
+        mount.cue(1, at(fromPlace(0, 0, 400)), 0.0);
         for (int look = 0; look <= 10; look++) {
             // Another camera sees it go on; the radar has lost it.
             Direction seen = new Direction(rad(3.0 * look), 0);
-            mount.cue("drone", new Sighting(PLACE, seen, OptionalDouble.empty()), 0.5 * look);
+            mount.cue(1, new Sighting(PLACE, seen, OptionalDouble.empty()), 0.5 * look);
             mount.moveTo(0.5 * look + 0.5);
         }
         assertThat(mount.moveTo(6.0).direction().azimuth()).isCloseTo(rad(30), within(1e-9));
@@ -162,12 +162,12 @@ class PositionerTest {
         PositionerSettings slow = new PositionerSettings(
                 java.util.List.of("radar"), 1, 1, -1, 1, 5.0, 2.0, 6, new SearchPattern.Rest(), Optional.empty());
         Positioner mount = positioner(slow);
-        mount.cue("drone", at(fromPlace(20, 0, 400)), 0.0);
+        mount.cue(1, at(fromPlace(20, 0, 400)), 0.0);
 
-        assertThat(mount.moveTo(4.9).target()).isEmpty();
-        assertThat(mount.moveTo(5.0).target()).contains("drone");
-        assertThat(mount.moveTo(6.9).target()).contains("drone");
-        assertThat(mount.moveTo(7.1).target()).isEmpty();
+        assertThat(mount.moveTo(4.9).contact()).isEmpty();
+        assertThat(mount.moveTo(5.0).contact()).hasValue(1);
+        assertThat(mount.moveTo(6.9).contact()).hasValue(1);
+        assertThat(mount.moveTo(7.1).contact()).isEmpty();
     }
 
     @Test
@@ -175,7 +175,7 @@ class PositionerTest {
         Positioner mount = new Positioner(SETTINGS, PLACE, new Direction(0, 0), WIDEST, 1.0);
         for (int look = 0; look < 5; look++) {
             mount.moveTo(look);
-            mount.see("drone", at(fromPlace(2, 0, 400)), look);
+            mount.see(1, at(fromPlace(2, 0, 400)), look);
         }
         assertThat(mount.moveTo(5).fov()).isCloseTo(rad(2), within(1e-9));
     }
@@ -188,7 +188,7 @@ class PositionerTest {
         for (int i = 0; i < wanted.length; i++) {
             Pointing pointing = mount.moveTo(4.5 * i);
             assertThat(pointing.direction().azimuth()).isCloseTo(rad(wanted[i]), within(1e-9));
-            assertThat(pointing.target()).isEqualTo(Optional.empty());
+            assertThat(pointing.contact()).isEmpty();
         }
     }
 

@@ -76,7 +76,7 @@ class CuedCameraTest {
         runner().onFrame(frame -> two.addAll(frame.pointings().values())).run();
 
         assertThat(one).hasSizeGreaterThan(1000).isEqualTo(two);
-        assertThat(one.get(one.size() - 1).target()).contains("intruder");
+        assertThat(one.get(one.size() - 1).contact()).hasValue(1);
         assertThat(one.get(one.size() - 1).fov()).isLessThan(Math.toRadians(2.3));
     }
 

@@ -9,6 +9,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
@@ -70,10 +71,10 @@ class CameraVisualTest {
     @Test
     void aCameraOnAMountShowsWhereItPointsAndWhomItFollows() {
         Direction away = new Direction(Math.PI, 0.0);
-        Pointing searching = Pointing.still(away, settings.fov(), Optional.empty());
+        Pointing searching = Pointing.still(away, settings.fov(), OptionalInt.empty());
         Direction there =
                 Direction.of(Position.of(stage.dronesAt(8.0).get(0).position()).minus(settings.position()));
-        Pointing following = Pointing.still(there, Math.toRadians(10), Optional.of("quadrotor"));
+        Pointing following = Pointing.still(there, Math.toRadians(10), OptionalInt.of(1));
         CameraEye turning =
                 new CameraEye("eye", settings, stage, time -> Optional.of(time < 4.0 ? searching : following));
         CameraVisual visual = new CameraVisual(turning);
@@ -84,7 +85,7 @@ class CameraVisualTest {
         assertThat(visual.name()).startsWith("eye: searches, ");
         CameraShot after = turning.look(8.0, 320, 240);
         visual.show(after);
-        assertThat(visual.name()).isEqualTo("eye: follows quadrotor, 10.0\u00b0");
+        assertThat(visual.name()).isEqualTo("eye: follows contact 1, 10.0\u00b0");
         // Narrower, and in its middle.
         DronePixels drone = after.drones().get(0);
         assertThat(drone.count())

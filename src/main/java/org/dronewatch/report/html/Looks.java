@@ -36,7 +36,7 @@ public final class Looks implements SceneListener {
     @Override
     public void observed(Frame frame) {
         kept.get(frame.run()).add(frame);
-        for (Observation o : frame.observations()) {
+        for (Observation o : frame.ofDrones()) {
             if (Double.isFinite(o.value()) && o.value() != 0.0) {
                 withReadings.add(o.sensor());
             }

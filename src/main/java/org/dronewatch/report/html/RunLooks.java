@@ -28,7 +28,7 @@ public final class RunLooks {
 
     void add(Frame frame) {
         pointings.add(frame);
-        for (Observation o : frame.observations()) {
+        for (Observation o : frame.ofDrones()) {
             List<String> pair = List.of(o.sensor(), o.drone());
             Look look = new Look(o.arrival(), o.range(), o.value(), o.threshold(), o.unit());
             best.merge(pair, look, (old, now) -> now.margin() > old.margin() ? now : old);

@@ -81,7 +81,7 @@ final class MapContent {
                 .ifPresent(rings -> features.add(field(id, sensor, rings))));
         settings.alert().protect().ifPresent(zone -> features.add(zone(zone)));
         settings.fliers().keySet().forEach(id -> features.add(flight(id)));
-        run.alerts().stream().flatMap(result -> result.alert().stream()).forEach(alert -> features.add(alert(alert)));
+        run.alerts().forEach(result -> result.alert().ifPresent(alert -> features.add(alert(result.drone(), alert))));
         run.events().forEach(event -> features.add(event(event)));
         return features;
     }
@@ -120,14 +120,14 @@ final class MapContent {
     }
 
     /** Where the drone was when the site was alerted to it. */
-    private MapFeature alert(Alert alert) {
-        Position place = stage.placeOf(alert.drone(), alert.time());
+    private MapFeature alert(String drone, Alert alert) {
+        Position place = stage.placeOf(drone, alert.time());
         Properties properties = new Properties()
-                .put("drone", alert.drone())
+                .put("drone", drone)
                 .put("time_s", alert.time())
                 .put("height_m", place.z())
                 .put("sensors", String.join(", ", alert.sensors()));
-        return new MapFeature(Role.ALERT, "alert to " + alert.drone(), point(place), ZONE, properties);
+        return new MapFeature(Role.ALERT, "alert to " + drone, point(place), ZONE, properties);
     }
 
     /** The way of a drone; a point for one that stays where it is. */

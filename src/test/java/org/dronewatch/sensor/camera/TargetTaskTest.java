@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import org.dronewatch.Wilson;
 import org.dronewatch.drone.Drone;
@@ -203,8 +204,8 @@ class TargetTaskTest {
         Position ahead = new Position(0, 20, 2);
         Direction north = new Direction(0, 0);
         double pan = 6.0 / 20;
-        Pointing with = new Pointing(north, pan, 0.0, camera.fov(), Optional.of("drone"));
-        Pointing slewing = new Pointing(north, 1.0, -0.5, camera.fov(), Optional.of("drone"));
+        Pointing with = new Pointing(north, pan, 0.0, camera.fov(), OptionalInt.of(1));
+        Pointing slewing = new Pointing(north, 1.0, -0.5, camera.fov(), OptionalInt.of(1));
 
         assertThat(look(world, ahead, new Position(6, 0, 0), Optional.of(with)).crossing())
                 .isCloseTo(0.0, within(1e-6));

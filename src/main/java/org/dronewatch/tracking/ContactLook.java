@@ -1,0 +1,26 @@
+package org.dronewatch.tracking;
+
+import java.util.List;
+import org.dronewatch.sensor.Measurement;
+
+/**
+ * One look of a sensor at a contact: what it measured of it, if anything. Mounts, alerts and fusion receive these; no truth
+ * can be reached from them.
+ *
+ * @param contact number of the contact
+ * @param sensor name of the sensor
+ * @param time when the sensor knew, seconds since the start of the run
+ * @param probability how likely the look was to detect the contact, 0 to 1; of a sensor that does not know, whether it did
+ * @param measurements what the sensor reports of the contact: none, one or several
+ */
+public record ContactLook(int contact, String sensor, double time, double probability, List<Measurement> measurements) {
+    /** Keeps its own list. */
+    public ContactLook {
+        measurements = List.copyOf(measurements);
+    }
+
+    /** Whether any of the measurements is a detection. */
+    public boolean isDetected() {
+        return measurements.stream().anyMatch(Measurement::isDetected);
+    }
+}

@@ -1,0 +1,99 @@
+package org.dronewatch.tracking;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Direction;
+import org.dronewatch.positioner.Sighting;
+import org.dronewatch.sensor.Observation;
+import org.junit.jupiter.api.Test;
+
+class PerfectAssociationTest {
+    private static final Optional<Sighting> SIGHTING =
+            Optional.of(new Sighting(new Position(0, 0, 0), new Direction(1.0, 0.1), OptionalDouble.of(123.0)));
+
+    private static Observation look(String sensor, String drone, double value) {
+        return new Observation(sensor, "radar", drone, 4, 8.0, 321.0, value, 12.0, "dB").withSighting(SIGHTING);
+    }
+
+    private static Observation nothing(String sensor) {
+        return Observation.ofNothing(sensor, "radar", 4, 8.0, 13.0, 12.0, "dB", SIGHTING);
+    }
+
+    @Test
+    void allLooksAtOneDroneAreOneContact() {
+        PerfectAssociation association = new PerfectAssociation();
+        List<ContactLook> first =
+                association.associate(List.of(look("a", "x", 20), look("a", "y", 1), look("b", "x", 3)));
+        List<ContactLook> second = association.associate(List.of(look("b", "y", 20), look("a", "x", 20)));
+
+        assertThat(first).extracting(ContactLook::contact).containsExactly(1, 2, 1);
+        assertThat(first).extracting(ContactLook::isDetected).containsExactly(true, false, false);
+        assertThat(second).extracting(ContactLook::contact).containsExactly(2, 1);
+        assertThat(association.contactOf("y")).hasValue(2);
+        assertThat(association.droneOf(1)).contains("x");
+        assertThat(association.contactOf("never seen")).isEmpty();
+    }
+
+    @Test
+    void aFalseMeasurementIsAContactByItself() {
+        PerfectAssociation association = new PerfectAssociation();
+        List<ContactLook> looks =
+                association.associate(List.of(nothing("a"), look("a", "x", 20), nothing("a"), nothing("b")));
+
+        assertThat(looks).extracting(ContactLook::contact).containsExactly(1, 2, 3, 4);
+        assertThat(looks).allMatch(ContactLook::isDetected);
+        assertThat(association.droneOf(1)).isEmpty();
+        assertThat(association.droneOf(2)).contains("x");
+    }
+
+    @Test
+    void severalMeasurementsOfOneDroneAreOneLook() {
+        List<ContactLook> looks = new PerfectAssociation()
+                .associate(List.of(look("a", "x", 2), look("a", "y", 2), look("a", "x", 20), look("a", "x", 21)));
+
+        assertThat(looks).hasSize(2);
+        assertThat(looks.get(0).measurements()).hasSize(3);
+        assertThat(looks.get(0).isDetected()).isTrue();
+        assertThat(looks.get(1).isDetected()).isFalse();
+    }
+
+    /** Neither the drone's name nor its distance, nor anything that holds them, hangs on a look at a contact. */
+    @Test
+    void noTruthCanBeReachedFromALook() throws ReflectiveOperationException {
+        List<ContactLook> looks =
+                new PerfectAssociation().associate(List.of(look("a", "secret", 20), look("b", "secret", 1)));
+        List<Object> reached = new ArrayList<>();
+        for (ContactLook look : looks) {
+            walk(look, reached);
+        }
+        assertThat(reached).contains("a", 123.0).doesNotContain("secret", 321.0);
+        assertThat(reached).noneMatch(Observation.class::isInstance);
+    }
+
+    private static void walk(Object value, List<Object> reached) throws ReflectiveOperationException {
+        reached.add(value);
+        if (value instanceof Record record) {
+            for (RecordComponent component : record.getClass().getRecordComponents()) {
+                walk(component.getAccessor().invoke(record), reached);
+            }
+        } else if (value instanceof Collection<?> many) {
+            for (Object one : many) {
+                walk(one, reached);
+            }
+        } else if (value instanceof Optional<?> one && one.isPresent()) {
+            walk(one.get(), reached);
+        } else if (value instanceof OptionalDouble number && number.isPresent()) {
+            walk(number.getAsDouble(), reached);
+        } else if (value instanceof Map<?, ?> map) {
+            walk(map.values(), reached);
+        }
+    }
+}
