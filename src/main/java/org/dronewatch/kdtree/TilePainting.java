@@ -24,12 +24,6 @@ enum TilePainting {
     /** How many triangles are many. */
     static final int MANY_TRIANGLES = 500_000;
 
-    /**
-     * After how many pixels, of all cameras of a virtual machine, vectors are worth it: the compiler needs some 0.3 s before
-     * they pay, and lines paint so many meanwhile. One picture, or a few, are spared it.
-     */
-    static final long WORTH_VECTORS = 8_000_000;
-
     private final int nodesPaintedWhole;
 
     TilePainting(int nodesPaintedWhole) {

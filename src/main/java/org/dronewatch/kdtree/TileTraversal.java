@@ -1,7 +1,5 @@
 package org.dronewatch.kdtree;
 
-import java.util.concurrent.atomic.AtomicLong;
-
 /**
  * Finds what the pixels of a tile of a picture see. All rays of a tile share their origin, and their directions lie on a
  * regular grid: so the tree is descended once for the whole tile, with the interval of ray parameters in which any of its
@@ -20,30 +18,36 @@ public final class TileTraversal {
     /** How many triangles a tile may meet for each of its pixels before single rays are cheaper. */
     static final double TRIANGLES_PER_PIXEL = 8.0;
 
-    /** Pixels of models of many triangles that all traversals have painted: what the compiler has learnt, it knows for all. */
-    private static final AtomicLong PAINTED_BY_ALL = new AtomicLong();
-
     private final KDTree tree;
     private final RayTracer single;
     private final PixelGrid grid = new PixelGrid();
     private final TilePixels pixels = new TilePixels(grid, WIDTH, HEIGHT);
     private TilePainting painting;
     private TileDescent descent;
-    private final AtomicLong pixelsPainted;
+    private final RasterWarmup warmup;
 
-    /** A traversal of a tree for the use of one thread. */
+    /** A traversal of a tree for the use of one thread, with the warm-up of the process. */
     public TileTraversal(KDTree tree) {
-        this(tree, TilePainting.of(tree.mesh().triangleCount()), PAINTED_BY_ALL);
+        this(tree, RasterWarmup.ofProcess());
+    }
+
+    /**
+     * A traversal of a tree for the use of one thread.
+     *
+     * @param warmup counts pixels of large models; once it is over, vectors take over
+     */
+    public TileTraversal(KDTree tree, RasterWarmup warmup) {
+        this(tree, TilePainting.of(tree.mesh().triangleCount()), warmup);
     }
 
     /**
      * A traversal that paints in a way that need not suit the tree.
      *
-     * @param pixelsPainted counts pixels of many triangles; when there are enough, vectors take over
+     * @param warmup counts pixels of many triangles; once it is over, vectors take over
      */
-    TileTraversal(KDTree tree, TilePainting painting, AtomicLong pixelsPainted) {
+    TileTraversal(KDTree tree, TilePainting painting, RasterWarmup warmup) {
         this.tree = tree;
-        this.pixelsPainted = pixelsPainted;
+        this.warmup = warmup;
         this.single = new StackTraversal(tree);
         use(painting);
     }
@@ -83,9 +87,7 @@ public final class TileTraversal {
      */
     public void trace(int firstColumn, int firstRow, int columns, int rows) {
         pixels.begin(firstColumn, firstRow, columns, rows);
-        if (painting == TilePainting.MANY
-                && pixelsPainted.addAndGet((long) columns * rows) > TilePainting.WORTH_VECTORS
-                && Vectors.areAvailable()) {
+        if (painting == TilePainting.MANY && warmup.add((long) columns * rows) && Vectors.areAvailable()) {
             use(TilePainting.MANY_BY_VECTORS);
         }
         int limit = (int) (TRIANGLES_PER_PIXEL * columns * rows) + 1;

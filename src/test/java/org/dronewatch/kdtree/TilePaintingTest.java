@@ -8,7 +8,6 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.BeforeEach;
@@ -162,26 +161,27 @@ class TilePaintingTest {
         }
     }
 
-    /** After so many pixels of all traversals vectors take over, and nothing changes. */
+    /** Once tracers that share a warm-up have drawn enough pixels, vectors take over, and nothing changes. */
     @Test
     void vectorsTakeOver() {
         KDTree tree = KDTree.of(Meshes.model("hill.obj"));
         PinholeView view = PinholeView.random(Meshes.model("hill.obj"), random, 1, WIDTH);
         TileTraversal lines = painting(tree, view, TilePainting.MANY);
         lines.trace(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
-        AtomicLong counted = new AtomicLong();
-        TileTraversal tiles = painting(tree, view, TilePainting.MANY, counted);
+        RasterWarmup warmup = new RasterWarmup();
+        TileTraversal tiles = painting(tree, view, TilePainting.MANY, warmup);
         long pixels = 0;
         int size = TileTraversal.WIDTH * TileTraversal.HEIGHT;
-        while (pixels <= TilePainting.WORTH_VECTORS + size) {
+        while (pixels <= RasterWarmup.PIXELS + size) {
+            assertThat(warmup.isOver()).isEqualTo(pixels > RasterWarmup.PIXELS);
             assertThat(tiles.painting() == TilePainting.MANY_BY_VECTORS)
                     .as("by vectors after %d pixels", pixels)
-                    .isEqualTo(pixels > TilePainting.WORTH_VECTORS);
+                    .isEqualTo(pixels > RasterWarmup.PIXELS);
             tiles.trace(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
             pixels += size;
         }
         assertSame(lines, tiles, TileTraversal.WIDTH, TileTraversal.HEIGHT);
-        TileTraversal another = painting(tree, view, TilePainting.MANY, counted);
+        TileTraversal another = painting(tree, view, TilePainting.MANY, warmup);
         another.trace(0, 0, 1, 1);
         assertThat(another.painting()).isEqualTo(TilePainting.MANY_BY_VECTORS);
     }
@@ -286,11 +286,11 @@ class TilePaintingTest {
     }
 
     private static TileTraversal painting(KDTree tree, PinholeView view, TilePainting painting) {
-        return painting(tree, view, painting, new AtomicLong());
+        return painting(tree, view, painting, new RasterWarmup());
     }
 
-    private static TileTraversal painting(KDTree tree, PinholeView view, TilePainting painting, AtomicLong counted) {
-        TileTraversal tiles = new TileTraversal(tree, painting, counted);
+    private static TileTraversal painting(KDTree tree, PinholeView view, TilePainting painting, RasterWarmup warmup) {
+        TileTraversal tiles = new TileTraversal(tree, painting, warmup);
         tiles.setPicture(view.from, view.corner, view.right, view.down);
         return tiles;
     }
