@@ -75,6 +75,11 @@ final class KDNode {
         return Float.intBitsToFloat((int) (node >>> HIGH) & ~KIND_MASK);
     }
 
+    /** The word index of the left child of the interior node at an index. */
+    static int leftChild(int index) {
+        return index + 1;
+    }
+
     /** The word index of an interior node's right child. */
     static int rightChild(long node) {
         return (int) node;

@@ -71,7 +71,7 @@ public record KDTreeStats(
             float[] right = box.clone();
             right[axis] = KDNode.split(node);
             double whole = halfSurface(box);
-            double leftCost = costOf(index + 1, left);
+            double leftCost = costOf(KDNode.leftChild(index), left);
             double rightCost = costOf(KDNode.rightChild(node), right);
             return whole > 0.0
                     ? SahCost.TRAVERSAL + (halfSurface(left) * leftCost + halfSurface(right) * rightCost) / whole

@@ -112,11 +112,11 @@ public final class SequentialTraversal extends KDTraversal {
     }
 
     private int nearChild(int index, long node) {
-        return inverse[KDNode.kind(node)] < 0.0 ? KDNode.rightChild(node) : index + 1;
+        return inverse[KDNode.kind(node)] < 0.0 ? KDNode.rightChild(node) : KDNode.leftChild(index);
     }
 
     private int farChild(int index, long node) {
-        return inverse[KDNode.kind(node)] < 0.0 ? index + 1 : KDNode.rightChild(node);
+        return inverse[KDNode.kind(node)] < 0.0 ? KDNode.leftChild(index) : KDNode.rightChild(node);
     }
 
     private void enterAt(double t) {

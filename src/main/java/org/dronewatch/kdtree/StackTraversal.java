@@ -37,7 +37,7 @@ public final class StackTraversal extends KDTraversal {
             while (axis != KDNode.LEAF) {
                 double inverseAxis = inverse[axis];
                 double t = (KDNode.split(node) - origin[axis]) * inverseAxis;
-                int near = index + 1;
+                int near = KDNode.leftChild(index);
                 int far = KDNode.rightChild(node);
                 if (inverseAxis < 0.0) {
                     int swap = near;

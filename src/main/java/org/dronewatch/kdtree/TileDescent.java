@@ -128,7 +128,7 @@ final class TileDescent {
                 // the comparisons then visit both sides.
                 double plane = KDNode.split(node);
                 double toPlane = plane - origin[axis];
-                int near = index + 1;
+                int near = KDNode.leftChild(index);
                 int nearEnd = KDNode.rightChild(node);
                 int far = nearEnd;
                 int farEnd = end;

@@ -18,17 +18,14 @@ final class WideNode {
     /** Ints of a node: whole cache lines. */
     static final int NODE = 64;
 
-    /** The first reference in a node. */
-    static final int REFERENCES = 6 * WIDTH;
-
     /** Triangles of a block. */
     static final int TRIANGLES = 4;
 
-    /** The first triangle number in a block. */
-    static final int NUMBERS = 9 * TRIANGLES;
+    /** Ints from the coordinates of a corner of a block's triangles to those of the next corner. */
+    static final int CORNER = 3 * TRIANGLES;
 
     /** Ints of a block. */
-    static final int BLOCK = NUMBERS + TRIANGLES;
+    static final int BLOCK = 10 * TRIANGLES;
 
     /** Blocks of a leaf at most. */
     static final int MOST_BLOCKS = 4;
@@ -36,19 +33,60 @@ final class WideNode {
     /** Where the root is: a header of 16 bytes and 48 more put it at the start of a cache line. */
     static final int ROOT = 12;
 
+    /** The reference to nothing. */
+    static final int NONE = 0;
+
+    private static final int REFERENCES = 6 * WIDTH;
+    private static final int NUMBERS = 9 * TRIANGLES;
     private static final int LEAF = 0x80000000;
     private static final int FOLLOWING = MOST_BLOCKS - 1;
 
     private WideNode() {}
 
-    /** How many blocks so many triangles fill. */
+    /** Ints from a node to the lower bounds of its children on an axis. */
+    static int lower(int axis) {
+        return axis * WIDTH;
+    }
+
+    /** Ints from a node to the upper bounds of its children on an axis. */
+    static int upper(int axis) {
+        return (3 + axis) * WIDTH;
+    }
+
+    /** A bound of a child: 0 to 2 the lower ones on the axes, 3 to 5 the upper ones. */
+    static float bound(int[] pool, int node, int bound, int child) {
+        return Float.intBitsToFloat(pool[node + bound * WIDTH + child]);
+    }
+
+    static void setBound(int[] pool, int node, int bound, int child, float value) {
+        pool[node + bound * WIDTH + child] = Float.floatToRawIntBits(value);
+    }
+
+    /** The reference to a child. */
+    static int reference(int[] pool, int node, int child) {
+        return pool[node + REFERENCES + child];
+    }
+
+    static void setReference(int[] pool, int node, int child, int reference) {
+        pool[node + REFERENCES + child] = reference;
+    }
+
+    /** How many blocks hold a number of triangles. */
     static int blocks(int triangles) {
         return (triangles + TRIANGLES - 1) / TRIANGLES;
     }
 
-    /** A reference to blocks. */
-    static int leaf(int place, int blocks) {
-        return LEAF | place | blocks - 1;
+    /**
+     * A reference to blocks.
+     *
+     * @param first where the first of them is
+     * @param blocks how many, 1 to {@link #MOST_BLOCKS}
+     */
+    static int leaf(int first, int blocks) {
+        if (first <= 0 || (first & FOLLOWING) != 0 || blocks < 1 || blocks > MOST_BLOCKS) {
+            throw new IllegalArgumentException("leaf of " + blocks + " blocks from " + first);
+        }
+        return LEAF | first | blocks - 1;
     }
 
     static boolean isLeaf(int reference) {
@@ -63,5 +101,28 @@ final class WideNode {
     /** Where the last block of a leaf is. */
     static int lastBlock(int leaf) {
         return firstBlock(leaf) + (leaf & FOLLOWING) * BLOCK;
+    }
+
+    /** Ints from a block to its triangles' coordinates on an axis, of their first corners. */
+    static int coordinates(int axis) {
+        return axis * TRIANGLES;
+    }
+
+    /** A coordinate of a triangle of a block: 0 to 8, corner by corner. */
+    static float coordinate(int[] pool, int block, int coordinate, int triangle) {
+        return Float.intBitsToFloat(pool[block + coordinate * TRIANGLES + triangle]);
+    }
+
+    static void setCoordinate(int[] pool, int block, int coordinate, int triangle, float value) {
+        pool[block + coordinate * TRIANGLES + triangle] = Float.floatToRawIntBits(value);
+    }
+
+    /** The number in the mesh of a triangle of a block. */
+    static int number(int[] pool, int block, int triangle) {
+        return pool[block + NUMBERS + triangle];
+    }
+
+    static void setNumber(int[] pool, int block, int triangle, int number) {
+        pool[block + NUMBERS + triangle] = number;
     }
 }

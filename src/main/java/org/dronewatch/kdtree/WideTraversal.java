@@ -115,7 +115,7 @@ final class WideTraversal extends RayTracer {
     }
 
     private float corner(int corner, int offset) {
-        return Float.intBitsToFloat(pool[winnerPlace + 3 * WideNode.TRIANGLES * corner + offset]);
+        return Float.intBitsToFloat(pool[winnerPlace + corner * WideNode.CORNER + offset]);
     }
 
     private void setTriangleRay() {
@@ -131,9 +131,9 @@ final class WideTraversal extends RayTracer {
         shearX = direction[kx] / direction[kz];
         shearY = direction[ky] / direction[kz];
         shearZ = 1.0 / direction[kz];
-        offsetX = WideNode.TRIANGLES * kx;
-        offsetY = WideNode.TRIANGLES * ky;
-        offsetZ = WideNode.TRIANGLES * kz;
+        offsetX = WideNode.coordinates(kx);
+        offsetY = WideNode.coordinates(ky);
+        offsetZ = WideNode.coordinates(kz);
     }
 
     private double bounded(int axis) {
@@ -166,12 +166,12 @@ final class WideTraversal extends RayTracer {
         FloatVector exitX = FloatVector.broadcast(FLOATS_8, (float) (-origin[0] * ix + mx));
         FloatVector exitY = FloatVector.broadcast(FLOATS_8, (float) (-origin[1] * iy + my));
         FloatVector exitZ = FloatVector.broadcast(FLOATS_8, (float) (-origin[2] * iz + mz));
-        int nearX = ix < 0.0 ? 24 : 0;
-        int nearY = iy < 0.0 ? 32 : 8;
-        int nearZ = iz < 0.0 ? 40 : 16;
-        int farX = 24 - nearX;
-        int farY = 40 - nearY;
-        int farZ = 56 - nearZ;
+        int nearX = ix < 0.0 ? WideNode.upper(0) : WideNode.lower(0);
+        int nearY = iy < 0.0 ? WideNode.upper(1) : WideNode.lower(1);
+        int nearZ = iz < 0.0 ? WideNode.upper(2) : WideNode.lower(2);
+        int farX = ix < 0.0 ? WideNode.lower(0) : WideNode.upper(0);
+        int farY = iy < 0.0 ? WideNode.lower(1) : WideNode.upper(1);
+        int farZ = iz < 0.0 ? WideNode.lower(2) : WideNode.upper(2);
 
         // Parameters are compared as the bits of floats: those of positive floats are ordered as the floats are.
         IntVector start =
@@ -223,7 +223,7 @@ final class WideTraversal extends RayTracer {
                     entered.intoArray(keys, 0);
                     int child = Long.numberOfTrailingZeros(hits) >>> 3;
                     hits &= ~(0xffL << (child << 3));
-                    int only = nodes[reference + WideNode.REFERENCES + child];
+                    int only = WideNode.reference(nodes, reference, child);
                     if (hits == 0) {
                         reference = only;
                         continue;
@@ -234,7 +234,7 @@ final class WideTraversal extends RayTracer {
                         child = Long.numberOfTrailingZeros(hits) >>> 3;
                         hits &= ~(0xffL << (child << 3));
                         long found =
-                                (long) keys[child] << 32 | nodes[reference + WideNode.REFERENCES + child] & 0xffffffffL;
+                                (long) keys[child] << 32 | WideNode.reference(nodes, reference, child) & 0xffffffffL;
                         long farther = Math.max(next, found);
                         next = Math.min(next, found);
                         int place = stacked++;
@@ -259,8 +259,8 @@ final class WideTraversal extends RayTracer {
                     return;
                 }
                 long top = waiting[--stacked];
-                reference = (int) (top >>> 32) <= limit ? (int) top : 0;
-            } while (reference == 0);
+                reference = (int) (top >>> 32) <= limit ? (int) top : WideNode.NONE;
+            } while (reference == WideNode.NONE);
         }
     }
 
@@ -285,14 +285,18 @@ final class WideTraversal extends RayTracer {
         for (int block = WideNode.firstBlock(leaf); block <= last; block += WideNode.BLOCK) {
             // The corners relative to the sheared ray, as in TriangleIntersection, of four triangles.
             DoubleVector az = doubles(blocks, block + z).sub(oz);
-            DoubleVector bz = doubles(blocks, block + 12 + z).sub(oz);
-            DoubleVector cz = doubles(blocks, block + 24 + z).sub(oz);
+            DoubleVector bz = doubles(blocks, block + WideNode.CORNER + z).sub(oz);
+            DoubleVector cz = doubles(blocks, block + 2 * WideNode.CORNER + z).sub(oz);
             DoubleVector ax = doubles(blocks, block + x).sub(ox).sub(az.mul(sx));
             DoubleVector ay = doubles(blocks, block + y).sub(oy).sub(az.mul(sy));
-            DoubleVector bx = doubles(blocks, block + 12 + x).sub(ox).sub(bz.mul(sx));
-            DoubleVector by = doubles(blocks, block + 12 + y).sub(oy).sub(bz.mul(sy));
-            DoubleVector cx = doubles(blocks, block + 24 + x).sub(ox).sub(cz.mul(sx));
-            DoubleVector cy = doubles(blocks, block + 24 + y).sub(oy).sub(cz.mul(sy));
+            DoubleVector bx =
+                    doubles(blocks, block + WideNode.CORNER + x).sub(ox).sub(bz.mul(sx));
+            DoubleVector by =
+                    doubles(blocks, block + WideNode.CORNER + y).sub(oy).sub(bz.mul(sy));
+            DoubleVector cx =
+                    doubles(blocks, block + 2 * WideNode.CORNER + x).sub(ox).sub(cz.mul(sx));
+            DoubleVector cy =
+                    doubles(blocks, block + 2 * WideNode.CORNER + y).sub(oy).sub(cz.mul(sy));
 
             // The edge functions. Where two have opposite signs, their product has the sign bit: the triangle is
             // missed.
@@ -322,7 +326,7 @@ final class WideTraversal extends RayTracer {
                 int lane = Integer.numberOfTrailingZeros(hits);
                 hits &= hits - 1;
                 double parameter = ts[lane];
-                int triangle = blocks[block + WideNode.NUMBERS + lane];
+                int triangle = WideNode.number(blocks, block, lane);
                 if (parameter >= first
                         && (parameter < nearest || parameter == nearest && (winner < 0 || triangle < winner))) {
                     nearest = parameter;

@@ -39,19 +39,19 @@ final class WideTreeWriter {
                 // A box that no ray meets, in the place of a child that is not there.
                 float nothing = k < 3 ? Float.MAX_VALUE : -Float.MAX_VALUE;
                 float bound = child < number ? children[child].box[k] : nothing;
-                pool[place + k * WideNode.WIDTH + child] = Float.floatToRawIntBits(bound);
+                WideNode.setBound(pool, place, k, child, bound);
             }
         }
         for (int child = 0; child < number; child++) {
             if (children[child].isLeaf()) {
                 int blocks = appendBlocks(children[child]);
-                pool[place + WideNode.REFERENCES + child] = blocks;
+                WideNode.setReference(pool, place, child, blocks);
             }
         }
         for (int child = 0; child < number; child++) {
             if (!children[child].isLeaf()) {
                 int node = emit(children[child], level + 1);
-                pool[place + WideNode.REFERENCES + child] = node;
+                WideNode.setReference(pool, place, child, node);
             }
         }
         return place;
@@ -97,9 +97,9 @@ final class WideTreeWriter {
             int lane = i % WideNode.TRIANGLES;
             int place = order[leaf.from + i];
             for (int k = 0; k < 9; k++) {
-                pool[block + k * WideNode.TRIANGLES + lane] = Float.floatToRawIntBits(triangles.corners[9 * place + k]);
+                WideNode.setCoordinate(pool, block, k, lane, triangles.corners[9 * place + k]);
             }
-            pool[block + WideNode.NUMBERS + lane] = triangles.numbers[place];
+            WideNode.setNumber(pool, block, lane, triangles.numbers[place]);
         }
         return WideNode.leaf(first, blocks);
     }

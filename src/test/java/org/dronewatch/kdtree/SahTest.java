@@ -289,7 +289,7 @@ class SahTest {
         leftVoxel[axis + 3] = key;
         int[] rightVoxel = voxel.clone();
         rightVoxel[axis] = key;
-        checkNode(tree, index + 1, leftVoxel, left, level + 1, what);
+        checkNode(tree, KDNode.leftChild(index), leftVoxel, left, level + 1, what);
         checkNode(tree, KDNode.rightChild(node), rightVoxel, right, level + 1, what);
     }
 

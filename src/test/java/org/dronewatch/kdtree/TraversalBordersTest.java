@@ -141,7 +141,7 @@ class TraversalBordersTest {
         left[axis + 3] = KDNode.split(node);
         double[] right = box.clone();
         right[axis] = KDNode.split(node);
-        List<double[]> cells = new ArrayList<>(cells(tree, index + 1, left));
+        List<double[]> cells = new ArrayList<>(cells(tree, KDNode.leftChild(index), left));
         cells.addAll(cells(tree, KDNode.rightChild(node), right));
         return cells;
     }

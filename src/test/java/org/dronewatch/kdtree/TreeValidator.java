@@ -101,7 +101,7 @@ final class TreeValidator {
         left[axis + 3] = split;
         double[] right = box.clone();
         right[axis] = split;
-        visit(index + 1, left, level + 1, touching(candidates, left));
+        visit(KDNode.leftChild(index), left, level + 1, touching(candidates, left));
         visit(KDNode.rightChild(node), right, level + 1, touching(candidates, right));
     }
 

@@ -103,7 +103,7 @@ class WideTraversalTest {
         for (int child = 0; child < WideNode.WIDTH; child++) {
             float[] own = new float[6];
             for (int k = 0; k < 6; k++) {
-                own[k] = Float.intBitsToFloat(pool[node + k * WideNode.WIDTH + child]);
+                own[k] = WideNode.bound(pool, node, k, child);
             }
             if (own[0] > own[3]) {
                 continue;
@@ -112,7 +112,7 @@ class WideTraversalTest {
                 assertThat(own[axis]).isGreaterThanOrEqualTo(box[axis]);
                 assertThat(own[axis + 3]).isLessThanOrEqualTo(box[axis + 3]);
             }
-            int reference = pool[node + WideNode.REFERENCES + child];
+            int reference = WideNode.reference(pool, node, child);
             if (WideNode.isLeaf(reference)) {
                 checkBlocks(pool, reference, own, seen);
             } else {
@@ -127,15 +127,15 @@ class WideTraversalTest {
             for (int lane = 0; lane < WideNode.TRIANGLES; lane++) {
                 boolean extent = false;
                 for (int k = 0; k < 9; k++) {
-                    extent |= pool[block + k * WideNode.TRIANGLES + lane]
-                            != pool[block + k % 3 * WideNode.TRIANGLES + lane];
+                    extent |=
+                            WideNode.coordinate(pool, block, k, lane) != WideNode.coordinate(pool, block, k % 3, lane);
                 }
                 if (!extent) {
                     continue;
                 }
-                seen[pool[block + WideNode.NUMBERS + lane]]++;
+                seen[WideNode.number(pool, block, lane)]++;
                 for (int k = 0; k < 9; k++) {
-                    float x = Float.intBitsToFloat(pool[block + k * WideNode.TRIANGLES + lane]);
+                    float x = WideNode.coordinate(pool, block, k, lane);
                     assertThat(x).isBetween(box[k % 3], box[k % 3 + 3]);
                 }
             }
