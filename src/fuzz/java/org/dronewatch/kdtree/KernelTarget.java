@@ -78,10 +78,10 @@ public final class KernelTarget implements FuzzTarget {
     private static void checkSize(KDTree tree) {
         TriangleMesh mesh = tree.mesh();
         int most = 64 + MOST_ENTRIES * mesh.triangleCount();
-        if (tree.leafPlaces().length > most) {
+        if (tree.leafTriangles().length > most) {
             throw new Failure(
                     "memory in proportion to the triangles",
-                    tree.leafPlaces().length + " entries of leaves for " + mesh.triangleCount() + " triangles");
+                    tree.leafTriangles().length + " entries of leaves for " + mesh.triangleCount() + " triangles");
         }
     }
 

@@ -46,11 +46,11 @@ abstract class KDTraversal extends RayTracer {
 
     /** Tests the triangles of a leaf. */
     final void testLeaf(long leaf, double tMin) {
-        int[] leafPlaces = tree.leafPlaces();
+        int[] leafTriangles = tree.leafTriangles();
         int from = KDNode.first(leaf);
         int to = from + KDNode.count(leaf);
         for (int i = from; i < to; i++) {
-            intersection.test(leafPlaces[i], tMin);
+            intersection.test(leafTriangles[i], tMin);
         }
     }
 }

@@ -11,8 +11,8 @@ import org.dronewatch.geometry.TriangleMesh;
 public final class KDTree {
     private final TriangleMesh mesh;
     private final long[] nodes;
-    private final int[] leafPlaces;
-    private final PlacedTriangles triangles;
+    private final int[] leafTriangles;
+    private final LeafOrderTriangles triangles;
     private final float[] bounds;
     private final int depth;
 
@@ -21,15 +21,21 @@ public final class KDTree {
      *
      * @param mesh what it indexes
      * @param nodes packed nodes, the root first
-     * @param leafPlaces places of triangles, leaf by leaf
+     * @param leafTriangles places of triangles, leaf by leaf
      * @param triangles at their places
      * @param bounds the root's box, minimum on three axes, then maximum
      * @param depth the largest number of splits above a leaf
      */
-    KDTree(TriangleMesh mesh, long[] nodes, int[] leafPlaces, PlacedTriangles triangles, float[] bounds, int depth) {
+    KDTree(
+            TriangleMesh mesh,
+            long[] nodes,
+            int[] leafTriangles,
+            LeafOrderTriangles triangles,
+            float[] bounds,
+            int depth) {
         this.mesh = mesh;
         this.nodes = nodes;
-        this.leafPlaces = leafPlaces;
+        this.leafTriangles = leafTriangles;
         this.triangles = triangles;
         this.bounds = bounds;
         this.depth = depth;
@@ -58,11 +64,11 @@ public final class KDTree {
         return nodes;
     }
 
-    int[] leafPlaces() {
-        return leafPlaces;
+    int[] leafTriangles() {
+        return leafTriangles;
     }
 
-    PlacedTriangles triangles() {
+    LeafOrderTriangles triangles() {
         return triangles;
     }
 

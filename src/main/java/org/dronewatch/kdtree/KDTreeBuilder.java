@@ -65,7 +65,7 @@ final class KDTreeBuilder {
         Cell root = new Cell(all, voxel, 0);
         Subtree tree = new TreeGrower(corners, depthLimit(count)).grow(root, duplicates);
         int[] leaves = tree.leafTriangles();
-        PlacedTriangles triangles = PlacedTriangles.place(leaves, corners);
+        LeafOrderTriangles triangles = LeafOrderTriangles.of(leaves, corners);
         return new KDTree(mesh, tree.nodes(), leaves, triangles, rootBox, tree.depth());
     }
 

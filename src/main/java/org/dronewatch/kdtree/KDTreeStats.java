@@ -30,14 +30,14 @@ public record KDTreeStats(
         double cost = count.costOf(0, tree.rootBox().clone());
         int filled = count.leaves - count.emptyLeaves;
         long bytes = Long.BYTES * (long) tree.nodes().length
-                + Integer.BYTES * ((long) tree.leafPlaces().length + tree.triangles().numbers.length)
+                + Integer.BYTES * ((long) tree.leafTriangles().length + tree.triangles().numbers.length)
                 + Float.BYTES * (long) tree.triangles().corners.length;
         return new KDTreeStats(
                 tree.mesh().triangleCount(),
                 tree.nodes().length,
                 count.leaves,
                 count.emptyLeaves,
-                filled == 0 ? 0.0 : tree.leafPlaces().length / (double) filled,
+                filled == 0 ? 0.0 : tree.leafTriangles().length / (double) filled,
                 count.maxLeafSize,
                 tree.depth(),
                 cost,

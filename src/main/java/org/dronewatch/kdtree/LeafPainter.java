@@ -7,7 +7,7 @@ final class LeafPainter {
     /** How many triangles are remembered as painted, a power of two. */
     private static final int REMEMBERED = 1024;
 
-    private final int[] leafPlaces;
+    private final int[] leafTriangles;
     private final TilePainter painter;
 
     /**
@@ -24,11 +24,11 @@ final class LeafPainter {
     /**
      * A painter of leaves.
      *
-     * @param leafPlaces places of a tree's triangles, leaf by leaf
+     * @param leafTriangles places of a tree's triangles, leaf by leaf
      * @param painter paints them
      */
-    LeafPainter(int[] leafPlaces, TilePainter painter) {
-        this.leafPlaces = leafPlaces;
+    LeafPainter(int[] leafTriangles, TilePainter painter) {
+        this.leafTriangles = leafTriangles;
         this.painter = painter;
     }
 
@@ -64,7 +64,7 @@ final class LeafPainter {
     private void paintUnpainted(int from, int to) {
         int count = 0;
         for (int i = from; i < to; i++) {
-            int place = leafPlaces[i];
+            int place = leafTriangles[i];
             int slot = place & (REMEMBERED - 1);
             unpainted[count] = place;
             // No branch: writing what is not needed costs less than guessing wrong.

@@ -24,7 +24,7 @@ public abstract class RayTracer {
      *
      * @param triangles what rays can meet
      */
-    RayTracer(PlacedTriangles triangles) {
+    RayTracer(LeafOrderTriangles triangles) {
         this.intersection = new TriangleIntersection(triangles);
     }
 

@@ -31,7 +31,7 @@ class TilePainter {
      * @param pixels what it paints
      * @param lines paint lines of the same pixels
      */
-    TilePainter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels, TileLines lines) {
+    TilePainter(LeafOrderTriangles triangles, PixelGrid grid, TilePixels pixels, TileLines lines) {
         this.corners = triangles.corners;
         this.numbers = triangles.numbers;
         this.grid = grid;

@@ -16,7 +16,7 @@ enum TilePainting {
      */
     MANY_BY_VECTORS(MANY.nodesPaintedWhole) {
         @Override
-        TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels) {
+        TilePainter painter(LeafOrderTriangles triangles, PixelGrid grid, TilePixels pixels) {
             return new VectorTilePainter(triangles, grid, pixels, new VectorTileLines(pixels));
         }
     };
@@ -36,7 +36,7 @@ enum TilePainting {
     }
 
     /** What paints triangles. */
-    TilePainter painter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels) {
+    TilePainter painter(LeafOrderTriangles triangles, PixelGrid grid, TilePixels pixels) {
         return new TilePainter(triangles, grid, pixels, new TileLines(pixels));
     }
 

@@ -59,7 +59,7 @@ public final class TileTraversal {
 
     private void use(TilePainting chosen) {
         painting = chosen;
-        LeafPainter leaves = new LeafPainter(tree.leafPlaces(), painting.painter(tree.triangles(), grid, pixels));
+        LeafPainter leaves = new LeafPainter(tree.leafTriangles(), painting.painter(tree.triangles(), grid, pixels));
         descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
     }
 

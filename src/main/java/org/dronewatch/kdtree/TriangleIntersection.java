@@ -29,7 +29,7 @@ final class TriangleIntersection {
     private boolean found;
 
     /** A test of a tree's triangles. */
-    TriangleIntersection(PlacedTriangles triangles) {
+    TriangleIntersection(LeafOrderTriangles triangles) {
         this.corners = triangles.corners;
         this.numbers = triangles.numbers;
     }

@@ -65,7 +65,7 @@ final class VectorTilePainter extends TilePainter {
     private double downwardsOfY;
     private double downwardsOfZ;
 
-    VectorTilePainter(PlacedTriangles triangles, PixelGrid grid, TilePixels pixels, VectorTileLines lines) {
+    VectorTilePainter(LeafOrderTriangles triangles, PixelGrid grid, TilePixels pixels, VectorTileLines lines) {
         super(triangles, grid, pixels, lines);
     }
 

@@ -26,7 +26,7 @@ final class WideTreeBuilder {
     /** WideParts of fewer triangles are not worth another thread. */
     private static final int WORTH_A_THREAD = 4096;
 
-    private final PlacedTriangles triangles;
+    private final LeafOrderTriangles triangles;
     private final float[] corners;
     private final int count;
     private final float[] boxes;
@@ -38,7 +38,7 @@ final class WideTreeBuilder {
      *
      * @param triangles of a kd-tree: neighbours lie together
      */
-    WideTreeBuilder(PlacedTriangles triangles) {
+    WideTreeBuilder(LeafOrderTriangles triangles) {
         this.triangles = triangles;
         this.corners = triangles.corners;
         this.count = triangles.count();

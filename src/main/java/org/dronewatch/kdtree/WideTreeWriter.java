@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /** Writes a tree of parts as a {@link WideTree}: nodes of eight children, by opening the largest again and again. */
 final class WideTreeWriter {
-    private final PlacedTriangles triangles;
+    private final LeafOrderTriangles triangles;
     private final int[] order;
     private int[] pool;
     private int used = WideNode.ROOT;
@@ -16,7 +16,7 @@ final class WideTreeWriter {
      * @param triangles at their places
      * @param order the places as the parts name them
      */
-    WideTreeWriter(PlacedTriangles triangles, int[] order) {
+    WideTreeWriter(LeafOrderTriangles triangles, int[] order) {
         this.triangles = triangles;
         this.order = order;
         this.pool = new int[WideNode.ROOT + WideNode.NODE + order.length * WideNode.BLOCK / 2];

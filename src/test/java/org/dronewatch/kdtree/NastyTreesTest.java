@@ -20,7 +20,7 @@ class NastyTreesTest {
         NastyMeshes.all(3000, 90).forEach((name, mesh) -> {
             KDTree tree = KDTree.of(mesh);
 
-            assertThat(tree.leafPlaces().length)
+            assertThat(tree.leafTriangles().length)
                     .as("references of %s", name)
                     .isBetween(mesh.triangleCount(), 16 * mesh.triangleCount());
             assertThat(tree.nodes().length).as("nodes of %s", name).isLessThan(5 * mesh.triangleCount());
@@ -32,9 +32,9 @@ class NastyTreesTest {
     void aPolygonOfManyCornersHasATreeInProportion(int corners) {
         KDTree tree = KDTree.of(NastyMeshes.fan(corners));
 
-        assertThat(tree.leafPlaces().length).isLessThanOrEqualTo(16 * (corners - 2));
+        assertThat(tree.leafTriangles().length).isLessThanOrEqualTo(16 * (corners - 2));
         // The limit is there to be used: with a tenth of it, leaves would be several times as full.
-        assertThat(tree.leafPlaces().length).isGreaterThan(10 * corners);
+        assertThat(tree.leafTriangles().length).isGreaterThan(10 * corners);
     }
 
     @Test
@@ -48,7 +48,7 @@ class NastyTreesTest {
     void treesOfAnyLimitAreSoundAndWithinIt(int limit) {
         NastyMeshes.all(200, 92).forEach((name, mesh) -> {
             KDTree tree = new KDTreeBuilder(mesh, limit).build();
-            assertThat(tree.leafPlaces().length).as(name).isLessThanOrEqualTo(limit * mesh.triangleCount());
+            assertThat(tree.leafTriangles().length).as(name).isLessThanOrEqualTo(limit * mesh.triangleCount());
             TreeValidator.validate(name + ", limit " + limit, tree);
         });
     }
@@ -85,7 +85,8 @@ class NastyTreesTest {
 
     private static void assertSame(KDTree tree, KDTree expected) {
         assertThat(Arrays.equals(tree.nodes(), expected.nodes())).isTrue();
-        assertThat(Arrays.equals(tree.leafPlaces(), expected.leafPlaces())).isTrue();
+        assertThat(Arrays.equals(tree.leafTriangles(), expected.leafTriangles()))
+                .isTrue();
         assertThat(Arrays.equals(tree.triangles().numbers, expected.triangles().numbers))
                 .isTrue();
         assertThat(tree.depth()).isEqualTo(expected.depth());
@@ -99,7 +100,7 @@ class NastyTreesTest {
         KDTree limited = KDTree.of(mesh);
         KDTree unlimited = new KDTreeBuilder(mesh, NO_LIMIT).build();
 
-        assertThat(limited.leafPlaces().length).isLessThan(unlimited.leafPlaces().length);
+        assertThat(limited.leafTriangles().length).isLessThan(unlimited.leafTriangles().length);
         assertThat(references(limited, ball.triangleCount()))
                 .isEqualTo(references(unlimited, ball.triangleCount()))
                 .isGreaterThan(2 * ball.triangleCount());
@@ -108,7 +109,7 @@ class NastyTreesTest {
     /** How many references the first triangles of a mesh have. */
     private static int references(KDTree tree, int first) {
         int[] numbers = tree.triangles().numbers;
-        return (int) Arrays.stream(tree.leafPlaces())
+        return (int) Arrays.stream(tree.leafTriangles())
                 .filter(place -> numbers[place] < first)
                 .count();
     }

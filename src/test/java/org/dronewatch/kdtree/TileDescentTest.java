@@ -21,7 +21,7 @@ class TileDescentTest {
     void meetsATriangleOnce(TilePainting painting) {
         TriangleMesh mesh = Meshes.soup(600, 0.5, 262);
         KDTree tree = KDTree.of(mesh);
-        assertThat(tree.leafPlaces().length).as("entries of leaves").isGreaterThan(10 * mesh.triangleCount());
+        assertThat(tree.leafTriangles().length).as("entries of leaves").isGreaterThan(10 * mesh.triangleCount());
         LeafPainter leaves = leaves(tree, painting);
         TileDescent descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
         SplittableRandom random = new SplittableRandom(SEED);
@@ -75,7 +75,7 @@ class TileDescentTest {
 
     private LeafPainter leaves(KDTree tree, TilePainting painting) {
         assumeTrue(painting != TilePainting.MANY_BY_VECTORS || Vectors.areAvailable(), "no vectors");
-        return new LeafPainter(tree.leafPlaces(), painting.painter(tree.triangles(), grid, pixels));
+        return new LeafPainter(tree.leafTriangles(), painting.painter(tree.triangles(), grid, pixels));
     }
 
     private void begin(PinholeView view) {

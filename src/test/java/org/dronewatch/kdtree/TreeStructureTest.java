@@ -66,7 +66,7 @@ class TreeStructureTest {
         KDTree second = KDTree.of(Meshes.soup(2000, 0.1, 13));
 
         assertThat(second.nodes()).isEqualTo(first.nodes());
-        assertThat(second.leafPlaces()).isEqualTo(first.leafPlaces());
+        assertThat(second.leafTriangles()).isEqualTo(first.leafTriangles());
         assertThat(second.triangles().numbers).isEqualTo(first.triangles().numbers);
         assertThat(second.rootBox()).isEqualTo(first.rootBox());
     }

@@ -133,11 +133,11 @@ final class TreeValidator {
         emptyLeaves += count == 0 ? 1 : 0;
         maxLeafSize = Math.max(maxLeafSize, count);
         volume += (box[3] - box[0]) * (box[4] - box[1]) * (box[5] - box[2]);
-        assertThat(first + count).as("%s: end of a leaf's entries", name).isBetween(0, tree.leafPlaces().length);
+        assertThat(first + count).as("%s: end of a leaf's entries", name).isBetween(0, tree.leafTriangles().length);
 
         BitSet listed = new BitSet();
         for (int entry = first; entry < first + count; entry++) {
-            int place = tree.leafPlaces()[entry];
+            int place = tree.leafTriangles()[entry];
             assertThat(place).as("%s: entry %d", name, entry).isBetween(0, mesh.triangleCount() - 1);
             int triangle = tree.triangles().numbers[place];
             assertThat(seenEntries.get(entry))
@@ -176,7 +176,7 @@ final class TreeValidator {
 
     private void checkTotals() {
         assertThat(seenNodes.cardinality()).as("%s: nodes reached", name).isEqualTo(tree.nodes().length);
-        assertThat(seenEntries.cardinality()).as("%s: leaf entries", name).isEqualTo(tree.leafPlaces().length);
+        assertThat(seenEntries.cardinality()).as("%s: leaf entries", name).isEqualTo(tree.leafTriangles().length);
         double[] box = rootBox();
         double whole = (box[3] - box[0]) * (box[4] - box[1]) * (box[5] - box[2]);
         assertThat(volume).as("%s: volume of all leaves", name).isCloseTo(whole, withinPercentage(1e-6));
@@ -197,7 +197,7 @@ final class TreeValidator {
                 .containsExactly(
                         IntStream.range(0, mesh.triangleCount()).boxed().toArray(Integer[]::new));
         int seen = 0;
-        for (int place : tree.leafPlaces()) {
+        for (int place : tree.leafTriangles()) {
             assertThat(place).as("%s: places", name).isLessThanOrEqualTo(seen);
             seen = Math.max(seen, place + 1);
         }
@@ -210,7 +210,7 @@ final class TreeValidator {
 
     private void checkStatistics() {
         KDTreeStats stats = KDTreeStats.of(tree);
-        int entries = tree.leafPlaces().length;
+        int entries = tree.leafTriangles().length;
         int filled = leaves - emptyLeaves;
         assertThat(stats)
                 .as("%s: statistics", name)

@@ -70,7 +70,7 @@ class WideTraversalTest {
 
     @Test
     void theTreeIsTheSameForAnyNumberOfThreads() {
-        PlacedTriangles triangles = KDTree.of(Meshes.model("cathedral.obj")).triangles();
+        LeafOrderTriangles triangles = KDTree.of(Meshes.model("cathedral.obj")).triangles();
         int[][] pools = new int[3][];
         for (int threads = 1; threads <= 3; threads++) {
             try (Workers workers = new Workers(threads)) {

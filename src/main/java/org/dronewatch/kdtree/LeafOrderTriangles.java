@@ -6,13 +6,13 @@ import java.util.Arrays;
  * The triangles of a tree, each at its place in the order in which the tree's leaves come to it first. What lies together in
  * space then lies together in memory, however a model's file orders its faces. Immutable, shared by all threads.
  */
-final class PlacedTriangles {
+final class LeafOrderTriangles {
     /** Nine coordinates a triangle. */
     final float[] corners;
     /** The triangles' numbers in the mesh. */
     final int[] numbers;
 
-    private PlacedTriangles(float[] corners, int[] numbers) {
+    private LeafOrderTriangles(float[] corners, int[] numbers) {
         this.corners = corners;
         this.numbers = numbers;
     }
@@ -23,7 +23,7 @@ final class PlacedTriangles {
      * @param leaves the triangles' numbers, leaf by leaf; is rewritten to their places
      * @param corners nine coordinates a triangle, by number
      */
-    static PlacedTriangles place(int[] leaves, float[] corners) {
+    static LeafOrderTriangles of(int[] leaves, float[] corners) {
         int[] places = new int[corners.length / 9];
         int[] numbers = new int[places.length];
         Arrays.fill(places, -1);
@@ -45,7 +45,7 @@ final class PlacedTriangles {
         for (int place = 0; place < numbers.length; place++) {
             System.arraycopy(corners, 9 * numbers[place], moved, 9 * place, 9);
         }
-        return new PlacedTriangles(moved, numbers);
+        return new LeafOrderTriangles(moved, numbers);
     }
 
     /** How many there are. */

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 
 /** Triangles get their places in the order in which leaves come to them; trees of models are checked elsewhere. */
-class PlacedTrianglesTest {
+class LeafOrderTrianglesTest {
     @Test
     void thoseInNoLeafComeLast() {
         float[] corners = new float[9 * 5];
@@ -14,7 +14,7 @@ class PlacedTrianglesTest {
         }
         int[] leaves = {3, 1, 3, 4};
 
-        PlacedTriangles triangles = PlacedTriangles.place(leaves, corners);
+        LeafOrderTriangles triangles = LeafOrderTriangles.of(leaves, corners);
 
         assertThat(triangles.count()).isEqualTo(5);
         assertThat(triangles.numbers).containsExactly(3, 1, 4, 0, 2);
