@@ -13,10 +13,12 @@ package org.dronewatch.kdtree;
  * A float loses its two lowest mantissa bits in 30 bits. Planes must therefore lie on a grid of floats whose two lowest
  * bits are zero; {@link #floorKey}, {@link #ceilKey} and {@link #value} number that grid in ascending order, so that the
  * builder can round before it compares and never compares a plane that it cannot store.
+ *
+ * <p>Public for the kernel's packages, which read nodes; only this one packs them.
  */
-final class KDNode {
+public final class KDNode {
     /** The kind of a leaf; kinds 0 to 2 are the split axis of an interior node. */
-    static final int LEAF = 3;
+    public static final int LEAF = 3;
     /** The largest number of triangles in a leaf. */
     static final int MAX_COUNT = (1 << 30) - 1;
 
@@ -66,32 +68,32 @@ final class KDNode {
     }
 
     /** The split axis, or {@link #LEAF}. */
-    static int kind(long node) {
+    public static int kind(long node) {
         return (int) (node >>> HIGH) & KIND_MASK;
     }
 
     /** The split plane's coordinate of an interior node. */
-    static float split(long node) {
+    public static float split(long node) {
         return Float.intBitsToFloat((int) (node >>> HIGH) & ~KIND_MASK);
     }
 
     /** The word index of the left child of the interior node at an index. */
-    static int leftChild(int index) {
+    public static int leftChild(int index) {
         return index + 1;
     }
 
     /** The word index of an interior node's right child. */
-    static int rightChild(long node) {
+    public static int rightChild(long node) {
         return (int) node;
     }
 
     /** Index of a leaf's first triangle in the leaf list. */
-    static int first(long node) {
+    public static int first(long node) {
         return (int) node;
     }
 
     /** How many triangles a leaf has. */
-    static int count(long node) {
+    public static int count(long node) {
         return (int) (node >>> (HIGH + 2));
     }
 

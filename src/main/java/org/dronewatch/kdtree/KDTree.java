@@ -60,23 +60,28 @@ public final class KDTree {
         return new AABB(bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
     }
 
-    long[] nodes() {
+    /** The packed nodes, the root first; for the kernel's packages, which do not write to it. */
+    public long[] nodes() {
         return nodes;
     }
 
-    int[] leafTriangles() {
+    /** The indices of the leaves' triangles in {@link #triangles()}, leaf by leaf; for the kernel's packages, which do not write to it. */
+    public int[] leafTriangles() {
         return leafTriangles;
     }
 
-    LeafOrderTriangles triangles() {
+    /** The triangles in leaf order; for the kernel's packages. */
+    public LeafOrderTriangles triangles() {
         return triangles;
     }
 
-    float[] rootBox() {
+    /** The root's box: minimum on three axes, then maximum; for the kernel's packages, which do not write to it. */
+    public float[] rootBox() {
         return bounds;
     }
 
-    int depth() {
+    /** The largest number of splits above a leaf. */
+    public int depth() {
         return depth;
     }
 }

@@ -30,8 +30,9 @@ public record KDTreeStats(
         double cost = count.costOf(0, tree.rootBox().clone());
         int filled = count.leaves - count.emptyLeaves;
         long bytes = Long.BYTES * (long) tree.nodes().length
-                + Integer.BYTES * ((long) tree.leafTriangles().length + tree.triangles().numbers.length)
-                + Float.BYTES * (long) tree.triangles().corners.length;
+                + Integer.BYTES
+                        * ((long) tree.leafTriangles().length + tree.triangles().numbers().length)
+                + Float.BYTES * (long) tree.triangles().corners().length;
         return new KDTreeStats(
                 tree.mesh().triangleCount(),
                 tree.nodes().length,

@@ -6,11 +6,9 @@ import java.util.Arrays;
  * The triangles of a tree, each at its place in the order in which the tree's leaves come to it first. What lies together in
  * space then lies together in memory, however a model's file orders its faces. Immutable, shared by all threads.
  */
-final class LeafOrderTriangles {
-    /** Nine coordinates a triangle. */
-    final float[] corners;
-    /** The triangles' numbers in the mesh. */
-    final int[] numbers;
+public final class LeafOrderTriangles {
+    private final float[] corners;
+    private final int[] numbers;
 
     private LeafOrderTriangles(float[] corners, int[] numbers) {
         this.corners = corners;
@@ -48,8 +46,18 @@ final class LeafOrderTriangles {
         return new LeafOrderTriangles(moved, numbers);
     }
 
+    /** Nine coordinates per triangle; for the kernel's packages, which do not write to it. */
+    public float[] corners() {
+        return corners;
+    }
+
+    /** The triangles' numbers in the mesh; for the kernel's packages, which do not write to it. */
+    public int[] numbers() {
+        return numbers;
+    }
+
     /** How many there are. */
-    int count() {
+    public int count() {
         return numbers.length;
     }
 }

@@ -14,17 +14,23 @@ import org.jogamp.vecmath.Vector3d;
  * which are metres for a unit direction. Triangles are hit from either side.
  */
 public abstract class RayTracer {
+    /** Origin of the current ray; for the kernel's packages, which only read it. */
+    protected final double[] origin = new double[3];
+
+    /** Direction of the current ray; for the kernel's packages, which only read it. */
+    protected final double[] direction = new double[3];
+
+    /** One over each component of the direction; for the kernel's packages, which only read it. */
+    protected final double[] inverse = new double[3];
+
     final TriangleIntersection intersection;
-    final double[] origin = new double[3];
-    final double[] direction = new double[3];
-    final double[] inverse = new double[3];
 
     /**
-     * A tracer without a ray.
+     * A tracer without a ray; for the kernel's packages.
      *
      * @param triangles what rays can meet
      */
-    RayTracer(LeafOrderTriangles triangles) {
+    protected RayTracer(LeafOrderTriangles triangles) {
         this.intersection = new TriangleIntersection(triangles);
     }
 
@@ -104,11 +110,16 @@ public abstract class RayTracer {
     }
 
     /**
-     * Finds what the current ray hits; each hit goes to the intersection.
+     * Finds what the current ray hits and keeps it, with {@link #setHit} or in the intersection; for the kernel's packages.
      *
      * @param tMin the smallest ray parameter that counts
      * @param tMax the largest that counts
      * @param anyHit whether any hit will do, or the nearest is wanted
      */
-    abstract void trace(double tMin, double tMax, boolean anyHit);
+    protected abstract void trace(double tMin, double tMax, boolean anyHit);
+
+    /** Keeps a hit of the current ray that was found by the arithmetic of the kernel's test; for the kernel's packages. */
+    protected final void setHit(int triangle, double distance, double u, double v) {
+        intersection.setHit(triangle, distance, u, v);
+    }
 }

@@ -35,7 +35,7 @@ public final class SequentialTraversal extends KDTraversal {
     }
 
     @Override
-    void trace(double tMin, double tMax, boolean anyHit) {
+    protected void trace(double tMin, double tMax, boolean anyHit) {
         rayEntry = rootEntry(tMin);
         rayExit = rootExit(tMax);
         long[] nodes = tree.nodes();

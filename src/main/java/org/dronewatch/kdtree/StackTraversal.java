@@ -19,7 +19,7 @@ public final class StackTraversal extends KDTraversal {
     }
 
     @Override
-    void trace(double tMin, double tMax, boolean anyHit) {
+    protected void trace(double tMin, double tMax, boolean anyHit) {
         long[] nodes = tree.nodes();
         double entry = rootEntry(tMin);
         double exit = rootExit(tMax);

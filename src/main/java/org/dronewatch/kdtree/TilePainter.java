@@ -32,8 +32,8 @@ class TilePainter {
      * @param lines paint lines of the same pixels
      */
     TilePainter(LeafOrderTriangles triangles, PixelGrid grid, TilePixels pixels, TileLines lines) {
-        this.corners = triangles.corners;
-        this.numbers = triangles.numbers;
+        this.corners = triangles.corners();
+        this.numbers = triangles.numbers();
         this.grid = grid;
         this.pixels = pixels;
         this.lines = lines;

@@ -30,8 +30,8 @@ final class TriangleIntersection {
 
     /** A test of a tree's triangles. */
     TriangleIntersection(LeafOrderTriangles triangles) {
-        this.corners = triangles.corners;
-        this.numbers = triangles.numbers;
+        this.corners = triangles.corners();
+        this.numbers = triangles.numbers();
     }
 
     /** Takes a new ray and forgets the old one's hit; a hit beyond the limit does not count. */

@@ -4,12 +4,13 @@ package org.dronewatch.kdtree;
  * Whether the processor's vector instructions can be used: the module {@code jdk.incubator.vector} has to be named when the
  * Java machine starts, by {@code --add-modules jdk.incubator.vector}, and the processor needs vectors of 256 bits.
  */
-final class Vectors {
+public final class Vectors {
     private static final boolean AVAILABLE = look();
 
     private Vectors() {}
 
-    static boolean areAvailable() {
+    /** Whether they can be used, in this process. */
+    public static boolean areAvailable() {
         return AVAILABLE;
     }
 

@@ -72,7 +72,7 @@ final class WideTraversal extends RayTracer {
     }
 
     @Override
-    void trace(double tMin, double tMax, boolean anyHit) {
+    protected void trace(double tMin, double tMax, boolean anyHit) {
         double size = Math.max(Math.abs(direction[0]), Math.max(Math.abs(direction[1]), Math.abs(direction[2])));
         double away = Math.max(Math.abs(origin[0]), Math.max(Math.abs(origin[1]), Math.abs(origin[2])));
         if (!(size > SHORTEST && size < 1.0 / SHORTEST && away < WideTree.FARTHEST)) {
@@ -85,19 +85,19 @@ final class WideTraversal extends RayTracer {
         winner = -1;
         walk(tMin, tMax, anyHit);
         if (winner >= 0) {
-            setHit();
+            keepWinner();
         }
     }
 
     /** Leaves the ray to the kd-tree. The nearest hit is also any hit. */
     private void traceExactly(double tMin, double tMax) {
         if (exact.closestHit(origin[0], origin[1], origin[2], direction[0], direction[1], direction[2], tMin, tMax)) {
-            intersection.setHit(exact.triangle(), exact.distance(), exact.u(), exact.v());
+            setHit(exact.triangle(), exact.distance(), exact.u(), exact.v());
         }
     }
 
     /** Tells the hit with its place in the triangle; the block was just read, the mesh's own corners are far away. */
-    private void setHit() {
+    private void keepWinner() {
         double az = corner(0, offsetZ) - originZ;
         double bz = corner(1, offsetZ) - originZ;
         double cz = corner(2, offsetZ) - originZ;
@@ -111,7 +111,7 @@ final class WideTraversal extends RayTracer {
         double b = ax * cy - ay * cx;
         double g = bx * ay - by * ax;
         double determinant = a + b + g;
-        intersection.setHit(winner, nearest, b / determinant, g / determinant);
+        setHit(winner, nearest, b / determinant, g / determinant);
     }
 
     private float corner(int corner, int offset) {

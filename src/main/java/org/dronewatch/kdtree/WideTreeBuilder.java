@@ -40,7 +40,7 @@ final class WideTreeBuilder {
      */
     WideTreeBuilder(LeafOrderTriangles triangles) {
         this.triangles = triangles;
-        this.corners = triangles.corners;
+        this.corners = triangles.corners();
         this.count = triangles.count();
         this.boxes = new float[BOX * count];
         this.order = new int[count];

@@ -97,9 +97,9 @@ final class WideTreeWriter {
             int lane = i % WideNode.TRIANGLES;
             int place = order[leaf.from + i];
             for (int k = 0; k < 9; k++) {
-                WideNode.setCoordinate(pool, block, k, lane, triangles.corners[9 * place + k]);
+                WideNode.setCoordinate(pool, block, k, lane, triangles.corners()[9 * place + k]);
             }
-            WideNode.setNumber(pool, block, lane, triangles.numbers[place]);
+            WideNode.setNumber(pool, block, lane, triangles.numbers()[place]);
         }
         return WideNode.leaf(first, blocks);
     }

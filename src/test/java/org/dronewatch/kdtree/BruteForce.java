@@ -8,14 +8,14 @@ import org.dronewatch.geometry.TriangleMesh;
  * Tests every triangle, after Möller and Trumbore, in double precision; where a decision hangs on rounding it is made
  * again in exact decimals. Independent of the kernel. Rays are six numbers: origin, direction.
  */
-final class BruteForce {
+public final class BruteForce {
     /** Weights nearer to their limits, and determinants nearer to zero, relatively, are computed exactly. */
     private static final double DOUBTFUL = 1e-9;
 
     private final double[] corners;
     private final int count;
 
-    BruteForce(TriangleMesh mesh) {
+    public BruteForce(TriangleMesh mesh) {
         this.count = mesh.triangleCount();
         this.corners = new double[9 * count];
         for (int i = 0; i < corners.length; i++) {
@@ -24,12 +24,12 @@ final class BruteForce {
     }
 
     /** The nearest hit. */
-    Answer closest(double[] ray) {
+    public Answer closest(double[] ray) {
         return closest(ray, 0.0, Double.POSITIVE_INFINITY);
     }
 
     /** The nearest hit between two ray parameters. */
-    Answer closest(double[] ray, double tMin, double tMax) {
+    public Answer closest(double[] ray, double tMin, double tMax) {
         double best = Double.POSITIVE_INFINITY;
         int triangle = -1;
         for (int i = 0; i < count; i++) {
@@ -43,7 +43,7 @@ final class BruteForce {
     }
 
     /** Parameter of the ray's crossing of a triangle; not a number if there is none, negative behind the origin. */
-    double hit(double[] r, int triangle) {
+    public double hit(double[] r, int triangle) {
         double[] c = corners;
         int k = 9 * triangle;
         double bx = c[k + 3] - c[k];
@@ -119,7 +119,7 @@ final class BruteForce {
     }
 
     /** How near the ray's line comes to an edge of a triangle. */
-    double edgeDistance(double[] ray, int triangle) {
+    public double edgeDistance(double[] ray, int triangle) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < 3; i++) {
             double[] start = acrossRay(ray, 9 * triangle + 3 * i);
@@ -151,7 +151,7 @@ final class BruteForce {
      * @param distance ray parameter, infinity for none
      * @param triangle number of the triangle, -1 for none
      */
-    record Answer(double distance, int triangle) {
+    public record Answer(double distance, int triangle) {
         boolean found() {
             return triangle >= 0;
         }

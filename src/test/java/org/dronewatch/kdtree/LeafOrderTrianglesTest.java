@@ -17,9 +17,9 @@ class LeafOrderTrianglesTest {
         LeafOrderTriangles triangles = LeafOrderTriangles.of(leaves, corners);
 
         assertThat(triangles.count()).isEqualTo(5);
-        assertThat(triangles.numbers).containsExactly(3, 1, 4, 0, 2);
+        assertThat(triangles.numbers()).containsExactly(3, 1, 4, 0, 2);
         assertThat(leaves).containsExactly(0, 1, 0, 2);
-        assertThat(triangles.corners[9 * 2]).isEqualTo(36f);
-        assertThat(triangles.corners[9 * 4 + 8]).isEqualTo(26f);
+        assertThat(triangles.corners()[9 * 2]).isEqualTo(36f);
+        assertThat(triangles.corners()[9 * 4 + 8]).isEqualTo(26f);
     }
 }

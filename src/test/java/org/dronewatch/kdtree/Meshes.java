@@ -22,7 +22,7 @@ public final class Meshes {
     private Meshes() {}
 
     /** A model of the project, in the coordinates of its file. */
-    static TriangleMesh model(String name) {
+    public static TriangleMesh model(String name) {
         return new ObjLoader(Path.of("models")).loadAsWritten(name).mesh();
     }
 
@@ -41,7 +41,7 @@ public final class Meshes {
     }
 
     /** Triangles of random place and shape in a cube from -1 to 1, each about as large as a share of the cube. */
-    static TriangleMesh soup(int triangles, double share, long seed) {
+    public static TriangleMesh soup(int triangles, double share, long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         Meshes soup = new Meshes();
         for (int i = 0; i < triangles; i++) {
@@ -83,7 +83,7 @@ public final class Meshes {
     }
 
     /** Input that upsets builders, by name. */
-    static Map<String, TriangleMesh> degenerate() {
+    public static Map<String, TriangleMesh> degenerate() {
         Map<String, TriangleMesh> meshes = new LinkedHashMap<>();
         meshes.put("empty", TriangleMesh.of(new float[0], new int[0]));
         meshes.put("one", soup(1, 1.0, 3));

@@ -87,7 +87,8 @@ class NastyTreesTest {
         assertThat(Arrays.equals(tree.nodes(), expected.nodes())).isTrue();
         assertThat(Arrays.equals(tree.leafTriangles(), expected.leafTriangles()))
                 .isTrue();
-        assertThat(Arrays.equals(tree.triangles().numbers, expected.triangles().numbers))
+        assertThat(Arrays.equals(
+                        tree.triangles().numbers(), expected.triangles().numbers()))
                 .isTrue();
         assertThat(tree.depth()).isEqualTo(expected.depth());
     }
@@ -108,7 +109,7 @@ class NastyTreesTest {
 
     /** How many references the first triangles of a mesh have. */
     private static int references(KDTree tree, int first) {
-        int[] numbers = tree.triangles().numbers;
+        int[] numbers = tree.triangles().numbers();
         return (int) Arrays.stream(tree.leafTriangles())
                 .filter(place -> numbers[place] < first)
                 .count();

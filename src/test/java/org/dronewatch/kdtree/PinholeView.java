@@ -7,13 +7,13 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /** A picture through a pinhole, to test tiles with. */
-final class PinholeView {
-    final double[] from;
-    final double[] corner;
-    final double[] right;
-    final double[] down;
+public final class PinholeView {
+    public final double[] from;
+    public final double[] corner;
+    public final double[] right;
+    public final double[] down;
 
-    PinholeView(double[] from, double[] corner, double[] right, double[] down) {
+    public PinholeView(double[] from, double[] corner, double[] right, double[] down) {
         this.from = from;
         this.corner = corner;
         this.right = right;
@@ -21,7 +21,7 @@ final class PinholeView {
     }
 
     /** Somewhere in or about the mesh, looking anywhere; every third along an axis. */
-    static PinholeView random(TriangleMesh mesh, SplittableRandom random, int number, int width) {
+    public static PinholeView random(TriangleMesh mesh, SplittableRandom random, int number, int width) {
         AABB box = mesh.triangleCount() == 0 ? new AABB(-1, -1, -1, 1, 1, 1) : mesh.bounds();
         Point3d middle = box.center();
         double reach = number % 2 == 0 ? 0.5 : 1.5;
@@ -66,7 +66,7 @@ final class PinholeView {
         return view;
     }
 
-    double[] ray(int column, int row) {
+    public double[] ray(int column, int row) {
         double[] ray = new double[6];
         for (int k = 0; k < 3; k++) {
             ray[k] = from[k];

@@ -5,12 +5,12 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 
 /** Random rays of many kinds about a mesh: six numbers each, origin and direction. */
-final class Rays {
+public final class Rays {
     private final TriangleMesh mesh;
     private final AABB box;
     private final SplittableRandom random;
 
-    Rays(TriangleMesh mesh, long seed) {
+    public Rays(TriangleMesh mesh, long seed) {
         this.mesh = mesh;
         this.box = mesh.triangleCount() == 0 ? new AABB(-1, -1, -1, 1, 1, 1) : thick(mesh.bounds());
         this.random = new SplittableRandom(seed);
@@ -32,7 +32,7 @@ final class Rays {
     }
 
     /** So many rays: half start inside the mesh's box, a quarter outside; a quarter has zeros in its direction. */
-    double[][] any(int count) {
+    public double[][] any(int count) {
         double[][] rays = new double[count][];
         for (int i = 0; i < count; i++) {
             rays[i] = switch (i % 8) {
@@ -47,7 +47,7 @@ final class Rays {
     }
 
     /** A point in the mesh's box, or in one larger by a factor. */
-    double[] inBox(double factor) {
+    public double[] inBox(double factor) {
         double reach = 0.5 * factor;
         return new double[] {
             between(box.minX(), box.maxX(), reach),
@@ -57,7 +57,7 @@ final class Rays {
     }
 
     /** A point so many diagonals away from the middle of the mesh's box. */
-    double[] outside(double diagonals) {
+    public double[] outside(double diagonals) {
         double[] point = onSphere();
         double radius = diagonals * box.diagonal();
         point[0] = box.center().x + radius * point[0];
@@ -67,7 +67,7 @@ final class Rays {
     }
 
     /** A point of a random triangle; any point of the box when there is none. */
-    double[] onMesh() {
+    public double[] onMesh() {
         if (mesh.triangleCount() == 0) {
             return inBox(1.0);
         }
@@ -84,7 +84,7 @@ final class Rays {
     }
 
     /** A direction of unit length, uniform. */
-    double[] onSphere() {
+    public double[] onSphere() {
         double z = 2.0 * random.nextDouble() - 1.0;
         double angle = 2.0 * Math.PI * random.nextDouble();
         double radius = Math.sqrt(1.0 - z * z);
@@ -92,14 +92,14 @@ final class Rays {
     }
 
     /** A direction along an axis; the zeros have either sign. */
-    double[] axisParallel() {
+    public double[] axisParallel() {
         double[] direction = {zero(), zero(), zero()};
         direction[random.nextInt(3)] = random.nextBoolean() ? 1.0 : -1.0;
         return direction;
     }
 
     /** A direction with one zero of either sign. */
-    double[] withOneZero() {
+    public double[] withOneZero() {
         double[] direction = onSphere();
         direction[random.nextInt(3)] = zero();
         return direction;
@@ -114,29 +114,29 @@ final class Rays {
     }
 
     /** The ray from a point in a direction. */
-    static double[] ray(double[] origin, double[] direction) {
+    public static double[] ray(double[] origin, double[] direction) {
         return new double[] {origin[0], origin[1], origin[2], direction[0], direction[1], direction[2]};
     }
 
     /** The ray whose parameter is 1 at a second point, or an upright one when that is the first point. */
-    static double[] towards(double[] origin, double[] target) {
+    public static double[] towards(double[] origin, double[] target) {
         double[] direction = {target[0] - origin[0], target[1] - origin[1], target[2] - origin[2]};
         boolean none = direction[0] == 0.0 && direction[1] == 0.0 && direction[2] == 0.0;
         return ray(origin, none ? new double[] {0, 0, 1} : direction);
     }
 
     /** Asks a traversal for the closest hit of a ray without end. */
-    static boolean closestHit(RayTracer traversal, double[] r) {
+    public static boolean closestHit(RayTracer traversal, double[] r) {
         return closestHit(traversal, r, 0.0, Double.POSITIVE_INFINITY);
     }
 
     /** Asks a traversal for the closest hit between two ray parameters. */
-    static boolean closestHit(RayTracer traversal, double[] r, double tMin, double tMax) {
+    public static boolean closestHit(RayTracer traversal, double[] r, double tMin, double tMax) {
         return traversal.closestHit(r[0], r[1], r[2], r[3], r[4], r[5], tMin, tMax);
     }
 
     /** Asks a traversal whether anything lies between two ray parameters. */
-    static boolean isOccluded(RayTracer traversal, double[] r, double tMin, double tMax) {
+    public static boolean isOccluded(RayTracer traversal, double[] r, double tMin, double tMax) {
         return traversal.isOccluded(r[0], r[1], r[2], r[3], r[4], r[5], tMin, tMax);
     }
 }

@@ -262,7 +262,7 @@ class SahTest {
         if (axis == KDNode.LEAF) {
             int first = KDNode.first(node);
             assertThat(IntStream.range(first, first + KDNode.count(node))
-                            .map(i -> tree.triangles().numbers[tree.leafTriangles()[i]]))
+                            .map(i -> tree.triangles().numbers()[tree.leafTriangles()[i]]))
                     .as("%s: leaf at node %d", what, index)
                     .containsExactly(triangles.toArray(Integer[]::new));
             if (level < KDTreeBuilder.depthLimit(tree.mesh().triangleCount())) {

@@ -67,7 +67,7 @@ class TreeStructureTest {
 
         assertThat(second.nodes()).isEqualTo(first.nodes());
         assertThat(second.leafTriangles()).isEqualTo(first.leafTriangles());
-        assertThat(second.triangles().numbers).isEqualTo(first.triangles().numbers);
+        assertThat(second.triangles().numbers()).isEqualTo(first.triangles().numbers());
         assertThat(second.rootBox()).isEqualTo(first.rootBox());
     }
 

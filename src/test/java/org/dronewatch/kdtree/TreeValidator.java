@@ -139,7 +139,7 @@ final class TreeValidator {
         for (int entry = first; entry < first + count; entry++) {
             int place = tree.leafTriangles()[entry];
             assertThat(place).as("%s: entry %d", name, entry).isBetween(0, mesh.triangleCount() - 1);
-            int triangle = tree.triangles().numbers[place];
+            int triangle = tree.triangles().numbers()[place];
             assertThat(seenEntries.get(entry))
                     .as("%s: entry %d is shared", name, entry)
                     .isFalse();
@@ -191,7 +191,7 @@ final class TreeValidator {
 
     /** Every triangle has one place, in the order in which leaves come to it, and takes its corners along. */
     private void checkPlaces() {
-        int[] numbers = tree.triangles().numbers;
+        int[] numbers = tree.triangles().numbers();
         assertThat(IntStream.of(numbers).sorted())
                 .as("%s: numbers", name)
                 .containsExactly(
@@ -202,7 +202,7 @@ final class TreeValidator {
             seen = Math.max(seen, place + 1);
         }
         for (int i = 0; i < 9 * numbers.length; i++) {
-            assertThat(tree.triangles().corners[i])
+            assertThat(tree.triangles().corners()[i])
                     .as("%s: corners of triangle %d", name, numbers[i / 9])
                     .isEqualTo(mesh.coordinate(numbers[i / 9], i / 3 % 3, i % 3));
         }
