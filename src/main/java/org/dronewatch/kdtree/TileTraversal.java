@@ -1,5 +1,7 @@
 package org.dronewatch.kdtree;
 
+import org.dronewatch.parallel.VectorInstructions;
+
 /**
  * Finds what the pixels of a tile of a picture see. All rays of a tile share their origin, and their directions lie on a
  * regular grid: so the tree is descended once for the whole tile, with the interval of ray parameters in which any of its
@@ -87,7 +89,7 @@ public final class TileTraversal {
      */
     public void trace(int firstColumn, int firstRow, int columns, int rows) {
         pixels.begin(firstColumn, firstRow, columns, rows);
-        if (painting == TilePainting.MANY && warmup.add((long) columns * rows) && Vectors.areAvailable()) {
+        if (painting == TilePainting.MANY && warmup.add((long) columns * rows) && VectorInstructions.areAvailable()) {
             use(TilePainting.MANY_BY_VECTORS);
         }
         int limit = (int) (TRIANGLES_PER_PIXEL * columns * rows) + 1;

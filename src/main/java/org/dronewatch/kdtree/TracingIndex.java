@@ -3,6 +3,7 @@ package org.dronewatch.kdtree;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.VectorInstructions;
 
 /**
  * What finds the triangles of a mesh along rays: its kd-tree, and a BVH for incoherent rays that is built when first asked
@@ -54,7 +55,7 @@ public final class TracingIndex {
      * far from the origin that single precision cannot bound them.
      */
     public boolean hasBvh() {
-        return Vectors.areAvailable() && tree.mesh().triangleCount() > 0 && reach(tree.bounds()) < WideTree.FARTHEST;
+        return VectorInstructions.areAvailable() && tree.mesh().triangleCount() > 0 && reach(tree.bounds()) < WideTree.FARTHEST;
     }
 
     private static double reach(AABB box) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.VectorInstructions;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -74,7 +75,7 @@ class TileDescentTest {
     }
 
     private LeafPainter leaves(KDTree tree, TilePainting painting) {
-        assumeTrue(painting != TilePainting.MANY_BY_VECTORS || Vectors.areAvailable(), "no vectors");
+        assumeTrue(painting != TilePainting.MANY_BY_VECTORS || VectorInstructions.areAvailable(), "no vectors");
         return new LeafPainter(tree.leafTriangles(), painting.painter(tree.triangles(), grid, pixels));
     }
 

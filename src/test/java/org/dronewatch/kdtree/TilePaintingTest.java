@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.VectorInstructions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -26,7 +27,7 @@ class TilePaintingTest {
 
     @BeforeEach
     void needVectors() {
-        assumeTrue(Vectors.areAvailable(), "no vectors of 256 bits, or the module of vectors is not named");
+        assumeTrue(VectorInstructions.areAvailable(), "no vectors of 256 bits, or the module of vectors is not named");
     }
 
     @Test

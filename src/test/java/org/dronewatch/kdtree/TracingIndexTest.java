@@ -7,13 +7,14 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.Set;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.VectorInstructions;
 import org.dronewatch.parallel.Workers;
 import org.junit.jupiter.api.Test;
 
 class TracingIndexTest {
     @Test
     void allThreadsShareOneBvh() {
-        assumeTrue(Vectors.areAvailable(), "no vectors of 256 bits, or the module of vectors is not named");
+        assumeTrue(VectorInstructions.areAvailable(), "no vectors of 256 bits, or the module of vectors is not named");
         TracingIndex index = TracingIndex.of(Meshes.model("house.obj"));
         Set<WideTree> built = Collections.synchronizedSet(Collections.newSetFromMap(new IdentityHashMap<>()));
         try (Workers workers = new Workers(3)) {

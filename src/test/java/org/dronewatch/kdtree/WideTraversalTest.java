@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.Random;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.VectorInstructions;
 import org.dronewatch.parallel.Workers;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -18,7 +19,7 @@ class WideTraversalTest {
 
     @BeforeEach
     void needVectors() {
-        assumeTrue(Vectors.areAvailable(), "no vectors of 256 bits, or the module of vectors is not named");
+        assumeTrue(VectorInstructions.areAvailable(), "no vectors of 256 bits, or the module of vectors is not named");
     }
 
     @ParameterizedTest

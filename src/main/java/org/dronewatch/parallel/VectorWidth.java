@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.parallel;
 
 import jdk.incubator.vector.FloatVector;
 

@@ -1,13 +1,13 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.parallel;
 
 /**
  * Whether the processor's vector instructions can be used: the module {@code jdk.incubator.vector} has to be named when the
  * Java machine starts, by {@code --add-modules jdk.incubator.vector}, and the processor needs vectors of 256 bits.
  */
-public final class Vectors {
+public final class VectorInstructions {
     private static final boolean AVAILABLE = look();
 
-    private Vectors() {}
+    private VectorInstructions() {}
 
     /** Whether they can be used, in this process. */
     public static boolean areAvailable() {
