@@ -2,11 +2,11 @@ package org.dronewatch.jmh;
 
 import java.util.concurrent.TimeUnit;
 import org.dronewatch.bench.RaySet;
+import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.SequentialTraversal;
 import org.dronewatch.kdtree.StackTraversal;
-import org.dronewatch.kdtree.TracingIndex;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;

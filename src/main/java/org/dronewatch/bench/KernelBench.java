@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
-import org.dronewatch.kdtree.TracingIndex;
 import org.dronewatch.parallel.Workers;
 
 /** Traces sets of rays over and over and takes the time. */

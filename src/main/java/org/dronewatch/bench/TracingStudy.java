@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.KDTreeStats;
-import org.dronewatch.kdtree.TracingIndex;
 import org.dronewatch.parallel.Workers;
 import org.jogamp.vecmath.Vector3d;
 

@@ -2,8 +2,8 @@ package org.dronewatch.bench;
 
 import java.util.Locale;
 import java.util.function.Supplier;
+import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.kdtree.SequentialTraversal;
-import org.dronewatch.kdtree.TracingIndex;
 
 /** The ways through a tree that can be measured. */
 public enum TraversalKind {

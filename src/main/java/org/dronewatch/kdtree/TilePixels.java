@@ -21,7 +21,7 @@ final class TilePixels {
 
     /**
      * Which triangle that is, as wide as what tells whether it is nearer: vectors of ints turned into doubles and back
-     * make {@link WideTraversal} a third slower in the same virtual machine, whose compiler then inlines less of either.
+     * make {@code BvhTraversal} a third slower in the same virtual machine, whose compiler then inlines less of either.
      */
     final double[] triangles;
 

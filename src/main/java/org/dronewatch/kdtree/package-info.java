@@ -1,7 +1,6 @@
 /**
  * A SAH kd-tree over the triangles of a mesh, packed into 64-bit words: single rays go through it in two ways, pictures by
- * tiles. For rays without coherence {@link org.dronewatch.kdtree.TracingIndex} has a second, wide tree of boxes, where the
- * processor's vectors can be used. Trees are immutable and shared by all threads; a
- * {@link org.dronewatch.kdtree.RayTracer} holds the scratch state of one thread.
+ * tiles. Trees are immutable and shared by all threads; a {@link org.dronewatch.kdtree.RayTracer} holds the scratch state
+ * of one thread.
  */
 package org.dronewatch.kdtree;

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.Test;
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.function.Function;
+import org.dronewatch.bvh.TracingIndex;
 
 /** The ways through a tree. */
 enum Way {

@@ -1,7 +1,7 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.bvh;
 
-/** A box with two parts in it, or with triangles: what a {@link WideTree} is made from. */
-final class WidePart {
+/** A box with two parts in it, or with triangles: what a {@link Bvh} is made from. */
+final class BvhPart {
     /** Low x, y, z, high x, y, z. */
     final float[] box;
 
@@ -11,10 +11,10 @@ final class WidePart {
     /** Behind the last. */
     final int to;
 
-    WidePart left;
-    WidePart right;
+    BvhPart left;
+    BvhPart right;
 
-    WidePart(float[] box, int from, int to) {
+    BvhPart(float[] box, int from, int to) {
         this.box = box;
         this.from = from;
         this.to = to;
@@ -26,6 +26,6 @@ final class WidePart {
 
     /** Half the surface of its box. */
     float area() {
-        return WideTreeBuilder.area(box, 0);
+        return BvhBuilder.area(box, 0);
     }
 }

@@ -1,16 +1,17 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.bvh;
 
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
+import org.dronewatch.kdtree.LeafOrderTriangles;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Builds a {@link WideTree}: first a binary tree of boxes, each split where the surface area heuristic finds it cheapest
+ * Builds a {@link Bvh}: first a binary tree of boxes, each split where the surface area heuristic finds it cheapest
  * among the borders of bins of the triangles' middles (Wald, "On fast construction of SAH-based bounding volume
  * hierarchies", 2007), then nodes of eight children by opening the largest of them again and again. The tree is the same
  * for any number of threads.
  */
-final class WideTreeBuilder {
+final class BvhBuilder {
     private static final int BOX = 6;
     private static final int BINS = 32;
 
@@ -23,7 +24,7 @@ final class WideTreeBuilder {
     /** Deeper, parts are halved by number: bounds what degenerate input can do. */
     private static final int DEEPEST = 60;
 
-    /** WideParts of fewer triangles are not worth another thread. */
+    /** Parts of fewer triangles are not worth another thread. */
     private static final int WORTH_A_THREAD = 4096;
 
     private final LeafOrderTriangles triangles;
@@ -38,7 +39,7 @@ final class WideTreeBuilder {
      *
      * @param triangles of a kd-tree: neighbours lie together
      */
-    WideTreeBuilder(LeafOrderTriangles triangles) {
+    BvhBuilder(LeafOrderTriangles triangles) {
         this.triangles = triangles;
         this.corners = triangles.corners();
         this.count = triangles.count();
@@ -46,7 +47,7 @@ final class WideTreeBuilder {
         this.order = new int[count];
     }
 
-    WideTree build() {
+    Bvh build() {
         double reach = 0.0;
         for (int i = 0; i < count; i++) {
             order[i] = i;
@@ -55,9 +56,9 @@ final class WideTreeBuilder {
                 reach = Math.max(reach, Math.abs(boxes[BOX * i + k]));
             }
         }
-        WidePart root = part(0, count);
+        BvhPart root = part(0, count);
         split(root, 0);
-        return new WideTreeWriter(triangles, order).write(root, reach);
+        return new BvhWriter(triangles, order).write(root, reach);
     }
 
     private void writeBox(int place) {
@@ -70,12 +71,12 @@ final class WideTreeBuilder {
         }
     }
 
-    private WidePart part(int from, int to) {
+    private BvhPart part(int from, int to) {
         float[] box = emptyBox();
         for (int i = from; i < to; i++) {
             grow(box, 0, boxes, BOX * order[i]);
         }
-        return new WidePart(box, from, to);
+        return new BvhPart(box, from, to);
     }
 
     private static float[] emptyBox() {
@@ -104,7 +105,7 @@ final class WideTreeBuilder {
         return x < 0.0f ? 0.0f : x * y + y * z + z * x;
     }
 
-    private void split(WidePart part, int level) {
+    private void split(BvhPart part, int level) {
         int size = part.to - part.from;
         if (size > WORTH_A_THREAD && Thread.currentThread().isInterrupted()) {
             throw new CancellationException("interrupted while a tree was built");
@@ -115,7 +116,7 @@ final class WideTreeBuilder {
         Bins bins = new Bins(part);
         boolean splits = level < DEEPEST && bins.find();
         if (size <= MOST_IN_LEAF
-                && (!splits || bins.bestCost + STEP * area(part.box, 0) >= area(part.box, 0) * WideNode.blocks(size))) {
+                && (!splits || bins.bestCost + STEP * area(part.box, 0) >= area(part.box, 0) * BvhNode.blocks(size))) {
             return;
         }
         int middle = splits ? bins.partition() : part.from + size / 2;
@@ -131,7 +132,7 @@ final class WideTreeBuilder {
 
     /** The triangles of a part, sorted into bins by their middles, and where to split them. */
     private final class Bins {
-        private final WidePart part;
+        private final BvhPart part;
         private final int number;
         private final float[] low = new float[3];
         private final float[] scale = new float[3];
@@ -141,7 +142,7 @@ final class WideTreeBuilder {
         private int bestAxis;
         private int bestBin;
 
-        Bins(WidePart part) {
+        Bins(BvhPart part) {
             this.part = part;
             this.number = Math.min(BINS, 6 + (part.to - part.from) / 2);
         }
@@ -225,8 +226,8 @@ final class WideTreeBuilder {
 
         /** Blocks that triangles fill: whole ones near the leaves, else on average. */
         private float work(int triangles) {
-            boolean many = part.to - part.from > 4 * WideNode.TRIANGLES;
-            return many ? (float) triangles / WideNode.TRIANGLES : WideNode.blocks(triangles);
+            boolean many = part.to - part.from > 4 * BvhNode.TRIANGLES;
+            return many ? (float) triangles / BvhNode.TRIANGLES : BvhNode.blocks(triangles);
         }
 
         /** Brings the triangles left of the best border before the others; gives where these begin. */

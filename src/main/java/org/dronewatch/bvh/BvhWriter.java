@@ -1,13 +1,14 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.bvh;
 
 import java.util.Arrays;
+import org.dronewatch.kdtree.LeafOrderTriangles;
 
-/** Writes a tree of parts as a {@link WideTree}: nodes of eight children, by opening the largest again and again. */
-final class WideTreeWriter {
+/** Writes a tree of parts as a {@link Bvh}: nodes of eight children, by opening the largest again and again. */
+final class BvhWriter {
     private final LeafOrderTriangles triangles;
     private final int[] order;
     private int[] pool;
-    private int used = WideNode.ROOT;
+    private int used = BvhNode.ROOT;
     private int depth;
 
     /**
@@ -16,52 +17,52 @@ final class WideTreeWriter {
      * @param triangles at their places
      * @param order the places as the parts name them
      */
-    WideTreeWriter(LeafOrderTriangles triangles, int[] order) {
+    BvhWriter(LeafOrderTriangles triangles, int[] order) {
         this.triangles = triangles;
         this.order = order;
-        this.pool = new int[WideNode.ROOT + WideNode.NODE + order.length * WideNode.BLOCK / 2];
+        this.pool = new int[BvhNode.ROOT + BvhNode.NODE + order.length * BvhNode.BLOCK / 2];
     }
 
     /** The tree whose root holds a part. */
-    WideTree write(WidePart root, double reach) {
+    Bvh write(BvhPart root, double reach) {
         emit(root, 1);
-        return new WideTree(Arrays.copyOf(pool, used), reach, depth);
+        return new Bvh(Arrays.copyOf(pool, used), reach, depth);
     }
 
     /** Appends a node with all that is below it; gives its place. Its leaves come first, then its other children. */
-    private int emit(WidePart part, int level) {
+    private int emit(BvhPart part, int level) {
         depth = Math.max(depth, level);
-        WidePart[] children = new WidePart[WideNode.WIDTH];
+        BvhPart[] children = new BvhPart[BvhNode.WIDTH];
         int number = open(part, children);
-        int place = reserve(WideNode.NODE);
-        for (int child = 0; child < WideNode.WIDTH; child++) {
+        int place = reserve(BvhNode.NODE);
+        for (int child = 0; child < BvhNode.WIDTH; child++) {
             for (int k = 0; k < 6; k++) {
                 // A box that no ray meets, in the place of a child that is not there.
                 float nothing = k < 3 ? Float.MAX_VALUE : -Float.MAX_VALUE;
                 float bound = child < number ? children[child].box[k] : nothing;
-                WideNode.setBound(pool, place, k, child, bound);
+                BvhNode.setBound(pool, place, k, child, bound);
             }
         }
         for (int child = 0; child < number; child++) {
             if (children[child].isLeaf()) {
                 int blocks = appendBlocks(children[child]);
-                WideNode.setReference(pool, place, child, blocks);
+                BvhNode.setReference(pool, place, child, blocks);
             }
         }
         for (int child = 0; child < number; child++) {
             if (!children[child].isLeaf()) {
                 int node = emit(children[child], level + 1);
-                WideNode.setReference(pool, place, child, node);
+                BvhNode.setReference(pool, place, child, node);
             }
         }
         return place;
     }
 
     /** Opens the largest child again and again until there are eight, or only leaves. */
-    private static int open(WidePart part, WidePart[] children) {
+    private static int open(BvhPart part, BvhPart[] children) {
         children[0] = part;
         int number = 1;
-        while (number < WideNode.WIDTH) {
+        while (number < BvhNode.WIDTH) {
             int largest = -1;
             for (int i = 0; i < number; i++) {
                 if (!children[i].isLeaf() && (largest < 0 || children[i].area() > children[largest].area())) {
@@ -71,7 +72,7 @@ final class WideTreeWriter {
             if (largest < 0) {
                 return number;
             }
-            WidePart opened = children[largest];
+            BvhPart opened = children[largest];
             children[largest] = opened.left;
             children[number++] = opened.right;
         }
@@ -88,19 +89,19 @@ final class WideTreeWriter {
     }
 
     /** Appends a leaf's triangles; places that stay free hold triangles without extent, which no ray hits. */
-    private int appendBlocks(WidePart leaf) {
+    private int appendBlocks(BvhPart leaf) {
         int size = leaf.to - leaf.from;
-        int blocks = Math.max(1, WideNode.blocks(size));
-        int first = reserve(blocks * WideNode.BLOCK);
+        int blocks = Math.max(1, BvhNode.blocks(size));
+        int first = reserve(blocks * BvhNode.BLOCK);
         for (int i = 0; i < size; i++) {
-            int block = first + i / WideNode.TRIANGLES * WideNode.BLOCK;
-            int lane = i % WideNode.TRIANGLES;
+            int block = first + i / BvhNode.TRIANGLES * BvhNode.BLOCK;
+            int lane = i % BvhNode.TRIANGLES;
             int place = order[leaf.from + i];
             for (int k = 0; k < 9; k++) {
-                WideNode.setCoordinate(pool, block, k, lane, triangles.corners()[9 * place + k]);
+                BvhNode.setCoordinate(pool, block, k, lane, triangles.corners()[9 * place + k]);
             }
-            WideNode.setNumber(pool, block, lane, triangles.numbers()[place]);
+            BvhNode.setNumber(pool, block, lane, triangles.numbers()[place]);
         }
-        return WideNode.leaf(first, blocks);
+        return BvhNode.leaf(first, blocks);
     }
 }

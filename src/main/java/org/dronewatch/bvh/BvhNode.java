@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.bvh;
 
 /**
  * The layout of a wide tree in one array of ints; the only file with its offsets. A node holds the boxes of its eight
@@ -11,7 +11,7 @@ package org.dronewatch.kdtree;
  * reference: place of a node; or, with the sign bit, place of the first block and in the 2 lowest bits how many follow it
  * </pre>
  */
-final class WideNode {
+final class BvhNode {
     /** Children of a node. */
     static final int WIDTH = 8;
 
@@ -41,7 +41,7 @@ final class WideNode {
     private static final int LEAF = 0x80000000;
     private static final int FOLLOWING = MOST_BLOCKS - 1;
 
-    private WideNode() {}
+    private BvhNode() {}
 
     /** Ints from a node to the lower bounds of its children on an axis. */
     static int lower(int axis) {

@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.bvh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -6,6 +6,11 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.Random;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.LeafOrderTriangles;
+import org.dronewatch.kdtree.Meshes;
+import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.VectorInstructions;
 import org.dronewatch.parallel.Workers;
 import org.junit.jupiter.api.BeforeEach;
@@ -13,8 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The tree for scattered rays; what any traversal must find is tested with the others in {@link TraversalTest}. */
-class WideTraversalTest {
+/** The tree for scattered rays; what any traversal must find is tested with the others in {@code TraversalTest}. */
+class BvhTraversalTest {
     private static final double END = Double.POSITIVE_INFINITY;
 
     @BeforeEach
@@ -31,7 +36,7 @@ class WideTraversalTest {
         assertThat(index.hasBvh()).isTrue();
         RayTracer wide = index.newIncoherentRayTracer();
         RayTracer narrow = new StackTraversal(tree);
-        assertThat(wide).isInstanceOf(WideTraversal.class);
+        assertThat(wide).isInstanceOf(BvhTraversal.class);
         long seed = 20261121;
         Random random = new Random(seed);
         var box = mesh.bounds();
@@ -75,8 +80,8 @@ class WideTraversalTest {
         int[][] pools = new int[3][];
         for (int threads = 1; threads <= 3; threads++) {
             try (Workers workers = new Workers(threads)) {
-                pools[threads - 1] = workers.call(
-                        () -> new WideTreeBuilder(triangles).build().pool());
+                pools[threads - 1] =
+                        workers.call(() -> new BvhBuilder(triangles).build().pool());
             }
         }
         assertThat(pools[1]).isEqualTo(pools[0]);
@@ -87,13 +92,13 @@ class WideTraversalTest {
     void everyTriangleIsInOneLeafAndInsideAllBoxesAboveIt() {
         TriangleMesh mesh = Meshes.model("house.obj");
         KDTree tree = KDTree.of(mesh);
-        WideTree wide = new WideTreeBuilder(tree.triangles()).build();
+        Bvh wide = new BvhBuilder(tree.triangles()).build();
         int[] seen = new int[mesh.triangleCount()];
         float[] all = {
             Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY,
             Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY
         };
-        int depth = check(wide.pool(), WideNode.ROOT, all, seen);
+        int depth = check(wide.pool(), BvhNode.ROOT, all, seen);
 
         assertThat(seen).containsOnly(1);
         assertThat(depth).isEqualTo(wide.depth());
@@ -101,10 +106,10 @@ class WideTraversalTest {
 
     private static int check(int[] pool, int node, float[] box, int[] seen) {
         int depth = 0;
-        for (int child = 0; child < WideNode.WIDTH; child++) {
+        for (int child = 0; child < BvhNode.WIDTH; child++) {
             float[] own = new float[6];
             for (int k = 0; k < 6; k++) {
-                own[k] = WideNode.bound(pool, node, k, child);
+                own[k] = BvhNode.bound(pool, node, k, child);
             }
             if (own[0] > own[3]) {
                 continue;
@@ -113,8 +118,8 @@ class WideTraversalTest {
                 assertThat(own[axis]).isGreaterThanOrEqualTo(box[axis]);
                 assertThat(own[axis + 3]).isLessThanOrEqualTo(box[axis + 3]);
             }
-            int reference = WideNode.reference(pool, node, child);
-            if (WideNode.isLeaf(reference)) {
+            int reference = BvhNode.reference(pool, node, child);
+            if (BvhNode.isLeaf(reference)) {
                 checkBlocks(pool, reference, own, seen);
             } else {
                 depth = Math.max(depth, check(pool, reference, own, seen));
@@ -124,19 +129,18 @@ class WideTraversalTest {
     }
 
     private static void checkBlocks(int[] pool, int leaf, float[] box, int[] seen) {
-        for (int block = WideNode.firstBlock(leaf); block <= WideNode.lastBlock(leaf); block += WideNode.BLOCK) {
-            for (int lane = 0; lane < WideNode.TRIANGLES; lane++) {
+        for (int block = BvhNode.firstBlock(leaf); block <= BvhNode.lastBlock(leaf); block += BvhNode.BLOCK) {
+            for (int lane = 0; lane < BvhNode.TRIANGLES; lane++) {
                 boolean extent = false;
                 for (int k = 0; k < 9; k++) {
-                    extent |=
-                            WideNode.coordinate(pool, block, k, lane) != WideNode.coordinate(pool, block, k % 3, lane);
+                    extent |= BvhNode.coordinate(pool, block, k, lane) != BvhNode.coordinate(pool, block, k % 3, lane);
                 }
                 if (!extent) {
                     continue;
                 }
-                seen[WideNode.number(pool, block, lane)]++;
+                seen[BvhNode.number(pool, block, lane)]++;
                 for (int k = 0; k < 9; k++) {
-                    float x = WideNode.coordinate(pool, block, k, lane);
+                    float x = BvhNode.coordinate(pool, block, k, lane);
                     assertThat(x).isBetween(box[k % 3], box[k % 3 + 3]);
                 }
             }
@@ -167,6 +171,6 @@ class WideTraversalTest {
         KDTree astronomic = KDTree.of(TriangleMesh.of(far, new int[] {0, 1, 2}));
         TracingIndex farAway = new TracingIndex(astronomic);
         assertThat(farAway.hasBvh()).isFalse();
-        assertThat(farAway.newIncoherentRayTracer()).isNotInstanceOf(WideTraversal.class);
+        assertThat(farAway.newIncoherentRayTracer()).isNotInstanceOf(BvhTraversal.class);
     }
 }

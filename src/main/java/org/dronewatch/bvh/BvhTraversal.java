@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.bvh;
 
 import jdk.incubator.vector.ByteVector;
 import jdk.incubator.vector.DoubleVector;
@@ -7,10 +7,13 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.LongVector;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 
 /**
- * Walks a {@link WideTree}: a step tests the boxes of eight children at once in single precision, widened by more than its
- * roundings; a block tests four triangles at once, in double precision by the arithmetic of {@link TriangleIntersection}.
+ * Walks a {@link Bvh}: a step tests the boxes of eight children at once in single precision, widened by more than its
+ * roundings; a block tests four triangles at once, in double precision by the arithmetic of {@code TriangleIntersection}.
  * What is hit is what the kd-tree hits; where triangles meet in the very point, it is the nearest by the last bit, then the
  * one of the lowest number.
  *
@@ -20,7 +23,7 @@ import jdk.incubator.vector.VectorSpecies;
  * <p>The code keeps to what the just-in-time compiler turns into plain vector instructions: no masks, no vectors across
  * calls, the leaf in a method of its own.
  */
-final class WideTraversal extends RayTracer {
+final class BvhTraversal extends RayTracer {
     private static final VectorSpecies<Integer> INTS_8 = IntVector.SPECIES_256;
     private static final VectorSpecies<Integer> INTS_4 = IntVector.SPECIES_128;
     private static final VectorSpecies<Float> FLOATS_8 = FloatVector.SPECIES_256;
@@ -41,9 +44,9 @@ final class WideTraversal extends RayTracer {
     private final int[] pool;
     private final double reach;
     private final StackTraversal exact;
-    private final int[] entries = new int[WideNode.WIDTH];
-    private final double[] parameters = new double[WideNode.TRIANGLES];
-    private final long[] outside = new long[WideNode.TRIANGLES];
+    private final int[] entries = new int[BvhNode.WIDTH];
+    private final double[] parameters = new double[BvhNode.TRIANGLES];
+    private final long[] outside = new long[BvhNode.TRIANGLES];
 
     /** Entry parameter as the bits of a float above, reference below: ordered as their parameters are. */
     private final long[] stack;
@@ -63,19 +66,19 @@ final class WideTraversal extends RayTracer {
     private int winner;
     private int winnerPlace;
 
-    WideTraversal(KDTree tree, WideTree wide) {
+    BvhTraversal(KDTree tree, Bvh wide) {
         super(tree.triangles());
         this.pool = wide.pool();
         this.reach = wide.reach();
         this.exact = new StackTraversal(tree);
-        this.stack = new long[(WideNode.WIDTH - 1) * wide.depth() + 1];
+        this.stack = new long[(BvhNode.WIDTH - 1) * wide.depth() + 1];
     }
 
     @Override
     protected void trace(double tMin, double tMax, boolean anyHit) {
         double size = Math.max(Math.abs(direction[0]), Math.max(Math.abs(direction[1]), Math.abs(direction[2])));
         double away = Math.max(Math.abs(origin[0]), Math.max(Math.abs(origin[1]), Math.abs(origin[2])));
-        if (!(size > SHORTEST && size < 1.0 / SHORTEST && away < WideTree.FARTHEST)) {
+        if (!(size > SHORTEST && size < 1.0 / SHORTEST && away < Bvh.FARTHEST)) {
             traceExactly(tMin, tMax);
             return;
         }
@@ -115,7 +118,7 @@ final class WideTraversal extends RayTracer {
     }
 
     private float corner(int corner, int offset) {
-        return Float.intBitsToFloat(pool[winnerPlace + corner * WideNode.CORNER + offset]);
+        return Float.intBitsToFloat(pool[winnerPlace + corner * BvhNode.CORNER + offset]);
     }
 
     private void setTriangleRay() {
@@ -131,9 +134,9 @@ final class WideTraversal extends RayTracer {
         shearX = direction[kx] / direction[kz];
         shearY = direction[ky] / direction[kz];
         shearZ = 1.0 / direction[kz];
-        offsetX = WideNode.coordinates(kx);
-        offsetY = WideNode.coordinates(ky);
-        offsetZ = WideNode.coordinates(kz);
+        offsetX = BvhNode.coordinates(kx);
+        offsetY = BvhNode.coordinates(ky);
+        offsetZ = BvhNode.coordinates(kz);
     }
 
     private double bounded(int axis) {
@@ -166,21 +169,21 @@ final class WideTraversal extends RayTracer {
         FloatVector exitX = FloatVector.broadcast(FLOATS_8, (float) (-origin[0] * ix + mx));
         FloatVector exitY = FloatVector.broadcast(FLOATS_8, (float) (-origin[1] * iy + my));
         FloatVector exitZ = FloatVector.broadcast(FLOATS_8, (float) (-origin[2] * iz + mz));
-        int nearX = ix < 0.0 ? WideNode.upper(0) : WideNode.lower(0);
-        int nearY = iy < 0.0 ? WideNode.upper(1) : WideNode.lower(1);
-        int nearZ = iz < 0.0 ? WideNode.upper(2) : WideNode.lower(2);
-        int farX = ix < 0.0 ? WideNode.lower(0) : WideNode.upper(0);
-        int farY = iy < 0.0 ? WideNode.lower(1) : WideNode.upper(1);
-        int farZ = iz < 0.0 ? WideNode.lower(2) : WideNode.upper(2);
+        int nearX = ix < 0.0 ? BvhNode.upper(0) : BvhNode.lower(0);
+        int nearY = iy < 0.0 ? BvhNode.upper(1) : BvhNode.lower(1);
+        int nearZ = iz < 0.0 ? BvhNode.upper(2) : BvhNode.lower(2);
+        int farX = ix < 0.0 ? BvhNode.lower(0) : BvhNode.upper(0);
+        int farY = iy < 0.0 ? BvhNode.lower(1) : BvhNode.upper(1);
+        int farZ = iz < 0.0 ? BvhNode.lower(2) : BvhNode.upper(2);
 
         // Parameters are compared as the bits of floats: those of positive floats are ordered as the floats are.
         IntVector start =
                 IntVector.broadcast(INTS_8, Float.floatToRawIntBits(Math.max(0.0f, Math.nextDown((float) tMin))));
         int limit = Float.floatToRawIntBits(roundedUp(tMax));
         int stacked = 0;
-        int reference = WideNode.ROOT;
+        int reference = BvhNode.ROOT;
         while (true) {
-            if (!WideNode.isLeaf(reference)) {
+            if (!BvhNode.isLeaf(reference)) {
                 // Where each child's box is entered and left. A negative parameter has a negative pattern of bits: it
                 // is
                 // behind the start, and more than that need not be known.
@@ -223,7 +226,7 @@ final class WideTraversal extends RayTracer {
                     entered.intoArray(keys, 0);
                     int child = Long.numberOfTrailingZeros(hits) >>> 3;
                     hits &= ~(0xffL << (child << 3));
-                    int only = WideNode.reference(nodes, reference, child);
+                    int only = BvhNode.reference(nodes, reference, child);
                     if (hits == 0) {
                         reference = only;
                         continue;
@@ -234,7 +237,7 @@ final class WideTraversal extends RayTracer {
                         child = Long.numberOfTrailingZeros(hits) >>> 3;
                         hits &= ~(0xffL << (child << 3));
                         long found =
-                                (long) keys[child] << 32 | WideNode.reference(nodes, reference, child) & 0xffffffffL;
+                                (long) keys[child] << 32 | BvhNode.reference(nodes, reference, child) & 0xffffffffL;
                         long farther = Math.max(next, found);
                         next = Math.min(next, found);
                         int place = stacked++;
@@ -259,8 +262,8 @@ final class WideTraversal extends RayTracer {
                     return;
                 }
                 long top = waiting[--stacked];
-                reference = (int) (top >>> 32) <= limit ? (int) top : WideNode.NONE;
-            } while (reference == WideNode.NONE);
+                reference = (int) (top >>> 32) <= limit ? (int) top : BvhNode.NONE;
+            } while (reference == BvhNode.NONE);
         }
     }
 
@@ -281,22 +284,22 @@ final class WideTraversal extends RayTracer {
         int y = offsetY;
         int z = offsetZ;
         int limit = limitBefore;
-        int last = WideNode.lastBlock(leaf);
-        for (int block = WideNode.firstBlock(leaf); block <= last; block += WideNode.BLOCK) {
+        int last = BvhNode.lastBlock(leaf);
+        for (int block = BvhNode.firstBlock(leaf); block <= last; block += BvhNode.BLOCK) {
             // The corners relative to the sheared ray, as in TriangleIntersection, of four triangles.
             DoubleVector az = doubles(blocks, block + z).sub(oz);
-            DoubleVector bz = doubles(blocks, block + WideNode.CORNER + z).sub(oz);
-            DoubleVector cz = doubles(blocks, block + 2 * WideNode.CORNER + z).sub(oz);
+            DoubleVector bz = doubles(blocks, block + BvhNode.CORNER + z).sub(oz);
+            DoubleVector cz = doubles(blocks, block + 2 * BvhNode.CORNER + z).sub(oz);
             DoubleVector ax = doubles(blocks, block + x).sub(ox).sub(az.mul(sx));
             DoubleVector ay = doubles(blocks, block + y).sub(oy).sub(az.mul(sy));
             DoubleVector bx =
-                    doubles(blocks, block + WideNode.CORNER + x).sub(ox).sub(bz.mul(sx));
+                    doubles(blocks, block + BvhNode.CORNER + x).sub(ox).sub(bz.mul(sx));
             DoubleVector by =
-                    doubles(blocks, block + WideNode.CORNER + y).sub(oy).sub(bz.mul(sy));
+                    doubles(blocks, block + BvhNode.CORNER + y).sub(oy).sub(bz.mul(sy));
             DoubleVector cx =
-                    doubles(blocks, block + 2 * WideNode.CORNER + x).sub(ox).sub(cz.mul(sx));
+                    doubles(blocks, block + 2 * BvhNode.CORNER + x).sub(ox).sub(cz.mul(sx));
             DoubleVector cy =
-                    doubles(blocks, block + 2 * WideNode.CORNER + y).sub(oy).sub(cz.mul(sy));
+                    doubles(blocks, block + 2 * BvhNode.CORNER + y).sub(oy).sub(cz.mul(sy));
 
             // The edge functions. Where two have opposite signs, their product has the sign bit: the triangle is
             // missed.
@@ -326,7 +329,7 @@ final class WideTraversal extends RayTracer {
                 int lane = Integer.numberOfTrailingZeros(hits);
                 hits &= hits - 1;
                 double parameter = ts[lane];
-                int triangle = WideNode.number(blocks, block, lane);
+                int triangle = BvhNode.number(blocks, block, lane);
                 if (parameter >= first
                         && (parameter < nearest || parameter == nearest && (winner < 0 || triangle < winner))) {
                     nearest = parameter;

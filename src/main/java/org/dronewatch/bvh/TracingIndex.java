@@ -1,8 +1,11 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.bvh;
 
 import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.VectorInstructions;
 
 /**
@@ -11,7 +14,7 @@ import org.dronewatch.parallel.VectorInstructions;
  */
 public final class TracingIndex {
     private final KDTree tree;
-    private WideTree wide;
+    private Bvh bvh;
 
     /** An index around a finished tree; the BVH is built later, if ever. */
     public TracingIndex(KDTree tree) {
@@ -47,7 +50,7 @@ public final class TracingIndex {
      * @throws CancellationException when the thread is interrupted while the BVH is built
      */
     public RayTracer newIncoherentRayTracer() {
-        return hasBvh() ? new WideTraversal(tree, wide()) : newRayTracer();
+        return hasBvh() ? new BvhTraversal(tree, bvh()) : newRayTracer();
     }
 
     /**
@@ -55,7 +58,9 @@ public final class TracingIndex {
      * far from the origin that single precision cannot bound them.
      */
     public boolean hasBvh() {
-        return VectorInstructions.areAvailable() && tree.mesh().triangleCount() > 0 && reach(tree.bounds()) < WideTree.FARTHEST;
+        return VectorInstructions.areAvailable()
+                && tree.mesh().triangleCount() > 0
+                && reach(tree.bounds()) < Bvh.FARTHEST;
     }
 
     private static double reach(AABB box) {
@@ -66,10 +71,10 @@ public final class TracingIndex {
     }
 
     /** The BVH, built when first asked for. */
-    synchronized WideTree wide() {
-        if (wide == null) {
-            wide = new WideTreeBuilder(tree.triangles()).build();
+    synchronized Bvh bvh() {
+        if (bvh == null) {
+            bvh = new BvhBuilder(tree.triangles()).build();
         }
-        return wide;
+        return bvh;
     }
 }

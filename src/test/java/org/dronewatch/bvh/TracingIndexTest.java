@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.bvh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -7,6 +7,7 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.Set;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.Meshes;
 import org.dronewatch.parallel.VectorInstructions;
 import org.dronewatch.parallel.Workers;
 import org.junit.jupiter.api.Test;
@@ -16,10 +17,10 @@ class TracingIndexTest {
     void allThreadsShareOneBvh() {
         assumeTrue(VectorInstructions.areAvailable(), "no vectors of 256 bits, or the module of vectors is not named");
         TracingIndex index = TracingIndex.of(Meshes.model("house.obj"));
-        Set<WideTree> built = Collections.synchronizedSet(Collections.newSetFromMap(new IdentityHashMap<>()));
+        Set<Bvh> built = Collections.synchronizedSet(Collections.newSetFromMap(new IdentityHashMap<>()));
         try (Workers workers = new Workers(3)) {
             workers.call(() -> {
-                Workers.forEach(100, number -> built.add(index.wide()));
+                Workers.forEach(100, number -> built.add(index.bvh()));
                 return null;
             });
         }
