@@ -10,6 +10,8 @@ import org.dronewatch.fuzz.Failure;
 import org.dronewatch.fuzz.FuzzCase;
 import org.dronewatch.fuzz.FuzzTarget;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.raster.PinholeView;
+import org.dronewatch.raster.TileTracer;
 
 /** Trees of nasty meshes, and every traversal against the test of each triangle. */
 public final class KernelTarget implements FuzzTarget {
@@ -121,7 +123,7 @@ public final class KernelTarget implements FuzzTarget {
         }
         SplittableRandom random = new SplittableRandom(mesh.triangleCount());
         double size = mesh.bounds().diagonal();
-        TileTraversal tiles = new TileTraversal(tree);
+        TileTracer tiles = new TileTracer(tree);
         RayTracer single = new StackTraversal(tree);
         for (int number = 0; number < 2; number++) {
             PinholeView view = PinholeView.random(mesh, random, number, PICTURE);

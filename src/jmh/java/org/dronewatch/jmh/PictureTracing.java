@@ -5,7 +5,7 @@ import org.dronewatch.bench.RollingTerrain;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.TileTraversal;
+import org.dronewatch.raster.TileTracer;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.CameraObject;
@@ -41,7 +41,7 @@ public class PictureTracing {
     @Param({"hill", "cathedral", "house", "ground", "shuffled"})
     public String model;
 
-    private TileTraversal tiles;
+    private TileTracer tiles;
 
     /** Puts a camera into the model. */
     @Setup
@@ -58,7 +58,7 @@ public class PictureTracing {
         CameraObject camera = new CameraObject(CameraSettings.at(eye)
                 .withResolution(WIDTH, HEIGHT)
                 .withAim(new Aim.Target(new Position(middle.x, middle.y, middle.z))));
-        tiles = new TileTraversal(world.tree());
+        tiles = new TileTracer(world.tree());
         double[] corner = direction(camera, 0, 0);
         double[] right = difference(direction(camera, 1, 0), corner);
         double[] down = difference(direction(camera, 0, 1), corner);
@@ -92,9 +92,9 @@ public class PictureTracing {
     @OperationsPerInvocation(WIDTH * HEIGHT)
     public double byTiles() {
         double sum = 0.0;
-        for (int top = 0; top < HEIGHT; top += TileTraversal.HEIGHT) {
-            for (int left = 0; left < WIDTH; left += TileTraversal.WIDTH) {
-                tiles.trace(left, top, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+        for (int top = 0; top < HEIGHT; top += TileTracer.HEIGHT) {
+            for (int left = 0; left < WIDTH; left += TileTracer.WIDTH) {
+                tiles.trace(left, top, TileTracer.WIDTH, TileTracer.HEIGHT);
                 sum += tiles.parameter(0, 0);
             }
         }
@@ -116,9 +116,9 @@ public class PictureTracing {
     @OperationsPerInvocation(WIDTH * HEIGHT)
     public double byRays() {
         double sum = 0.0;
-        for (int top = 0; top < HEIGHT; top += TileTraversal.HEIGHT) {
-            for (int left = 0; left < WIDTH; left += TileTraversal.WIDTH) {
-                tiles.traceSingly(left, top, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+        for (int top = 0; top < HEIGHT; top += TileTracer.HEIGHT) {
+            for (int left = 0; left < WIDTH; left += TileTracer.WIDTH) {
+                tiles.traceSingly(left, top, TileTracer.WIDTH, TileTracer.HEIGHT);
                 sum += tiles.parameter(0, 0);
             }
         }

@@ -2,16 +2,16 @@ package org.dronewatch.bench;
 
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.StackTraversal;
-import org.dronewatch.kdtree.TileTraversal;
+import org.dronewatch.raster.TileTracer;
 
 /** Traces the rays of a picture tile by tile; a piece is a row of tiles. */
 final class PictureTracer implements Tracer {
-    private static final int WIDTH = TileTraversal.WIDTH;
-    private static final int HEIGHT = TileTraversal.HEIGHT;
+    private static final int WIDTH = TileTracer.WIDTH;
+    private static final int HEIGHT = TileTracer.HEIGHT;
 
     private final Picture picture;
     private final boolean[][] isTile;
-    private final TileTraversal traversal;
+    private final TileTracer traversal;
     private final RaySetTracer single;
 
     /**
@@ -22,7 +22,7 @@ final class PictureTracer implements Tracer {
     PictureTracer(KDTree tree, RaySet set, Picture picture, boolean[][] isTile) {
         this.picture = picture;
         this.isTile = isTile;
-        this.traversal = new TileTraversal(tree);
+        this.traversal = new TileTracer(tree);
         this.single = new RaySetTracer(new StackTraversal(tree), set);
         this.traversal.setPicture(picture.origin(), picture.corner(), picture.right(), picture.down());
     }

@@ -2,7 +2,7 @@ package org.dronewatch.render;
 
 import java.util.Map;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.kdtree.TileTraversal;
+import org.dronewatch.raster.TileTracer;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.ModelGrid;
 import org.jogamp.vecmath.Matrix4d;
@@ -48,13 +48,13 @@ final class DronePainter {
     }
 
     private void paint(CameraObject camera, Canvas canvas, int left, int top, int right, int bottom) {
-        TileTraversal tiles = new TileTraversal(drone.tree());
+        TileTracer tiles = new TileTracer(drone.tree());
         new ModelGrid(camera).setPicture(tiles, drone.worldToModel());
         double[] direction = new double[3];
-        for (int y = top; y < bottom; y += TileTraversal.HEIGHT) {
-            for (int x = left; x < right; x += TileTraversal.WIDTH) {
-                int columns = Math.min(TileTraversal.WIDTH, right - x);
-                int rows = Math.min(TileTraversal.HEIGHT, bottom - y);
+        for (int y = top; y < bottom; y += TileTracer.HEIGHT) {
+            for (int x = left; x < right; x += TileTracer.WIDTH) {
+                int columns = Math.min(TileTracer.WIDTH, right - x);
+                int rows = Math.min(TileTracer.HEIGHT, bottom - y);
                 tiles.trace(x, y, columns, rows);
                 for (int i = 0; i < columns * rows; i++) {
                     int column = i % columns;

@@ -11,8 +11,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.StackTraversal;
-import org.dronewatch.kdtree.TileTraversal;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.raster.TileTracer;
 import org.dronewatch.sensor.optics.CameraObject;
 
 /**
@@ -43,7 +43,7 @@ final class SitePainter {
 
     /** What one thread paints with. */
     private final class Brush {
-        private final TileTraversal tiles = new TileTraversal(tree);
+        private final TileTracer tiles = new TileTracer(tree);
         private final RayTracer single = new StackTraversal(tree);
         private final double[] direction = new double[3];
 
@@ -51,7 +51,7 @@ final class SitePainter {
         private final double[] found = new double[2];
 
         /** Whether the sun was seen in each block of the tile: 0 not asked, 1 seen, 2 not seen. */
-        private final byte[] sun = new byte[TileTraversal.WIDTH / BLOCK * (TileTraversal.HEIGHT / BLOCK)];
+        private final byte[] sun = new byte[TileTracer.WIDTH / BLOCK * (TileTracer.HEIGHT / BLOCK)];
     }
 
     /** What does not change from pixel to pixel. */
@@ -68,12 +68,12 @@ final class SitePainter {
         Position from = camera.position();
         double[] eye = {from.x(), from.y(), from.z()};
         Shot shot = new Shot(camera, eye, camera.grid(), cut, shadows, canvas);
-        int across = (canvas.width + TileTraversal.WIDTH - 1) / TileTraversal.WIDTH;
-        int down = (canvas.height + TileTraversal.HEIGHT - 1) / TileTraversal.HEIGHT;
+        int across = (canvas.width + TileTracer.WIDTH - 1) / TileTracer.WIDTH;
+        int down = (canvas.height + TileTracer.HEIGHT - 1) / TileTracer.HEIGHT;
         Queue<Brush> used = new ConcurrentLinkedQueue<>();
         Workers.forEach(across * down, () -> take(shot, used), (brush, tile) -> {
             if (!abandoned.getAsBoolean()) {
-                paintTile(shot, brush, tile % across * TileTraversal.WIDTH, tile / across * TileTraversal.HEIGHT);
+                paintTile(shot, brush, tile % across * TileTracer.WIDTH, tile / across * TileTracer.HEIGHT);
             }
         });
         brushes.addAll(used);
@@ -90,8 +90,8 @@ final class SitePainter {
 
     private void paintTile(Shot shot, Brush brush, int left, int top) {
         Canvas canvas = shot.canvas();
-        int columns = Math.min(TileTraversal.WIDTH, canvas.width - left);
-        int rows = Math.min(TileTraversal.HEIGHT, canvas.height - top);
+        int columns = Math.min(TileTracer.WIDTH, canvas.width - left);
+        int rows = Math.min(TileTracer.HEIGHT, canvas.height - top);
         Arrays.fill(brush.sun, (byte) 0);
         if (shot.cut() == null) {
             brush.tiles.trace(left, top, columns, rows);
@@ -101,7 +101,7 @@ final class SitePainter {
                 setDirection(shot, brush, left + column, top + row);
                 int pixel = (top + row) * canvas.width + left + column;
                 boolean hit = shot.cut() == null ? take(canvas, brush, pixel, column, row) : trace(shot, brush, pixel);
-                int block = row / BLOCK * (TileTraversal.WIDTH / BLOCK) + column / BLOCK;
+                int block = row / BLOCK * (TileTracer.WIDTH / BLOCK) + column / BLOCK;
                 canvas.rgb[pixel] = hit ? colour(shot, brush, pixel, block) : sky(brush);
             }
         }

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.raster.TileTracer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -146,7 +147,7 @@ class TraversalLatticeTest {
             Arrays.setAll(corner, k -> k == axis ? 1 + random.nextInt(4) : -origin[k]);
             right[(axis + 1) % 3] = 0.5;
             down[(axis + 2) % 3] = 0.5;
-            TileTraversal tiles = new TileTraversal(tree);
+            TileTracer tiles = new TileTracer(tree);
             tiles.setPicture(origin, corner, right, down);
             tiles.trace(0, 0, 7, 7);
             for (int pixel = 0; pixel < 49; pixel++) {

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.kdtree.KDTree;
-import org.dronewatch.kdtree.TileTraversal;
+import org.dronewatch.raster.TileTracer;
 import org.jogamp.vecmath.Matrix4d;
 
 /**
@@ -26,7 +26,7 @@ final class DynamicView {
     private final Matrix4d toModel = new Matrix4d();
     private final ModelGrid grid;
 
-    private final Map<KDTree, TileTraversal> traversals = new IdentityHashMap<>();
+    private final Map<KDTree, TileTracer> traversals = new IdentityHashMap<>();
 
     /** One for each drone of the last frame, in its order. */
     private Silhouette[] silhouettes = new Silhouette[0];
@@ -70,14 +70,14 @@ final class DynamicView {
 
     private void draw(StaticView staticView, Drone drone, int number) {
         PixelRectangle rectangle = silhouettes[number].rectangle();
-        TileTraversal traversal = traversals.computeIfAbsent(drone.tree(), TileTraversal::new);
+        TileTracer traversal = traversals.computeIfAbsent(drone.tree(), TileTracer::new);
         drone.worldToModel(toModel);
         grid.setPicture(traversal, toModel);
         boolean coarse = drone.tree().mesh().triangleCount() < TRIANGLES_PER_PIXEL * rectangle.pixels();
-        for (int top = rectangle.top(); top <= rectangle.bottom(); top += TileTraversal.HEIGHT) {
-            int rows = Math.min(TileTraversal.HEIGHT, rectangle.bottom() + 1 - top);
-            for (int left = rectangle.left(); left <= rectangle.right(); left += TileTraversal.WIDTH) {
-                int columns = Math.min(TileTraversal.WIDTH, rectangle.right() + 1 - left);
+        for (int top = rectangle.top(); top <= rectangle.bottom(); top += TileTracer.HEIGHT) {
+            int rows = Math.min(TileTracer.HEIGHT, rectangle.bottom() + 1 - top);
+            for (int left = rectangle.left(); left <= rectangle.right(); left += TileTracer.WIDTH) {
+                int columns = Math.min(TileTracer.WIDTH, rectangle.right() + 1 - left);
                 if (coarse) {
                     traversal.trace(left, top, columns, rows);
                 } else {
@@ -89,7 +89,7 @@ final class DynamicView {
     }
 
     private void claimTile(
-            TileTraversal traversal, int left, int top, int columns, int rows, StaticView staticView, int number) {
+            TileTracer traversal, int left, int top, int columns, int rows, StaticView staticView, int number) {
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 if (traversal.hits(column, row)) {

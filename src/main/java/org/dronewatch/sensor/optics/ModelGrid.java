@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.optics;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.TileTraversal;
+import org.dronewatch.raster.TileTracer;
 import org.jogamp.vecmath.Matrix4d;
 
 /**
@@ -25,7 +25,7 @@ public final class ModelGrid {
      *
      * @param m from the world to the model's space
      */
-    public void setPicture(TileTraversal traversal, Matrix4d m) {
+    public void setPicture(TileTracer traversal, Matrix4d m) {
         origin[0] = m.m00 * from.x() + m.m01 * from.y() + m.m02 * from.z() + m.m03;
         origin[1] = m.m10 * from.x() + m.m11 * from.y() + m.m12 * from.z() + m.m13;
         origin[2] = m.m20 * from.x() + m.m21 * from.y() + m.m22 * from.z() + m.m23;

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor.optics;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.TileTraversal;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.raster.TileTracer;
 import org.dronewatch.world.World;
 
 /**
@@ -17,7 +17,7 @@ final class StaticView {
 
     private final CameraObject camera;
     private final World world;
-    private final TileTraversal traversal;
+    private final TileTracer traversal;
 
     private final int tilesAcross;
 
@@ -32,8 +32,8 @@ final class StaticView {
         this.tiles = new float[tilesAcross * ((camera.height() + TILE_HEIGHT - 1) / TILE_HEIGHT)][];
     }
 
-    private TileTraversal newTraversal() {
-        TileTraversal created = new TileTraversal(world.tree());
+    private TileTracer newTraversal() {
+        TileTracer created = new TileTracer(world.tree());
         Position from = camera.position();
         double[][] grid = camera.grid();
         created.setPicture(new double[] {from.x(), from.y(), from.z()}, grid[0], grid[1], grid[2]);
@@ -67,7 +67,7 @@ final class StaticView {
         return distances;
     }
 
-    private float[] trace(TileTraversal own, int tile) {
+    private float[] trace(TileTracer own, int tile) {
         int left = tile % tilesAcross * TILE_WIDTH;
         int top = tile / tilesAcross * TILE_HEIGHT;
         int columns = columns(left);

@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 /**
  * Paints triangles into a tile line by line, from their functions: the inverse of the ray parameter on the triangle's plane,
@@ -6,11 +6,11 @@ package org.dronewatch.kdtree;
  * what a column adds, what a row adds. A line of pixels is then an interval between the edges. Lines run the longer way
  * through the rectangle that holds the triangle, along rows or along columns: so there are few of them.
  */
-class TileLines {
+class ScanlineRasteriser {
     /** How near to a pixel's centre, in pixels, an edge must pass to be looked at once more. */
     private static final double NEAR_EDGE = 1e-6;
 
-    final TilePixels pixels;
+    final TileBuffer pixels;
 
     // The rectangle that the triangle may lie in.
     int fromColumn;
@@ -32,7 +32,7 @@ class TileLines {
     double gOfColumn;
     double gOfRow;
 
-    TileLines(TilePixels pixels) {
+    ScanlineRasteriser(TileBuffer pixels) {
         this.pixels = pixels;
     }
 

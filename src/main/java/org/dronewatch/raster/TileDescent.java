@@ -1,4 +1,7 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
+
+import org.dronewatch.kdtree.KDNode;
+import org.dronewatch.kdtree.KDTree;
 
 /**
  * Descends a tree for all rays of a tile at once, nearer cells first, and has painted what the cells hold that the tile may
@@ -12,9 +15,9 @@ final class TileDescent {
 
     private final KDTree tree;
     private final PixelGrid grid;
-    private final TilePixels pixels;
-    private final TileSight sight;
-    private final LeafPainter leaves;
+    private final TileBuffer pixels;
+    private final TileCuller sight;
+    private final LeafRasteriser leaves;
     private final int nodesPaintedWhole;
 
     /** The ray parameter beyond which the tile sees nothing any more. */
@@ -49,11 +52,11 @@ final class TileDescent {
      * @param leaves paints what leaves hold
      * @param nodesPaintedWhole parts of the tree that have no more nodes are painted whole, 1 for leaves
      */
-    TileDescent(KDTree tree, PixelGrid grid, TilePixels pixels, LeafPainter leaves, int nodesPaintedWhole) {
+    TileDescent(KDTree tree, PixelGrid grid, TileBuffer pixels, LeafRasteriser leaves, int nodesPaintedWhole) {
         this.tree = tree;
         this.grid = grid;
         this.pixels = pixels;
-        this.sight = new TileSight(grid, pixels);
+        this.sight = new TileCuller(grid, pixels);
         this.leaves = leaves;
         this.nodesPaintedWhole = nodesPaintedWhole;
         int size = tree.depth() + 1;

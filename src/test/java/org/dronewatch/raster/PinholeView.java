@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.AABB;

@@ -1,4 +1,6 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
+
+import org.dronewatch.kdtree.LeafOrderTriangles;
 
 /**
  * Paints triangles into the pixels of a tile, nearest surface wins. One per thread.
@@ -10,7 +12,7 @@ package org.dronewatch.kdtree;
  * columns, too: the two orders of adding round differently, but never across zero. Where corners lie some 1e-5 of a pixel
  * from each other, and from a pixel's centre, the roundings of different edges may leave it to none of them.
  */
-class TilePainter {
+class TriangleSetup {
     /** Relative size of the roundings of the volume between the origin and a triangle. */
     static final double IN_PLANE = 1e-12;
     /** The most triangles at a time. */
@@ -19,8 +21,8 @@ class TilePainter {
     final float[] corners;
     final int[] numbers;
     final PixelGrid grid;
-    final TilePixels pixels;
-    final TileLines lines;
+    final TileBuffer pixels;
+    final ScanlineRasteriser lines;
     private boolean lost;
 
     /**
@@ -31,7 +33,7 @@ class TilePainter {
      * @param pixels what it paints
      * @param lines paint lines of the same pixels
      */
-    TilePainter(LeafOrderTriangles triangles, PixelGrid grid, TilePixels pixels, TileLines lines) {
+    TriangleSetup(LeafOrderTriangles triangles, PixelGrid grid, TileBuffer pixels, ScanlineRasteriser lines) {
         this.corners = triangles.corners();
         this.numbers = triangles.numbers();
         this.grid = grid;
@@ -101,10 +103,10 @@ class TilePainter {
             double high = Math.max(ax * ofA, Math.max(bx * ofB, cx * ofC));
             double upper = Math.min(ay * ofA, Math.min(by * ofB, cy * ofC));
             double lower = Math.max(ay * ofA, Math.max(by * ofB, cy * ofC));
-            fromColumn = TileLines.atOrAfter(Math.max(low, 0.0));
-            toColumn = TileLines.atOrBefore(Math.min(high, lastColumn));
-            fromRow = TileLines.atOrAfter(Math.max(upper, 0.0));
-            toRow = TileLines.atOrBefore(Math.min(lower, lastRow));
+            fromColumn = ScanlineRasteriser.atOrAfter(Math.max(low, 0.0));
+            toColumn = ScanlineRasteriser.atOrBefore(Math.min(high, lastColumn));
+            fromRow = ScanlineRasteriser.atOrAfter(Math.max(upper, 0.0));
+            toRow = ScanlineRasteriser.atOrBefore(Math.min(lower, lastRow));
             if (fromColumn > toColumn || fromRow > toRow) {
                 return;
             }

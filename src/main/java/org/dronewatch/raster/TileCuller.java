@@ -1,23 +1,23 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 /**
  * Tells which boxes a tile can still see something in. Where the ground is seen from the side, ten and more triangles lie
  * behind each pixel, and most cells of the tree behind the first hills are hidden, or lie between the pixels' centres: this
  * spares their triangles. One per thread.
  */
-final class TileSight {
+final class TileCuller {
     /** How far a box's shadow on the tile is widened, in pixels: more than the painter widens edges. */
     private static final double MARGIN = 1e-5;
     /** Relative size of the roundings of a box's place and reach, generously. */
     private static final double ROUNDING = 1e-14;
 
     private final PixelGrid grid;
-    private final TilePixels pixels;
+    private final TileBuffer pixels;
 
     /** From world to grid coordinates less those of the tile's corner: rows for z, x and y. */
     private final double[] toTile = new double[9];
 
-    TileSight(PixelGrid grid, TilePixels pixels) {
+    TileCuller(PixelGrid grid, TileBuffer pixels) {
         this.grid = grid;
         this.pixels = pixels;
     }

@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 /**
  * The rays of a picture: one origin, and directions on a regular grid. The ray of the pixel in a column and a row has the

@@ -1,5 +1,8 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.VectorInstructions;
 
 /**
@@ -10,9 +13,9 @@ import org.dronewatch.parallel.VectorInstructions;
  * <p>What it buys: a ray of its own costs a descent and a handful of triangle tests, a pixel of a tile a few additions.
  * The benchmark {@code PictureTracing} shows the ratio. It pays while triangles are not much smaller than pixels; a tile
  * that has met {@link #TRIANGLES_PER_PIXEL} times as many triangles as it has pixels is traced ray by ray instead. Cells
- * that lie between or behind all that the pixels see are left out ({@link TileSight}).
+ * that lie between or behind all that the pixels see are left out ({@link TileCuller}).
  */
-public final class TileTraversal {
+public final class TileTracer {
     /** The most pixels of a tile in a row. */
     public static final int WIDTH = 128;
     /** The most rows of a tile. */
@@ -23,13 +26,13 @@ public final class TileTraversal {
     private final KDTree tree;
     private final RayTracer single;
     private final PixelGrid grid = new PixelGrid();
-    private final TilePixels pixels = new TilePixels(grid, WIDTH, HEIGHT);
-    private TilePainting painting;
+    private final TileBuffer pixels = new TileBuffer(grid, WIDTH, HEIGHT);
+    private RasterMode painting;
     private TileDescent descent;
     private final RasterWarmup warmup;
 
     /** A traversal of a tree for the use of one thread, with the warm-up of the process. */
-    public TileTraversal(KDTree tree) {
+    public TileTracer(KDTree tree) {
         this(tree, RasterWarmup.ofProcess());
     }
 
@@ -38,8 +41,8 @@ public final class TileTraversal {
      *
      * @param warmup counts pixels of large models; once it is over, vectors take over
      */
-    public TileTraversal(KDTree tree, RasterWarmup warmup) {
-        this(tree, TilePainting.of(tree.mesh().triangleCount()), warmup);
+    public TileTracer(KDTree tree, RasterWarmup warmup) {
+        this(tree, RasterMode.of(tree.mesh().triangleCount()), warmup);
     }
 
     /**
@@ -47,7 +50,7 @@ public final class TileTraversal {
      *
      * @param warmup counts pixels of many triangles; once it is over, vectors take over
      */
-    TileTraversal(KDTree tree, TilePainting painting, RasterWarmup warmup) {
+    TileTracer(KDTree tree, RasterMode painting, RasterWarmup warmup) {
         this.tree = tree;
         this.warmup = warmup;
         this.single = new StackTraversal(tree);
@@ -55,13 +58,14 @@ public final class TileTraversal {
     }
 
     /** How it paints now. */
-    TilePainting painting() {
+    RasterMode painting() {
         return painting;
     }
 
-    private void use(TilePainting chosen) {
+    private void use(RasterMode chosen) {
         painting = chosen;
-        LeafPainter leaves = new LeafPainter(tree.leafTriangles(), painting.painter(tree.triangles(), grid, pixels));
+        LeafRasteriser leaves =
+                new LeafRasteriser(tree.leafTriangles(), painting.painter(tree.triangles(), grid, pixels));
         descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
     }
 
@@ -89,8 +93,8 @@ public final class TileTraversal {
      */
     public void trace(int firstColumn, int firstRow, int columns, int rows) {
         pixels.begin(firstColumn, firstRow, columns, rows);
-        if (painting == TilePainting.MANY && warmup.add((long) columns * rows) && VectorInstructions.areAvailable()) {
-            use(TilePainting.MANY_BY_VECTORS);
+        if (painting == RasterMode.MANY && warmup.add((long) columns * rows) && VectorInstructions.areAvailable()) {
+            use(RasterMode.MANY_BY_VECTORS);
         }
         int limit = (int) (TRIANGLES_PER_PIXEL * columns * rows) + 1;
         if (!descent.paint(limit)) {

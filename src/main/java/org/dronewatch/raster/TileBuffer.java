@@ -1,9 +1,9 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 import java.util.Arrays;
 
 /** The pixels of a tile: what each of them sees, and how near that is. One per thread. */
-final class TilePixels {
+final class TileBuffer {
     /** Columns and rows of a block, a power of two. */
     private static final int BLOCK = 4;
     /** Pixels of a vector. One may begin at the last pixel: what lies beyond is read, and written as it was. */
@@ -50,7 +50,7 @@ final class TilePixels {
      * @param mostColumns of a tile
      * @param mostRows of a tile
      */
-    TilePixels(PixelGrid grid, int mostColumns, int mostRows) {
+    TileBuffer(PixelGrid grid, int mostColumns, int mostRows) {
         this.grid = grid;
         this.nearest = new double[mostColumns * mostRows + LANES - 1];
         this.triangles = new double[nearest.length];

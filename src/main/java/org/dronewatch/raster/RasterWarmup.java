@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 import java.util.concurrent.atomic.AtomicLong;
 

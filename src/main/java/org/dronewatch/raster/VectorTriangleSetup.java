@@ -1,15 +1,16 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorSpecies;
+import org.dronewatch.kdtree.LeafOrderTriangles;
 
 /**
- * Paints triangles as {@link TilePainter} does, but works out for four at a time, by vector instructions, where they lie in
+ * Paints triangles as {@link TriangleSetup} does, but works out for four at a time, by vector instructions, where they lie in
  * the tile and what their functions are. Those without a pixel's centre in the rectangle about them, up to a half where
- * triangles are small, are left out without a branch. Each sum is made in the order in which {@link TilePainter} makes it, so
- * that the pixels are the same, bit for bit. What it buys: see {@link VectorTileLines}.
+ * triangles are small, are left out without a branch. Each sum is made in the order in which {@link TriangleSetup} makes it, so
+ * that the pixels are the same, bit for bit. What it buys: see {@link VectorRasteriser}.
  */
-final class VectorTilePainter extends TilePainter {
+final class VectorTriangleSetup extends TriangleSetup {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
     /** Triangles worked out at once. */
     private static final int LANES = 4;
@@ -65,7 +66,7 @@ final class VectorTilePainter extends TilePainter {
     private double downwardsOfY;
     private double downwardsOfZ;
 
-    VectorTilePainter(LeafOrderTriangles triangles, PixelGrid grid, TilePixels pixels, VectorTileLines lines) {
+    VectorTriangleSetup(LeafOrderTriangles triangles, PixelGrid grid, TileBuffer pixels, VectorRasteriser lines) {
         super(triangles, grid, pixels, lines);
     }
 
@@ -137,10 +138,10 @@ final class VectorTilePainter extends TilePainter {
             super.paint(place);
             return;
         }
-        int fromColumn = TileLines.atOrAfter(n[at + LEFT]);
-        int toColumn = TileLines.atOrBefore(n[at + RIGHT]);
-        int fromRow = TileLines.atOrAfter(n[at + UPPER]);
-        int toRow = TileLines.atOrBefore(n[at + LOWER]);
+        int fromColumn = ScanlineRasteriser.atOrAfter(n[at + LEFT]);
+        int toColumn = ScanlineRasteriser.atOrBefore(n[at + RIGHT]);
+        int fromRow = ScanlineRasteriser.atOrAfter(n[at + UPPER]);
+        int toRow = ScanlineRasteriser.atOrBefore(n[at + LOWER]);
         if (fromColumn > toColumn || fromRow > toRow) {
             return;
         }

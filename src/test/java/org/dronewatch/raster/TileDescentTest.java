@@ -1,49 +1,51 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.Meshes;
 import org.dronewatch.parallel.VectorInstructions;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** What a descent meets, and when it gives a tile up. What it shows is compared in {@link TilePaintingTest}. */
+/** What a descent meets, and when it gives a tile up. What it shows is compared in {@link RasterModeTest}. */
 class TileDescentTest {
     private static final long SEED = 271;
 
     private final PixelGrid grid = new PixelGrid();
-    private final TilePixels pixels = new TilePixels(grid, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+    private final TileBuffer pixels = new TileBuffer(grid, TileTracer.WIDTH, TileTracer.HEIGHT);
 
     /** Each of these triangles lies in many leaves. */
     @ParameterizedTest
-    @EnumSource(TilePainting.class)
-    void meetsATriangleOnce(TilePainting painting) {
+    @EnumSource(RasterMode.class)
+    void meetsATriangleOnce(RasterMode painting) {
         TriangleMesh mesh = Meshes.soup(600, 0.5, 262);
         KDTree tree = KDTree.of(mesh);
         assertThat(tree.leafTriangles().length).as("entries of leaves").isGreaterThan(10 * mesh.triangleCount());
-        LeafPainter leaves = leaves(tree, painting);
+        LeafRasteriser leaves = leaves(tree, painting);
         TileDescent descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
         SplittableRandom random = new SplittableRandom(SEED);
         for (int i = 0; i < 20; i++) {
-            begin(PinholeView.random(mesh, random, i, TileTraversal.WIDTH));
+            begin(PinholeView.random(mesh, random, i, TileTracer.WIDTH));
             assertThat(descent.paint(Integer.MAX_VALUE)).isTrue();
             assertThat(leaves.met()).as("view %d, seed %d", i, SEED).isLessThanOrEqualTo(mesh.triangleCount());
         }
     }
 
     @ParameterizedTest
-    @EnumSource(TilePainting.class)
-    void givesUpWhereMoreTrianglesThanTheLimitAreMet(TilePainting painting) {
+    @EnumSource(RasterMode.class)
+    void givesUpWhereMoreTrianglesThanTheLimitAreMet(RasterMode painting) {
         TriangleMesh mesh = Meshes.icosphere(4);
         KDTree tree = KDTree.of(mesh);
-        LeafPainter leaves = leaves(tree, painting);
+        LeafRasteriser leaves = leaves(tree, painting);
         TileDescent descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
         SplittableRandom random = new SplittableRandom(SEED);
         int views = 0;
         for (int i = 0; i < 20; i++) {
-            PinholeView view = PinholeView.random(mesh, random, i, TileTraversal.WIDTH);
+            PinholeView view = PinholeView.random(mesh, random, i, TileTracer.WIDTH);
             begin(view);
             assertThat(descent.paint(Integer.MAX_VALUE)).isTrue();
             int met = leaves.met();
@@ -62,8 +64,8 @@ class TileDescentTest {
 
     /** A triangle in whose plane and box the origin lies, and then, elsewhere, the next tile. */
     @ParameterizedTest
-    @EnumSource(TilePainting.class)
-    void givesUpWhereTheOriginLiesInATriangle(TilePainting painting) {
+    @EnumSource(RasterMode.class)
+    void givesUpWhereTheOriginLiesInATriangle(RasterMode painting) {
         KDTree tree = KDTree.of(TriangleMesh.of(new float[] {0, 0, 1, 4, 0, 1, 0, 4, 1}, new int[] {0, 1, 2}));
         TileDescent descent = new TileDescent(tree, grid, pixels, leaves(tree, painting), painting.nodesPaintedWhole());
         double[] right = {0.01, 0, 0};
@@ -74,13 +76,13 @@ class TileDescentTest {
         assertThat(descent.paint(1)).as("from above it").isTrue();
     }
 
-    private LeafPainter leaves(KDTree tree, TilePainting painting) {
-        assumeTrue(painting != TilePainting.MANY_BY_VECTORS || VectorInstructions.areAvailable(), "no vectors");
-        return new LeafPainter(tree.leafTriangles(), painting.painter(tree.triangles(), grid, pixels));
+    private LeafRasteriser leaves(KDTree tree, RasterMode painting) {
+        assumeTrue(painting != RasterMode.MANY_BY_VECTORS || VectorInstructions.areAvailable(), "no vectors");
+        return new LeafRasteriser(tree.leafTriangles(), painting.painter(tree.triangles(), grid, pixels));
     }
 
     private void begin(PinholeView view) {
         grid.set(view.from, view.corner, view.right, view.down);
-        pixels.begin(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+        pixels.begin(0, 0, TileTracer.WIDTH, TileTracer.HEIGHT);
     }
 }

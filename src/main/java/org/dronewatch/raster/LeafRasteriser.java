@@ -1,14 +1,14 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 import java.util.Arrays;
 
 /** Paints the triangles of leaves into a tile, each of them once, as far as it remembers. One per thread. */
-final class LeafPainter {
+final class LeafRasteriser {
     /** How many triangles are remembered as painted, a power of two. */
     private static final int REMEMBERED = 1024;
 
     private final int[] leafTriangles;
-    private final TilePainter painter;
+    private final TriangleSetup painter;
 
     /**
      * Places of triangles that were painted into this tile lately, each in the slot of its lowest bits: they lie in many leaves.
@@ -17,7 +17,7 @@ final class LeafPainter {
     private final int[] painted = new int[REMEMBERED];
 
     /** Places of those that come next. */
-    private final int[] unpainted = new int[TilePainter.MOST];
+    private final int[] unpainted = new int[TriangleSetup.MOST];
 
     private int met;
 
@@ -27,7 +27,7 @@ final class LeafPainter {
      * @param leafTriangles places of a tree's triangles, leaf by leaf
      * @param painter paints them
      */
-    LeafPainter(int[] leafTriangles, TilePainter painter) {
+    LeafRasteriser(int[] leafTriangles, TriangleSetup painter) {
         this.leafTriangles = leafTriangles;
         this.painter = painter;
     }
@@ -56,8 +56,8 @@ final class LeafPainter {
      * @param to the entry after their last
      */
     void paint(int from, int to) {
-        for (int begin = from; begin < to; begin += TilePainter.MOST) {
-            paintUnpainted(begin, Math.min(to, begin + TilePainter.MOST));
+        for (int begin = from; begin < to; begin += TriangleSetup.MOST) {
+            paintUnpainted(begin, Math.min(to, begin + TriangleSetup.MOST));
         }
     }
 

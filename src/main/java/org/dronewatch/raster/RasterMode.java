@@ -1,11 +1,13 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
+
+import org.dronewatch.kdtree.LeafOrderTriangles;
 
 /**
  * How tiles are painted, by the number of a model's triangles. With and without vectors all is the same, bit for bit. Few and
  * many, too, but where a tile is given up and traced by single rays, which round differently in the last bits (many meet more
  * triangles), and where triangles are seen edge-on, whose distances are roundings.
  */
-enum TilePainting {
+enum RasterMode {
     /** Leaf by leaf, triangle by triangle. */
     FEW(1),
     /** Forty leaves, some eighty triangles at a time: cells so small are not worth to be asked whether they are seen. */
@@ -16,8 +18,8 @@ enum TilePainting {
      */
     MANY_BY_VECTORS(MANY.nodesPaintedWhole) {
         @Override
-        TilePainter painter(LeafOrderTriangles triangles, PixelGrid grid, TilePixels pixels) {
-            return new VectorTilePainter(triangles, grid, pixels, new VectorTileLines(pixels));
+        TriangleSetup painter(LeafOrderTriangles triangles, PixelGrid grid, TileBuffer pixels) {
+            return new VectorTriangleSetup(triangles, grid, pixels, new VectorRasteriser(pixels));
         }
     };
 
@@ -26,18 +28,18 @@ enum TilePainting {
 
     private final int nodesPaintedWhole;
 
-    TilePainting(int nodesPaintedWhole) {
+    RasterMode(int nodesPaintedWhole) {
         this.nodesPaintedWhole = nodesPaintedWhole;
     }
 
     /** The way that suits a model, to begin with. */
-    static TilePainting of(int triangles) {
+    static RasterMode of(int triangles) {
         return triangles < MANY_TRIANGLES ? FEW : MANY;
     }
 
     /** What paints triangles. */
-    TilePainter painter(LeafOrderTriangles triangles, PixelGrid grid, TilePixels pixels) {
-        return new TilePainter(triangles, grid, pixels, new TileLines(pixels));
+    TriangleSetup painter(LeafOrderTriangles triangles, PixelGrid grid, TileBuffer pixels) {
+        return new TriangleSetup(triangles, grid, pixels, new ScanlineRasteriser(pixels));
     }
 
     /** Parts of a tree that have no more nodes than this, leaves included, are painted whole, if anything of them is seen. */

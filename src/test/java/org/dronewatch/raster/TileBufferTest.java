@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -6,12 +6,12 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /** What a tile remembers of its pixels while triangles are painted, against looking at each of them. */
-class TilePixelsTest {
+class TileBufferTest {
     private static final int SIZE = 40;
     private static final long SEED = 240;
 
     private final SplittableRandom random = new SplittableRandom(SEED);
-    private final TilePixels pixels = new TilePixels(new PixelGrid(), SIZE, SIZE);
+    private final TileBuffer pixels = new TileBuffer(new PixelGrid(), SIZE, SIZE);
     private final double[] inverses = new double[SIZE * SIZE];
     private int columns;
     private int rows;

@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.LongVector;
@@ -6,20 +6,20 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * Paints triangles of few columns four pixels at a time, by vector instructions; others as {@link TileLines} does. All
+ * Paints triangles of few columns four pixels at a time, by vector instructions; others as {@link ScanlineRasteriser} does. All
  * pixels of its rectangle are looked at, without a branch for any: where triangles are small most of them are inside.
  *
- * <p>What it buys: with {@link VectorTilePainter}, pictures of two million triangles are 1.5 to 2 times as fast, once the
+ * <p>What it buys: with {@link VectorTriangleSetup}, pictures of two million triangles are 1.5 to 2 times as fast, once the
  * just-in-time compiler is done with it ({@code PictureTracing}). Each sum is made in the order in which lines make it, so
  * that the pixels are the same, bit for bit.
  */
-final class VectorTileLines extends TileLines {
+final class VectorRasteriser extends ScanlineRasteriser {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
-    private static final int LANES = TilePixels.LANES;
+    private static final int LANES = TileBuffer.LANES;
     /** Triangles that may have more columns are painted by lines. */
     private static final int MOST_COLUMNS = 24;
 
-    VectorTileLines(TilePixels pixels) {
+    VectorRasteriser(TileBuffer pixels) {
         super(pixels);
     }
 

@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -6,15 +6,15 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /** Which boxes a tile may see something in, against each of its rays. */
-class TileSightTest {
+class TileCullerTest {
     private static final int SIZE = 12;
     private static final int LEFT = 30;
     private static final int TOP = -7;
     private static final double[] ORIGIN = {2.0, -1.0, 0.5};
 
     private final PixelGrid grid = new PixelGrid();
-    private final TilePixels pixels = new TilePixels(grid, SIZE, SIZE);
-    private final TileSight sight = new TileSight(grid, pixels);
+    private final TileBuffer pixels = new TileBuffer(grid, SIZE, SIZE);
+    private final TileCuller sight = new TileCuller(grid, pixels);
 
     /** Looks along +x, columns along +y, rows along -z; a pixel is 0.01 wide at a distance of 1. */
     private void begin() {

@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -12,11 +12,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.BruteForce;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.KDTreeStats;
+import org.dronewatch.kdtree.Meshes;
+import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.Rays;
+import org.dronewatch.kdtree.StackTraversal;
 import org.jogamp.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
 
 /** Pictures by tiles against pictures by single rays: pixel by pixel the same. */
-class TileTraversalTest {
+class TileTracerTest {
     private static final double SAME = 1e-5;
     private static final double EDGE = 1e-6;
 
@@ -59,17 +66,17 @@ class TileTraversalTest {
     void aClosedBallHoldsWater() {
         KDTree ball = KDTree.of(Meshes.icosphere(3));
         SplittableRandom random = new SplittableRandom(210);
-        TileTraversal tiles = new TileTraversal(ball);
+        TileTracer tiles = new TileTracer(ball);
         for (int i = 0; i < 200; i++) {
             PinholeView view = PinholeView.random(ball.mesh(), random, i, 64);
             view.from[0] = 0.5 * random.nextDouble();
             view.from[1] = 0.5 * random.nextDouble();
             view.from[2] = 0.5 * random.nextDouble();
             tiles.setPicture(view.from, view.corner, view.right, view.down);
-            for (int top = 0; top < 64; top += TileTraversal.HEIGHT) {
-                tiles.trace(0, top, TileTraversal.WIDTH, TileTraversal.HEIGHT);
-                for (int pixel = 0; pixel < TileTraversal.WIDTH * TileTraversal.HEIGHT; pixel++) {
-                    assertThat(tiles.hits(pixel % TileTraversal.WIDTH, pixel / TileTraversal.WIDTH))
+            for (int top = 0; top < 64; top += TileTracer.HEIGHT) {
+                tiles.trace(0, top, TileTracer.WIDTH, TileTracer.HEIGHT);
+                for (int pixel = 0; pixel < TileTracer.WIDTH * TileTracer.HEIGHT; pixel++) {
+                    assertThat(tiles.hits(pixel % TileTracer.WIDTH, pixel / TileTracer.WIDTH))
                             .as("seed 210, view %d, pixel %d", i, pixel)
                             .isTrue();
                 }
@@ -81,7 +88,7 @@ class TileTraversalTest {
     @Test
     void cornersHoldWater() {
         TriangleMesh mesh = Meshes.icosphere(2);
-        TileTraversal tiles = new TileTraversal(KDTree.of(mesh));
+        TileTracer tiles = new TileTracer(KDTree.of(mesh));
         double[] eye = {0.125, -0.25, 0.0625};
         for (int triangle = 0; triangle < mesh.triangleCount(); triangle++) {
             double[] at = new double[3];
@@ -125,7 +132,7 @@ class TileTraversalTest {
         };
         TriangleMesh mesh =
                 new TriangleMesh(corners, new int[] {0, 1, 2, 3, 4, 5}, new int[2], new int[] {0, 1}, List.of("wall"));
-        TileTraversal tiles = new TileTraversal(KDTree.of(mesh));
+        TileTracer tiles = new TileTracer(KDTree.of(mesh));
         tiles.setPicture(
                 new double[3], new double[] {1, -0.032, 0.032}, new double[] {0, 0.001, 0}, new double[] {0, 0, -0.001
                 });
@@ -162,7 +169,7 @@ class TileTraversalTest {
         // The second triangle lies at twice the distance: seen from the origin its edge is at half the column.
         for (int triangle = 0; triangle < 2; triangle++) {
             double step = triangle == 0 ? 1.0 : 0.5;
-            TileTraversal tiles = new TileTraversal(KDTree.of(only(mesh, triangle)));
+            TileTracer tiles = new TileTracer(KDTree.of(only(mesh, triangle)));
             tiles.setPicture(
                     new double[3], new double[] {0, 0, 1}, new double[] {step, 0, 0}, new double[] {0, step, 0});
             tiles.trace(0, 0, 9, rows);
@@ -198,7 +205,7 @@ class TileTraversalTest {
         }
         KDTree tree = KDTree.of(TriangleMesh.of(all, numbers));
         assertThat(KDTreeStats.of(tree).nodes()).isGreaterThan(20);
-        TileTraversal tiles = new TileTraversal(tree);
+        TileTracer tiles = new TileTracer(tree);
         tiles.setPicture(
                 new double[] {0, 0, 1}, new double[] {1, -0.004, -0.01}, new double[] {0, 0.001, 0}, new double[] {
                     0, 0, -0.001
@@ -224,15 +231,15 @@ class TileTraversalTest {
     void distancesAreThoseAlongTheRays() {
         SplittableRandom random = new SplittableRandom(214);
         TriangleMesh mesh = Meshes.soup(200, 0.3, 215);
-        TileTraversal tiles = new TileTraversal(KDTree.of(mesh));
+        TileTracer tiles = new TileTracer(KDTree.of(mesh));
         int sky = 0;
         for (int i = 0; i < 20; i++) {
             PinholeView view = PinholeView.random(mesh, random, i, 100);
-            int columns = 1 + random.nextInt(TileTraversal.WIDTH);
-            int rows = 1 + random.nextInt(TileTraversal.HEIGHT);
+            int columns = 1 + random.nextInt(TileTracer.WIDTH);
+            int rows = 1 + random.nextInt(TileTracer.HEIGHT);
             tiles.setPicture(view.from, view.corner, view.right, view.down);
             tiles.trace(7, 3, columns, rows);
-            int rowLength = TileTraversal.WIDTH + 6;
+            int rowLength = TileTracer.WIDTH + 6;
             float[] distances = new float[5 + rowLength * rows];
             tiles.copyDistances(distances, 5, rowLength);
             for (int row = 0; row < rows; row++) {
@@ -259,7 +266,7 @@ class TileTraversalTest {
 
     @Test
     void aPictureWithoutAnAreaIsRefused() {
-        TileTraversal tiles = new TileTraversal(KDTree.of(Meshes.icosphere(0)));
+        TileTracer tiles = new TileTracer(KDTree.of(Meshes.icosphere(0)));
         double[] from = {0, 0, 0};
         double[] step = {1, 0, 0};
         assertThatThrownBy(() -> tiles.setPicture(from, step, step, new double[] {0, 1, 0}))
@@ -269,7 +276,7 @@ class TileTraversalTest {
     /** Compares whole pictures, cut into tiles of any size, whose borders cut tiles again. */
     private static void compare(String name, TriangleMesh mesh, int views, int width, long seed) {
         KDTree tree = KDTree.of(mesh);
-        TileTraversal tiles = new TileTraversal(tree);
+        TileTracer tiles = new TileTracer(tree);
         RayTracer single = new StackTraversal(tree);
         BruteForce exact = new BruteForce(mesh);
         double size = mesh.triangleCount() == 0 ? 0.0 : mesh.bounds().diagonal();
@@ -282,8 +289,8 @@ class TileTraversalTest {
             PinholeView view = PinholeView.random(mesh, random, i, width);
             int height = 3 * width / 4;
             tiles.setPicture(view.from, view.corner, view.right, view.down);
-            int across = random.nextInt(16, TileTraversal.WIDTH + 1);
-            int down = random.nextInt(16, TileTraversal.HEIGHT + 1);
+            int across = random.nextInt(16, TileTracer.WIDTH + 1);
+            int down = random.nextInt(16, TileTracer.HEIGHT + 1);
             for (int top = 0; top < height; top += down) {
                 for (int left = 0; left < width; left += across) {
                     int columns = Math.min(across, width - left);

@@ -1,4 +1,4 @@
-package org.dronewatch.kdtree;
+package org.dronewatch.raster;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -10,6 +10,8 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.Meshes;
 import org.dronewatch.parallel.VectorInstructions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -19,7 +21,7 @@ import org.junit.jupiter.api.Test;
  * in the same order; leaves one by one or several at a time all but the last bits, which single rays round differently where
  * a tile is given up.
  */
-class TilePaintingTest {
+class RasterModeTest {
     private static final long SEED = 260;
     private static final int WIDTH = 160;
 
@@ -32,9 +34,9 @@ class TilePaintingTest {
 
     @Test
     void byTheNumberOfTriangles() {
-        assertThat(TilePainting.of(0)).isEqualTo(TilePainting.FEW);
-        assertThat(TilePainting.of(499_999)).isEqualTo(TilePainting.FEW);
-        assertThat(TilePainting.of(500_000)).isEqualTo(TilePainting.MANY);
+        assertThat(RasterMode.of(0)).isEqualTo(RasterMode.FEW);
+        assertThat(RasterMode.of(499_999)).isEqualTo(RasterMode.FEW);
+        assertThat(RasterMode.of(500_000)).isEqualTo(RasterMode.MANY);
     }
 
     @Test
@@ -94,7 +96,7 @@ class TilePaintingTest {
                 corner[k] = ahead[k] - 80 * right[k] - horizon * down[k];
             }
             double[] eye = {20 - 30 * ahead[0], 20 - 30 * ahead[1], 3.3f};
-            hits += compare("plane", tree, new PinholeView(eye, corner, right, down), WIDTH, TilePainting.MANY);
+            hits += compare("plane", tree, new PinholeView(eye, corner, right, down), WIDTH, RasterMode.MANY);
         }
         assertThat(hits).as("pixels of the horizon").isGreaterThan(1_000);
     }
@@ -107,14 +109,8 @@ class TilePaintingTest {
             PinholeView view = new PinholeView(
                     new double[] {0.1, 0.2, 0.3}, corner, new double[] {0.01, 0, 0}, new double[] {0, 0.01, 0});
             int hits = compare(
-                    "whole tile",
-                    KDTree.of(mesh),
-                    view,
-                    0,
-                    TileTraversal.WIDTH,
-                    TileTraversal.HEIGHT,
-                    TilePainting.FEW);
-            assertThat(hits).isEqualTo(TileTraversal.WIDTH * TileTraversal.HEIGHT);
+                    "whole tile", KDTree.of(mesh), view, 0, TileTracer.WIDTH, TileTracer.HEIGHT, RasterMode.FEW);
+            assertThat(hits).isEqualTo(TileTracer.WIDTH * TileTracer.HEIGHT);
         }
     }
 
@@ -130,7 +126,7 @@ class TilePaintingTest {
                 for (int k = 0; k < 3; k++) {
                     view.from[k] = mesh.coordinate(triangle, i % 3, k);
                 }
-                hits += compare("from a corner", tree, view, WIDTH, TilePainting.MANY);
+                hits += compare("from a corner", tree, view, WIDTH, RasterMode.MANY);
             }
         }
         assertThat(hits).isGreaterThan(50_000);
@@ -140,25 +136,25 @@ class TilePaintingTest {
     @Test
     void asManyAsCanBe() {
         KDTree tree = squares(8, 1f, -4f, 8f);
-        assertThat(tree.triangles().count()).isEqualTo(TilePainter.MOST);
-        for (TilePainting painting : TilePainting.values()) {
+        assertThat(tree.triangles().count()).isEqualTo(TriangleSetup.MOST);
+        for (RasterMode painting : RasterMode.values()) {
             PixelGrid grid = new PixelGrid();
             grid.set(new double[3], new double[] {-0.64, -0.64, 1}, new double[] {0.01, 0, 0}, new double[] {0, 0.02, 0
             });
-            TilePixels pixels = new TilePixels(grid, TileTraversal.WIDTH, TileTraversal.HEIGHT);
-            pixels.begin(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
-            TilePainter painter = painting.painter(tree.triangles(), grid, pixels);
+            TileBuffer pixels = new TileBuffer(grid, TileTracer.WIDTH, TileTracer.HEIGHT);
+            pixels.begin(0, 0, TileTracer.WIDTH, TileTracer.HEIGHT);
+            TriangleSetup painter = painting.painter(tree.triangles(), grid, pixels);
             painter.begin();
-            painter.paint(IntStream.range(0, TilePainter.MOST).toArray(), TilePainter.MOST);
+            painter.paint(IntStream.range(0, TriangleSetup.MOST).toArray(), TriangleSetup.MOST);
             Set<Integer> seen = new HashSet<>();
-            for (int pixel = 0; pixel < TileTraversal.WIDTH * TileTraversal.HEIGHT; pixel++) {
-                int column = pixel % TileTraversal.WIDTH;
-                int row = pixel / TileTraversal.WIDTH;
+            for (int pixel = 0; pixel < TileTracer.WIDTH * TileTracer.HEIGHT; pixel++) {
+                int column = pixel % TileTracer.WIDTH;
+                int row = pixel / TileTracer.WIDTH;
                 if (pixels.hits(column, row)) {
                     seen.add(pixels.triangle(column, row));
                 }
             }
-            assertThat(seen).as("%s", painting).hasSize(TilePainter.MOST);
+            assertThat(seen).as("%s", painting).hasSize(TriangleSetup.MOST);
         }
     }
 
@@ -167,24 +163,24 @@ class TilePaintingTest {
     void vectorsTakeOver() {
         KDTree tree = KDTree.of(Meshes.model("hill.obj"));
         PinholeView view = PinholeView.random(Meshes.model("hill.obj"), random, 1, WIDTH);
-        TileTraversal lines = painting(tree, view, TilePainting.MANY);
-        lines.trace(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+        TileTracer lines = painting(tree, view, RasterMode.MANY);
+        lines.trace(0, 0, TileTracer.WIDTH, TileTracer.HEIGHT);
         RasterWarmup warmup = new RasterWarmup();
-        TileTraversal tiles = painting(tree, view, TilePainting.MANY, warmup);
+        TileTracer tiles = painting(tree, view, RasterMode.MANY, warmup);
         long pixels = 0;
-        int size = TileTraversal.WIDTH * TileTraversal.HEIGHT;
+        int size = TileTracer.WIDTH * TileTracer.HEIGHT;
         while (pixels <= RasterWarmup.PIXELS + size) {
             assertThat(warmup.isOver()).isEqualTo(pixels > RasterWarmup.PIXELS);
-            assertThat(tiles.painting() == TilePainting.MANY_BY_VECTORS)
+            assertThat(tiles.painting() == RasterMode.MANY_BY_VECTORS)
                     .as("by vectors after %d pixels", pixels)
                     .isEqualTo(pixels > RasterWarmup.PIXELS);
-            tiles.trace(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+            tiles.trace(0, 0, TileTracer.WIDTH, TileTracer.HEIGHT);
             pixels += size;
         }
-        assertSame(lines, tiles, TileTraversal.WIDTH, TileTraversal.HEIGHT);
-        TileTraversal another = painting(tree, view, TilePainting.MANY, warmup);
+        assertSame(lines, tiles, TileTracer.WIDTH, TileTracer.HEIGHT);
+        TileTracer another = painting(tree, view, RasterMode.MANY, warmup);
         another.trace(0, 0, 1, 1);
-        assertThat(another.painting()).isEqualTo(TilePainting.MANY_BY_VECTORS);
+        assertThat(another.painting()).isEqualTo(RasterMode.MANY_BY_VECTORS);
     }
 
     /** A painter has nothing left of the picture before, nor of a triangle that it could not paint. */
@@ -192,20 +188,20 @@ class TilePaintingTest {
     void onePictureAfterAnother() {
         TriangleMesh mesh = Meshes.model("hill.obj");
         KDTree tree = KDTree.of(mesh);
-        TileTraversal tiles = painting(tree, PinholeView.random(mesh, random, 1, WIDTH), TilePainting.MANY_BY_VECTORS);
+        TileTracer tiles = painting(tree, PinholeView.random(mesh, random, 1, WIDTH), RasterMode.MANY_BY_VECTORS);
         int hits = 0;
         for (int i = 0; i < 20; i++) {
             PinholeView view = PinholeView.random(mesh, random, i, WIDTH);
-            TileTraversal fresh = painting(tree, view, TilePainting.MANY_BY_VECTORS);
+            TileTracer fresh = painting(tree, view, RasterMode.MANY_BY_VECTORS);
             tiles.setPicture(view.from, view.corner, view.right, view.down);
-            tiles.trace(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
-            fresh.trace(0, 0, TileTraversal.WIDTH, TileTraversal.HEIGHT);
-            hits += assertSame(fresh, tiles, TileTraversal.WIDTH, TileTraversal.HEIGHT);
+            tiles.trace(0, 0, TileTracer.WIDTH, TileTracer.HEIGHT);
+            fresh.trace(0, 0, TileTracer.WIDTH, TileTracer.HEIGHT);
+            hits += assertSame(fresh, tiles, TileTracer.WIDTH, TileTracer.HEIGHT);
         }
         assertThat(hits).isGreaterThan(20_000);
     }
 
-    private static int assertSame(TileTraversal expected, TileTraversal tiles, int columns, int rows) {
+    private static int assertSame(TileTracer expected, TileTracer tiles, int columns, int rows) {
         int hits = 0;
         for (int pixel = 0; pixel < columns * rows; pixel++) {
             int column = pixel % columns;
@@ -241,12 +237,12 @@ class TilePaintingTest {
     }
 
     private int compare(String name, KDTree tree, PinholeView view, int width) {
-        return compare(name, tree, view, width, TilePainting.FEW);
+        return compare(name, tree, view, width, RasterMode.FEW);
     }
 
-    private int compare(String name, KDTree tree, PinholeView view, int width, TilePainting reference) {
-        int across = random.nextInt(1, Math.min(width, TileTraversal.WIDTH) + 1);
-        int down = random.nextInt(1, TileTraversal.HEIGHT + 1);
+    private int compare(String name, KDTree tree, PinholeView view, int width, RasterMode reference) {
+        int across = random.nextInt(1, Math.min(width, TileTracer.WIDTH) + 1);
+        int down = random.nextInt(1, TileTracer.HEIGHT + 1);
         int hits = 0;
         for (int left = 0; left < width; left += across) {
             hits += compare(name, tree, view, left, across, down, reference);
@@ -255,10 +251,10 @@ class TilePaintingTest {
     }
 
     private int compare(
-            String name, KDTree tree, PinholeView view, int left, int across, int down, TilePainting reference) {
-        TileTraversal expected = painting(tree, view, reference);
-        TileTraversal many = painting(tree, view, TilePainting.MANY);
-        TileTraversal byVectors = painting(tree, view, TilePainting.MANY_BY_VECTORS);
+            String name, KDTree tree, PinholeView view, int left, int across, int down, RasterMode reference) {
+        TileTracer expected = painting(tree, view, reference);
+        TileTracer many = painting(tree, view, RasterMode.MANY);
+        TileTracer byVectors = painting(tree, view, RasterMode.MANY_BY_VECTORS);
         int hits = 0;
         expected.trace(left, 0, across, down);
         many.trace(left, 0, across, down);
@@ -286,12 +282,12 @@ class TilePaintingTest {
         return hits;
     }
 
-    private static TileTraversal painting(KDTree tree, PinholeView view, TilePainting painting) {
+    private static TileTracer painting(KDTree tree, PinholeView view, RasterMode painting) {
         return painting(tree, view, painting, new RasterWarmup());
     }
 
-    private static TileTraversal painting(KDTree tree, PinholeView view, TilePainting painting, RasterWarmup warmup) {
-        TileTraversal tiles = new TileTraversal(tree, painting, warmup);
+    private static TileTracer painting(KDTree tree, PinholeView view, RasterMode painting, RasterWarmup warmup) {
+        TileTracer tiles = new TileTracer(tree, painting, warmup);
         tiles.setPicture(view.from, view.corner, view.right, view.down);
         return tiles;
     }
