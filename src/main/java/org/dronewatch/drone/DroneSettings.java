@@ -26,23 +26,24 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.World;
 
 /**
- * A drone: its shape, its way, and what sensors of every kind need to know of it.
+ * A drone: its shape, its flight, and what each kind of sensor needs to know about it.
  *
  * @param model its mesh, whose nose points to the model's north (y after loading) and whose origin is the drone's
- * @param flight the way it flies
+ * @param flight how it flies
  * @param speed cruise speed, 0.001 to 400 m/s
  * @param acceleration largest acceleration along the path, 0.001 to 10,000 m/s2
- * @param radar what a radar sees of it
- * @param heat what a thermal camera sees of it
- * @param radio how it is controlled, and what of that can be heard by radio
- * @param soundLevel level of the thesis's level model, which falls by the air's attenuation only, dB; 50 to 55 there
- * @param soundPowerLevel A-weighted sound power level for physical propagation, dB re 1e-12 W; near 85 for a real
+ * @param radar its radar signature
+ * @param heat its thermal signature
+ * @param radio how it is controlled, and which radio signals can be received
+ * @param soundLevel level for the thesis's level model, reduced only by the attenuation of air and surfaces, dB; 50 to
+ *     55 in the thesis
+ * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1e-12 W; about 85 for a real
  *     quadrotor
- * @param glideReduction how much quieter it is with its motors off, when only the air about it is heard, 0 to 100 dB
+ * @param glideReduction how much quieter it is with its motors off, when only airflow is heard, 0 to 100 dB
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}
- * @param directivity at which elevation how much of the sound leaves, for physical propagation
- * @param swarm how many of it fly in formation; it alone if empty
- * @param label what it is to the site, for those who read the results; no sensor knows it
+ * @param directivity how the sound radiated depends on elevation, for the energy model
+ * @param swarm how many such drones fly in formation; a single drone if empty
+ * @param label what it means to the site, for readers of the results; no sensor uses it
  */
 public record DroneSettings(
         ModelSettings model,

@@ -6,11 +6,11 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * What a thermal camera sees of a drone.
+ * A drone's thermal signature.
  *
- * @param excess how much warmer it looks than what is behind it while its motors run, on average over its silhouette; colder
- *     if negative, -100 to 1000 K
- * @param coolingTime with its motors off the excess falls to 37 % in that time, above 0 and at most 10,000 s
+ * @param excess apparent temperature difference to its background while its motors run, averaged over its silhouette;
+ *     colder if negative, -100 to 1000 K
+ * @param coolingTime time in which the excess falls to 37 % with the motors off, above 0 and at most 10,000 s
  */
 public record HeatSignature(
         @In(value = Quantity.TEMPERATURE_DIFFERENCE, from = -100, to = 1000) double excess,

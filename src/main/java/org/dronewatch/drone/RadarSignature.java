@@ -7,12 +7,12 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * What a radar sees of a drone.
+ * A drone's radar signature.
  *
  * @param crossSection mean radar cross-section, 1e-9 to 1e6 m2
  * @param fluctuation how the cross-section changes from look to look
- * @param aspects how much more than the mean it shows to each side, dB: values at equal steps all round, clockwise from the
- *     nose as seen from above; 1 to 360 of them, one for a drone that is alike from all sides
+ * @param aspects cross-section by aspect relative to the mean, dB: values at equal steps of azimuth, clockwise from the
+ *     nose as seen from above; 1 to 360 of them, one if it is the same from all sides
  */
 public record RadarSignature(
         @In(value = Quantity.AREA, from = 1e-9, to = 1e6) double crossSection,

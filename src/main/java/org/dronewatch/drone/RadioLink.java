@@ -8,13 +8,14 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How a drone is controlled, and what of that can be heard by radio. One that flies by itself, or on a fibre, is silent.
+ * How a drone is controlled, and which radio signals can be received. One that flies autonomously, or on a fibre,
+ * transmits nothing.
  *
- * @param control who controls it, and how
+ * @param control how it is controlled
  * @param frequency carrier, 1 MHz to 100 GHz, Hz
- * @param power of the drone's own emission, equivalent isotropic, -100 to 100 dBm
- * @param pilot where the pilot's transmitter stands, or empty when it is not to be heard, m
- * @param pilotPower of the pilot's emission, equivalent isotropic, -100 to 100 dBm
+ * @param power equivalent isotropic radiated power of the drone, -100 to 100 dBm
+ * @param pilot position of the pilot's transmitter, or empty if it is not to be received, m
+ * @param pilotPower equivalent isotropic radiated power of the pilot's transmitter, -100 to 100 dBm
  */
 public record RadioLink(
         Control control,

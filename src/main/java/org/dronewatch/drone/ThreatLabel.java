@@ -4,8 +4,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Limits;
 
 /**
- * What a drone is to the site, for those who read the results. No sensor knows it: nothing is detected better or worse by
- * it.
+ * What a drone means to the site, for readers of the results. No sensor uses it: it changes no detection.
  *
  * @param role what it is there for
  * @param purpose what its owner wants

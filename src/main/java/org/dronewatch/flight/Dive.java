@@ -8,13 +8,14 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * Comes level and straight towards a place, dives into it, and stays there; all at cruise speed from the first moment on.
+ * Flies level and straight towards a point, dives onto it, and stays there, at cruise speed from the start.
  *
- * @param target the place, m
- * @param bearing from where it comes, as seen from the target: clockwise from north, rad
- * @param distance level way from the target at time 0: more than that at which the dive begins, at most 100 km, m
- * @param height of the level flight over the target, above 0 and at most 100 km, m
- * @param angle of the dive below the horizon, 10 to 90 degrees, rad
+ * @param target the point, m
+ * @param bearing direction from which it comes, as seen from the target: clockwise from north, rad
+ * @param distance horizontal distance from the target at time 0: more than that at which the dive begins, at most 100
+ *     km, m
+ * @param height height of the level flight above the target, above 0 and at most 100 km, m
+ * @param angle angle of the dive below the horizon, 10 to 90 degrees, rad
  */
 public record Dive(
         Position target,

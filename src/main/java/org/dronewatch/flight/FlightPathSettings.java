@@ -45,7 +45,7 @@ public sealed interface FlightPathSettings
     }
 
     /**
-     * Stays in one place.
+     * Stays at one point.
      *
      * @param position where, m
      * @param heading where the nose points, clockwise from north, rad
@@ -71,7 +71,7 @@ public sealed interface FlightPathSettings
     }
 
     /**
-     * Flies straight from one place to another at cruise speed from the first moment on, and stays there.
+     * Flies straight from one point to another, at cruise speed from the start, and stays there.
      *
      * @param from where it is at time 0, m
      * @param to where it ends, m
@@ -99,13 +99,13 @@ public sealed interface FlightPathSettings
     }
 
     /**
-     * Comes level and straight towards a place at cruise speed from the first moment on, and stops before it.
+     * Flies level and straight towards a point, at cruise speed from the start, and stops before it.
      *
-     * @param target the place, m
-     * @param bearing from where it comes, as seen from the target: clockwise from north, rad
-     * @param height of the flight over the target, below it if negative, -100 to 100 km, m
-     * @param distance from the target at time 0, on the level, above 0 and at most 100 km, m
-     * @param nearest level way from the target at which it stops, 0 or more, less than the distance, m
+     * @param target the point, m
+     * @param bearing direction from which it comes, as seen from the target: clockwise from north, rad
+     * @param height height of the flight above the target, below it if negative, -100 to 100 km, m
+     * @param distance horizontal distance from the target at time 0, above 0 and at most 100 km, m
+     * @param nearest horizontal distance from the target at which it stops, 0 or more, less than the distance, m
      */
     record Inbound(
             Position target,
@@ -140,10 +140,10 @@ public sealed interface FlightPathSettings
     }
 
     /**
-     * Flies from waypoint to waypoint, starting and ending at rest, never faster than the cruise speed, and stopping at
-     * each waypoint where the way bends; there it stays at the last one.
+     * Flies from waypoint to waypoint, starting and ending at rest, never faster than the cruise speed, stopping at
+     * each waypoint where the path bends; it stays at the last one.
      *
-     * @param points 2 to 10,000, neighbours 1 mm or more apart, m
+     * @param points 2 to 10,000 waypoints, neighbours 1 mm or more apart, m
      */
     record Waypoints(List<Position> points) implements FlightPathSettings {
         /** Checks the limits and keeps its own list. */
@@ -169,12 +169,12 @@ public sealed interface FlightPathSettings
     }
 
     /**
-     * Climbs under power, then stops its motors and glides: quiet, and for a camera that looks at the horizon too high. It
-     * stays where the glide ends.
+     * Climbs under power, then stops its motors and glides: quietly, and too high for a camera that points at the
+     * horizon. It stays where the glide ends.
      *
      * @param from where it is at time 0, m
      * @param release where it stops its motors, m
-     * @param to where the glide ends, below the release, at most 30 times as far away as below, m
+     * @param to where the glide ends, below the release, with a glide ratio of at most 30, m
      */
     record Glide(Position from, Position release, Position to) implements FlightPathSettings {
         /** What the best gliders of a drone's size reach, and more. */
@@ -212,11 +212,11 @@ public sealed interface FlightPathSettings
     }
 
     /**
-     * Flies round a place, level, clockwise as seen from above.
+     * Flies a level circle, clockwise as seen from above.
      *
-     * @param centre the middle of the circle, m
-     * @param radius 0.1 m to 100 km, m
-     * @param bearing where it is at time 0 as seen from the middle, clockwise from north, rad
+     * @param centre centre of the circle, m
+     * @param radius radius of the circle, 0.1 m to 100 km, m
+     * @param bearing where it is at time 0 as seen from the centre, clockwise from north, rad
      */
     record Orbit(
             Position centre,

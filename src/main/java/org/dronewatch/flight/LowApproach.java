@@ -9,14 +9,14 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * Comes straight towards a place low over the ground, behind what cover there is, and stops before it. It climbs and sinks
- * by at most 45 degrees, and keeps its height as {@link TerrainFollowing} does.
+ * Flies straight towards a point, low over the ground, behind whatever cover there is, and stops before it. It climbs
+ * and descends at no more than 45 degrees, and keeps its height as {@link TerrainFollowing} does.
  *
- * @param target the place on the plan, as a pair of east and north, m
- * @param bearing from where it comes, as seen from the target: clockwise from north, rad
- * @param distance level way from the target at time 0, above 0 and at most 50 km, m
- * @param height over the highest surface below, above 0 and at most 10 km, m
- * @param nearest level way from the target at which it stops, 0 or more, less than the distance, m
+ * @param target the point in plan, as a pair of east and north, m
+ * @param bearing direction from which it comes, as seen from the target: clockwise from north, rad
+ * @param distance horizontal distance from the target at time 0, above 0 and at most 50 km, m
+ * @param height height above the highest surface below, above 0 and at most 10 km, m
+ * @param nearest horizontal distance from the target at which it stops, 0 or more, less than the distance, m
  */
 public record LowApproach(
         GroundPoint target,

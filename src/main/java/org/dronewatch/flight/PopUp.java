@@ -8,11 +8,11 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * Hovers at a place, behind an obstacle perhaps, then rises straight up from rest to rest, never faster than the cruise
- * speed, and stays there; its nose points to the north.
+ * Hovers at a point, perhaps behind an obstacle, then rises straight up from rest to rest, never faster than the cruise
+ * speed, and stays there; its nose points north.
  *
  * @param position where it hovers first, m
- * @param hidden how long it hovers there, 0 to 1,000,000 s
+ * @param hidden how long it hovers there before it rises, 0 to 1,000,000 s
  * @param height how far it rises, 1 mm to 100 km, m
  */
 public record PopUp(

@@ -9,13 +9,13 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Several drones of one kind that fly in formation: each flies the leader's path, displaced by the same way all the time. The
- * formation is set up by the leader's heading at time 0 and does not turn with it. A drone that follows the ground leads the
- * others over the ground below itself, not below them.
+ * Several drones of one kind that fly in formation: each flies the leader's path, displaced by a constant vector. The
+ * formation is set up by the leader's heading at time 0 and does not turn with it. A leader that follows the terrain
+ * follows the ground below itself, not below the others.
  *
- * @param count how many drones, with the leader, 1 to 1000
+ * @param count number of drones, including the leader, 1 to 1000
  * @param spacing between neighbours, above 0 and at most 10 km, m
- * @param formation how they fly beside, behind or above each other
+ * @param formation how they are arranged
  */
 public record Swarm(
         @In(value = Quantity.NUMBER, from = 1, to = 1000) int count,

@@ -10,16 +10,16 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * Flies from place to place low over the highest surface below, ground, roof or tree, at cruise speed along its path from
- * the first moment on, and stays at the end. It never climbs or sinks steeper than it may: before a wall it climbs early,
- * behind it sinks late. It knows the heights every half metre of its way: what is thinner than that may be missed, and over
- * a ridge between its height may lack a few millimetres. Where the world has nothing below, the nearest known height on the
- * way counts.
+ * Flies from point to point low over the highest surface below, whether ground, roof or tree, at cruise speed along its
+ * path from the start, and stays at the end. It never climbs or descends more steeply than allowed: it climbs early
+ * before a wall and descends late behind it. The surface is sampled every half metre along the path: thinner objects
+ * may be missed, and above a ridge between two samples the clearance may be a few millimetres short. Where the world
+ * has nothing below, the nearest known height along the path counts.
  *
- * @param points the way on the plan, as pairs of east and north: at least two, neighbours 1 mm or
- *     more apart, at most 50 km long in all, m
- * @param height over the highest surface, above 0 and at most 10 km, m
- * @param steepest largest angle of climbing and sinking, 5 to 85 degrees, rad
+ * @param points the path in plan, as pairs of east and north: at least two, neighbours 1 mm or more apart, at most 50
+ *     km in total, m
+ * @param height height above the highest surface, above 0 and at most 10 km, m
+ * @param steepest largest angle of climb and descent, 5 to 85 degrees, rad
  */
 public record TerrainFollowing(
         List<GroundPoint> points,

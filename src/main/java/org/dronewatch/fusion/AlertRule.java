@@ -20,7 +20,7 @@ public sealed interface AlertRule {
      */
     List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time);
 
-    /** As soon as any sensor detects it, confirmed as often as wanted. */
+    /** As soon as any sensor detects the drone, with the confirmation required. */
     record AnySensor() implements AlertRule {
         @Override
         public List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time) {
@@ -31,10 +31,10 @@ public sealed interface AlertRule {
     }
 
     /**
-     * As soon as several sensors detect it, each confirmed as often as wanted.
+     * As soon as several sensors detect the drone, each with the confirmation required.
      *
-     * @param count how many, 1 to 1000
-     * @param within in what time, 0 to 3600 s
+     * @param count how many sensors, 1 to 1000
+     * @param within within what time, 0 to 3600 s
      */
     record SeveralSensors(
             @In(value = Quantity.NUMBER, from = 1, to = 1000) int count,
@@ -61,11 +61,12 @@ public sealed interface AlertRule {
     }
 
     /**
-     * As soon as it is likely enough that at least one of the sensors detects it in its last look:
-     * {@code 1 - (1-p1)(1-p2)...}. That takes their misses for independent. They are not where one hill hides the drone from
-     * all of them, or one fog: then the rule promises too much. A sensor that decides by a fixed threshold counts with 0 or 1.
+     * As soon as it is likely enough that at least one of the sensors detects the drone in its last look: {@code 1 -
+     * (1-p1)(1-p2)...}. This assumes that the sensors miss independently of each other, which they do not where one
+     * hill or one bank of fog hides the drone from all of them: then the rule is too optimistic. A sensor that decides
+     * by a fixed threshold counts as 0 or 1.
      *
-     * @param probability from which on, above 0 and at most 1
+     * @param probability the probability that is enough, above 0 and at most 1
      * @param within how long a look counts, 0 to 3600 s
      */
     record UnionOfProbabilities(

@@ -7,12 +7,12 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * When a site is alerted, what has to be protected, and how much time that takes.
+ * When an alert is raised, what has to be protected, and how much time the response needs.
  *
- * @param rule when what the sensors observe is an alert
- * @param confirm how often a sensor has to detect a drone before it counts
- * @param protect what must not be reached, or empty
- * @param response how much time is needed between the alert and the drone's arrival, 0 to 86400 s; 0 when that is not asked
+ * @param rule when the sensors' observations amount to an alert
+ * @param confirm how often a sensor must detect a drone before it counts
+ * @param protect the zone that must not be reached, or empty
+ * @param response how much time is needed between the alert and the drone's arrival, 0 to 86400 s; 0 if not required
  */
 public record AlertSettings(
         AlertRule rule,

@@ -5,10 +5,10 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How often a sensor has to detect a drone before it counts: so many of its last looks.
+ * How often a sensor must detect a drone before it counts: in a given number of its last looks.
  *
- * @param hits how many must detect, 1 to 100
- * @param looks of how many, not fewer than hits, 1 to 100
+ * @param hits how many looks must detect the drone, 1 to 100
+ * @param looks out of how many, not fewer than hits, 1 to 100
  */
 public record Confirmation(
         @In(value = Quantity.NUMBER, from = 1, to = 100) int hits,

@@ -8,10 +8,10 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * What must not be reached: a ball.
+ * What must not be reached: a sphere.
  *
- * @param centre its middle, m
- * @param radius above 0 and at most 100 km, m
+ * @param centre its centre, m
+ * @param radius its radius, above 0 and at most 100 km, m
  */
 public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double radius) {
     /** Checks the limits. */

@@ -6,11 +6,11 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Where on earth the world's origin lies (WGS 84): what ties results to a map.
+ * Where on earth the scene's origin lies (WGS 84), so that results can be shown on a map.
  *
  * @param latitude north of the equator, rad
  * @param longitude east of Greenwich, rad
- * @param height above the sea, -500 to 9000 m; 0 where it is not known, and maps are drawn on the ground then
+ * @param height above sea level, -500 to 9000 m; 0 if not known, and maps are then drawn on the ground
  */
 public record Origin(
         @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude,

@@ -11,20 +11,20 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A mount that turns all round and tilts. It searches until a sensor that it listens to detects a drone and tells where;
- * then it turns there, as fast as it can, and follows. First come, first served: another drone has to wait until this one
- * has not been seen for a while.
+ * A motorised mount with unlimited pan and limited tilt. It searches until a sensor that cues it reports where a drone
+ * is; then it slews there as fast as it can, and follows. It stays with the first drone: another has to wait until this
+ * one has not been seen for a while.
  *
- * @param cues names of the sensors that it listens to; they must tell directions, as radars and cameras do
- * @param panSpeed how fast it turns, above 0 and at most 600 degrees per second, rad/s
- * @param tiltSpeed how fast it tilts, above 0 and at most 600 degrees per second, rad/s
- * @param lowest elevation, -pi/2 to pi/2, rad
- * @param highest elevation; not below the lowest, -pi/2 to pi/2, rad
- * @param delay from another sensor's detection until the mount begins to turn, 0 to 60 s
- * @param hold for how long it waits for a drone that is not seen any more, 0 to 3600 s
- * @param lock how many pixels of a drone its own camera needs to follow it by itself, 1 or more
- * @param search what it does meanwhile
- * @param zoom how its lens follows, or empty for a fixed one
+ * @param cues names of the sensors that cue it; they must measure directions, as radars and cameras do
+ * @param panSpeed pan rate, above 0 and at most 600 degrees per second, rad/s
+ * @param tiltSpeed tilt rate, above 0 and at most 600 degrees per second, rad/s
+ * @param lowest lowest elevation, -pi/2 to pi/2, rad
+ * @param highest highest elevation; not below the lowest, -pi/2 to pi/2, rad
+ * @param delay time from another sensor's detection until the mount begins to turn, 0 to 60 s
+ * @param hold how long it waits for a drone that is no longer seen, 0 to 3600 s
+ * @param lock pixels on a drone that its own camera needs to track it, 1 or more
+ * @param search what it does until it is cued
+ * @param zoom how its lens zooms, or empty for a fixed one
  */
 public record PositionerSettings(
         List<String> cues,

@@ -22,7 +22,7 @@ public sealed interface SearchPattern {
         return phase <= length ? phase : 2.0 * length - phase;
     }
 
-    /** Looks where the sensor's aim is, and waits. */
+    /** Points along the sensor's own aim, and waits. */
     record Rest() implements SearchPattern {
         @Override
         public Direction at(Direction aim, double time) {
@@ -31,9 +31,9 @@ public sealed interface SearchPattern {
     }
 
     /**
-     * Turns round and round, clockwise.
+     * Turns clockwise continuously.
      *
-     * @param speed how fast it turns, above 0 and at most 600 degrees per second, rad/s
+     * @param speed pan rate, above 0 and at most 600 degrees per second, rad/s
      */
     record Round(@In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double speed)
             implements SearchPattern {
@@ -53,12 +53,12 @@ public sealed interface SearchPattern {
     }
 
     /**
-     * Turns to and fro, or covers a field row by row from below and back again. It begins at the left.
+     * Turns to and fro, or covers a field row by row from the lowest row up and back again. It begins at the left.
      *
-     * @param width of the field, about the aim, 0.1 degrees to 2 pi, rad
-     * @param height of the field, about the aim, 0 to pi/2 rad
-     * @param rows how many, 1 to 100; one row is in the middle of the height
-     * @param speed how fast it turns, above 0 and at most 600 degrees per second, rad/s
+     * @param width width of the field, centred on the aim, 0.1 degrees to 2 pi, rad
+     * @param height height of the field, centred on the aim, 0 to pi/2 rad
+     * @param rows number of rows, 1 to 100; a single row lies at mid-height
+     * @param speed pan rate, above 0 and at most 600 degrees per second, rad/s
      */
     record Sweep(
             @In(value = Quantity.ANGLE, from = Math.PI / 1800, to = 2 * Math.PI) double width,

@@ -8,10 +8,10 @@ import org.dronewatch.setting.Quantity;
 /**
  * A lens that zooms in on what it follows. While it searches, it shows the sensor's own field of view.
  *
- * @param cued field of view while another sensor tells where to look: wide enough for that sensor's errors, 0.01 to 179
- *     degrees, rad
- * @param tracked field of view while the sensor itself holds the drone, 0.01 to 179 degrees, rad
- * @param time that it takes from the sensor's own field of view to the narrowest, 0 to 60 s
+ * @param cued field of view while another sensor cues it: wide enough for that sensor's errors, 0.01 to 179 degrees,
+ *     rad
+ * @param tracked field of view while its own camera tracks the drone, 0.01 to 179 degrees, rad
+ * @param time time to zoom from the sensor's own field of view to the narrowest, 0 to 60 s
  */
 public record ZoomSettings(
         @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double cued,

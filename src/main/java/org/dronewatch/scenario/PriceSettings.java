@@ -9,8 +9,8 @@ import org.dronewatch.setting.Defaults;
 /**
  * What the sensors cost, for the report.
  *
- * @param currency in which, 1 to 12 letters: {@code EUR}
- * @param sensors the price of each sensor that is known, with mount and installation if wanted, by its name, 0 or more
+ * @param currency currency of all prices, 1 to 12 letters, such as {@code EUR}
+ * @param sensors known prices by name of the sensor, including mount and installation if wanted, 0 or more
  */
 public record PriceSettings(String currency, Map<String, Double> sensors) {
     /** No prices are known. */

@@ -6,7 +6,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How long a scene runs and with which random numbers.
+ * The duration of a scene's run and the seed of its random numbers.
  *
  * @param duration simulated time, above 0 and at most a million seconds
  * @param seed seed of all random numbers

@@ -19,17 +19,17 @@ import org.dronewatch.setting.Switchable;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * All that a scene is: one tree of records. Java scenes, overrides and sweeps write it; only then are meshes loaded and
+ * A complete scene: one tree of records. Java scenes, overrides and sweeps write it; only then are meshes loaded and
  * sensors created from it. The order of drones and sensors is kept.
  *
  * @param world the site
- * @param drones drones by id; at most 1000 fly, with those of their swarms
- * @param sensors sensors by id, with those that are switched off ({@code enabled: false}): they observe nothing, cost nothing
- *     and are checked like the others
+ * @param drones drones by id; at most 1000, including those of their swarms
+ * @param sensors sensors by id, including those that are switched off ({@code enabled: false}), which observe nothing,
+ *     cost nothing and are validated like the others
  * @param disabled ids of the sensors that are switched off
- * @param alert when the site is alerted, and what is to be protected
+ * @param alert when an alert is raised, and what is to be protected
  * @param prices what the sensors cost
- * @param run duration and seed; no sensor may look more than 100,000,000 times in that time
+ * @param run duration and seed; no sensor may look more than 100,000,000 times in a run
  * @param sweep a setting that changes from run to run, or empty for a single run
  */
 public record SceneSettings(

@@ -7,7 +7,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsPath;
 
-/** A setting that takes one value after another, a run for each. */
+/** A setting that takes one value after another, with one run for each. */
 public sealed interface SweepSettings {
     /** How many runs a sweep may have. */
     int MAX_RUNS = 10_000;
@@ -40,7 +40,7 @@ public sealed interface SweepSettings {
      * One value after another.
      *
      * @param parameter path of the setting
-     * @param values what it takes, with units or without; 1 to 10,000
+     * @param values its values, with units or without; 1 to 10,000
      */
     record Values(String parameter, List<String> values) implements SweepSettings {
         /** Checks the limits and keeps its own list. */
@@ -65,7 +65,7 @@ public sealed interface SweepSettings {
      * @param parameter path of the setting
      * @param from the first value, with a unit or without
      * @param to the last value, with a unit or without
-     * @param count how many there are, the first and the last included, 2 to 10,000
+     * @param count number of values, the first and the last included, 2 to 10,000
      */
     record Range(
             String parameter, String from, String to, @In(value = Quantity.NUMBER, from = 2, to = MAX_RUNS) int count)

@@ -21,9 +21,9 @@ public sealed interface Aim {
     Position from(Position sensor);
 
     /**
-     * Points at a place, wherever the sensor stands.
+     * Points at a given point, wherever the sensor is.
      *
-     * @param lookAt the place, m
+     * @param lookAt the point, m
      */
     record Target(Position lookAt) implements Aim {
         /** Checks that there is one. */

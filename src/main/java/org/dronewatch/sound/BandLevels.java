@@ -7,8 +7,8 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A spectrum: one level for each octave band, dB, relative to whatever its owner says. Every level is finite, and in a
- * scene's settings -200 to 200 dB; nothing at all is written as a very low level, such as -200 dB.
+ * A spectrum: one level for each octave band, dB, relative to a reference that depends on where it is used. Every level
+ * is finite, and in a scene's settings -200 to 200 dB; nothing at all is written as a very low level, such as -200 dB.
  *
  * @param hz63 level of the band at 63 Hz, -200 to 200 dB in settings
  * @param hz125 level of the band at 125 Hz, -200 to 200 dB in settings

@@ -8,14 +8,14 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How far and by which light one sees; it matters to cameras that decide by contrast.
+ * Visibility and daylight; they matter to cameras that decide by contrast.
  *
- * @param visibility how far one sees, above 0 and at most 1000 km, m
- * @param contrastAtVisibility what is left at that distance of the contrast of something black, 0.01 to 0.1: 0.05 for the
- *     meteorological optical range that weather stations report, 0.02 for Koschmieder's
- * @param illuminance of the ground, 1e-5 to 200,000 lx: some 50,000 in sunshine, 5,000 under cloud, 5 at dusk, 0.2 by full
- *     moon, 0.001 by starlight
- * @param sun where it stands, or empty where it does not shine
+ * @param visibility visibility, above 0 and at most 1000 km, m
+ * @param contrastAtVisibility fraction of a black object's contrast that is left at that distance, 0.01 to 0.1: 0.05
+ *     for the meteorological optical range that weather stations report, 0.02 for Koschmieder's
+ * @param illuminance of the ground, 1e-5 to 200,000 lx: about 50,000 in sunshine, 5,000 under cloud, 5 at dusk, 0.2 by
+ *     full moon, 0.001 by starlight
+ * @param sun where the sun is, or empty if it does not shine
  */
 public record Light(
         @In(value = Quantity.LENGTH, above = 0, to = 1e6) double visibility,
@@ -66,7 +66,7 @@ public record Light(
     }
 
     /**
-     * Where the sun stands.
+     * Where the sun is.
      *
      * @param azimuth clockwise from north, rad
      * @param elevation above the horizon, -pi/2 to pi/2, rad

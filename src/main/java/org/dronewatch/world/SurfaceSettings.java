@@ -11,11 +11,11 @@ import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterials;
 
 /**
- * What the materials of the model files are to sound. A material that is not named here but is itself a name of the
- * table is that; all others are what {@code otherwise} says.
+ * The acoustic surfaces of the materials in the model files. A material that is not named here but is itself a name of
+ * the table is that; all others are what {@code otherwise} says.
  *
- * @param materials names of the table by names of the model files
- * @param otherwise name of the table for what is left over
+ * @param materials names in the table of surfaces, by names of materials in the model files
+ * @param otherwise name in the table of surfaces for all other materials
  */
 public record SurfaceSettings(Map<String, String> materials, String otherwise) {
     /** Nothing is named; what is left over is the ordinary hard surface of the table. */

@@ -18,12 +18,13 @@ import org.dronewatch.sound.BandLevels;
  *
  * @param models the meshes, merged into one; at least one
  * @param backgroundNoise sound pressure level of the background, A-weighted, -20 to 140 dB re 20 uPa
- * @param noiseShape how the background falls on the octave bands: their levels relative to one another, dB
- * @param surfaces what the models' materials are to sound
+ * @param noiseShape spectrum of the background: the levels of the octave bands relative to one another, dB
+ * @param surfaces acoustic surfaces of the models' materials
  * @param atmosphere the air
- * @param rain rain, 0 to 500 mm/h; radars suffer from it, sound does not
- * @param light how far and by which light one sees
- * @param origin where on earth the origin lies, or empty; with it a run writes maps, and the summary has it
+ * @param rain rain rate, 0 to 500 mm/h; it affects radars, not sound
+ * @param light visibility and daylight
+ * @param origin where on earth the scene's origin lies, or empty; if given, a run writes maps and records it in the
+ *     summary
  */
 public record WorldSettings(
         List<ModelSettings> models,

@@ -38,12 +38,13 @@ final class SettingsReference {
     String write() {
         page.append("# All settings\n\n")
                 .append(
-                        "Every field of a scene file, every path of `--set`, every component of the settings records of the"
-                                + " Java library:\nthey are the same. This page is written from the records; a test keeps it true.\n\n"
-                                + "A number is in the unit of its column or carries one (`18 km/h`, `40 deg`, `70 %`);\n"
-                                + "an angle without a unit is in radians, though ranges and defaults are told in degrees. A setting"
-                                + " without a default must be\ngiven. Where a setting is one of several kinds, `kind` chooses; it may be"
-                                + " left out where the other fields tell.\n");
+                        "The fields of a scene file, the paths of `--set` and the components of the settings records of the"
+                                + " Java library\nare the same. This page is generated from the records; a test keeps it up to"
+                                + " date.\n\n"
+                                + "A number is in the unit of its column or carries a unit (`18 km/h`, `40 deg`, `70 %`); an angle"
+                                + " without a unit is\nin radians, although ranges and defaults are given in degrees here. A setting"
+                                + " without a default is required. Where a\nsetting has several kinds, `kind` selects one; it may be"
+                                + " omitted where the other fields determine it.\n");
         waiting.add(SceneSettings.class);
         while (!waiting.isEmpty()) {
             Class<?> next = waiting.iterator().next();
@@ -74,11 +75,11 @@ final class SettingsReference {
         }
         if (kinds.named(type).isPresent()) {
             page.append(
-                    "- or `use: NAME` instead of a kind: a sensor of the catalogue, or of a file beside the scene\n");
+                    "- or `use: NAME` instead of a kind: a sensor from the catalogue, or from a file beside the scene file\n");
         }
         if (switchable.contains(type)) {
             page.append(
-                    "\nBeside the settings of each kind, `enabled: false` switches it off (`true` unless given).\n");
+                    "\nIn addition to the settings of its kind, `enabled: false` switches a sensor off (`true` by default).\n");
         }
     }
 
@@ -89,7 +90,7 @@ final class SettingsReference {
     private void record(Class<?> type) {
         heading(type);
         page.append(texts.summary(type)).append("\n\n");
-        kinds.named(type).ifPresent(named -> page.append("`use` begins with one of the catalogue: `")
+        kinds.named(type).ifPresent(named -> page.append("`use` starts from an entry of the catalogue: `")
                 .append(String.join("`, `", named.names()))
                 .append("`.\n\n"));
         page.append("| setting | unit | range | default | what it is |\n|---|---|---|---|---|\n");
@@ -193,7 +194,7 @@ final class SettingsReference {
             }
             return isOneOfSeveral(settings)
                     ? "`" + Choices.name(value.getClass().getSimpleName()) + "`"
-                    : "as there";
+                    : "see there";
         }
         if (value instanceof Optional<?> optional) {
             return optional.isEmpty() ? "none" : standard(optional.get());

@@ -13,9 +13,9 @@ import org.dronewatch.setting.Quantity;
  *
  * @param file path of an .obj file, or {@code packaged:NAME} for a model that comes with the library
  * @param upAxis which axis of the file points up
- * @param scale metres for each unit of the file, 1e-6 to 1e6
+ * @param scale length of the file's unit, 1e-6 to 1e6 m
  * @param position where the model's origin goes, m
- * @param heading turn about the vertical, clockwise seen from above as on a compass, rad
+ * @param heading rotation about the vertical, clockwise as seen from above, rad
  * @param role what it is to the site, so that what hides a drone can be told apart; without meaning for a drone's model
  */
 public record ModelSettings(

@@ -17,15 +17,15 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.World;
 
 /**
- * A microphone, or an array of them at one place.
+ * A microphone, or an array of microphones at one position.
  *
  * @param position its centre, m
- * @param radius rays that pass within this distance are heard, above 0, m; in the energy model, where rays run backward,
- *     the distance from the drone
- * @param rate how often it listens, above 0, Hz
- * @param threshold how far above the background a sound must be, dB
- * @param arrayGain how much better than one microphone it hears, 0 to 60 dB
- * @param propagation how sound is followed: {@link LevelModel} or {@link EnergyModel}
+ * @param radius rays that pass within this distance are received, above 0, m; in the energy model, which traces rays
+ *     backwards, the distance from the drone
+ * @param rate looks per second, above 0, Hz
+ * @param threshold how far above the background a sound must be to be detected, dB
+ * @param arrayGain gain in signal-to-noise ratio over a single microphone, 0 to 60 dB
+ * @param propagation how sound propagates: {@link LevelModel} or {@link EnergyModel}
  */
 public record AcousticSettings(
         Position position,

@@ -17,17 +17,17 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Light;
 
 /**
- * A camera, on a fixed mount or on one that turns.
+ * A camera, on a fixed mount or on a positioner.
  *
  * @param position where its centre of projection is, m
  * @param aim where its axis points; the horizon is level
- * @param width pixels in a row, 1 to 16384; the picture has at most 67,108,864
- * @param height rows, 1 to 16384
+ * @param width pixels per row, 1 to 16384; at most 67,108,864 in the picture
+ * @param height rows of pixels, 1 to 16384
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the side of the picture that the field of view spans
- * @param rate frames a second, above 0, Hz
- * @param detection decides whether the drone's pixels are enough
- * @param positioner the mount that turns it about its aim, or empty for a fixed one
+ * @param rate frames per second, above 0, Hz
+ * @param detection how a detection is decided
+ * @param positioner the positioner that turns it, or empty for a fixed mount
  */
 public record CameraSettings(
         Position position,

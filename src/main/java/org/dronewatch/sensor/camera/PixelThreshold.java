@@ -8,9 +8,9 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Detects a drone that fills enough pixels.
+ * Detects a drone that covers enough pixels.
  *
- * @param pixels how many, above 0 and at most 1e9
+ * @param pixels how many pixels, above 0 and at most 1e9
  */
 public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) double pixels)
         implements DetectionFunction {

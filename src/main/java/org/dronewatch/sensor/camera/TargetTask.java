@@ -11,10 +11,11 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How likely a person, or a program as good as one, does something with a drone's picture: notices it, tells what it is, or
- * which. Johnson's criteria say how many line pairs across the target that takes (Johnson 1958); the target transfer
- * probability function says how likely it is with more or fewer (Howe, in "The Infrared and Electro-Optical Systems
- * Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with {@code x = N / N50} and {@code E = 2.7 + 0.7 x}.
+ * How likely it is that a person, or a program as good as one, can do something with a drone's picture: notice it,
+ * recognise it as a drone, or identify which drone it is. Johnson's criteria say how many line pairs across the target
+ * that takes (Johnson 1958); the target transfer probability function says how likely it is with more or fewer (Howe,
+ * in "The Infrared and Electro-Optical Systems Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with {@code x = N
+ * / N50} and {@code E = 2.7 + 0.7 x}.
  *
  * <p>The line pairs resolved are half the square root of the drone's pixels, fewer the weaker its contrast and the faster it
  * crosses the picture: {@code N = sqrt(pixels) / 2 * (1 - Ct / C) * (1 + b^2)^(-1/4)}. C is its contrast after the air has
@@ -22,13 +23,14 @@ import org.dronewatch.setting.Quantity;
  * few, it grows as the square root of the light that is missing. b is the blur in pixels, in one of two directions. The
  * dependence on contrast is a straight line in place of a camera's measured curve of minimum resolvable contrast.
  *
- * @param task what is to be done with the picture
- * @param probability from which on that counts as done, above 0 and below 1; without meaning by chance
- * @param byChance whether each frame decides by drawing a random number instead
- * @param contrast of the drone to what is behind it, from near, above 0 and at most 1
- * @param leastContrast that the camera tells from none in good light, above 0 and below 1
- * @param goodLight illuminance below which it takes more contrast, above 0, lx
- * @param exposure for how long a frame gathers light, 0 to 1 s
+ * @param task what the picture must allow
+ * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by
+ *     chance
+ * @param byChance whether each frame decides by a random number instead
+ * @param contrast contrast of the drone to its background at close range, above 0 and at most 1
+ * @param leastContrast least contrast that the camera can detect in good light, above 0 and below 1
+ * @param goodLight illuminance below which more contrast is needed, above 0, lx
+ * @param exposure exposure time of a frame, 0 to 1 s
  * @param glare angle about the sun within which nothing is seen, 0 to pi/2, rad
  */
 public record TargetTask(

@@ -11,11 +11,12 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How well a radar tells where a drone is: standard deviations of errors that are normal, and independent from scan to scan.
+ * How accurately a radar measures a drone's position: standard deviations of normally distributed errors, independent
+ * from scan to scan.
  *
- * @param range of the distance, 0 to 1000 m
- * @param azimuth of the bearing, 0 to pi/6, rad
- * @param elevation of the elevation, 0 to pi/6, rad
+ * @param range standard deviation of the range, 0 to 1000 m
+ * @param azimuth standard deviation of the bearing, 0 to pi/6, rad
+ * @param elevation standard deviation of the elevation, 0 to pi/6, rad
  */
 public record Accuracy(
         @In(value = Quantity.LENGTH, from = 0, to = 1000) double range,

@@ -32,11 +32,11 @@ public sealed interface LinkBudget {
      * sweep. A radar with a known system temperature T instead of a noise figure has the figure 10 lg(T / 290 K).
      *
      * @param power transmitted power, 1e-9 to 1e9 W
-     * @param gain of the antenna for both ways, -20 to 80 dBi
-     * @param integrationTime how long an echo is summed up coherently, 1e-9 to 10 s
-     * @param sweepBandwidth of the transmitted signal, 1 to 1e12 Hz
-     * @param noiseFigure of the receiver, -20 to 60 dB
-     * @param losses all losses of the system together, 0 to 60 dB
+     * @param gain gain of the antenna, the same for transmission and reception, -20 to 80 dBi
+     * @param integrationTime coherent integration time, 1e-9 to 10 s
+     * @param sweepBandwidth bandwidth of the transmitted signal, 1 to 1e12 Hz
+     * @param noiseFigure noise figure of the receiver, -20 to 60 dB
+     * @param losses total system losses, 0 to 60 dB
      */
     record Hardware(
             @In(value = Quantity.POWER, from = 1e-9, to = 1e9) double power,
@@ -79,14 +79,14 @@ public sealed interface LinkBudget {
     }
 
     /**
-     * What a data sheet says: at which range which target is detected how surely. It gives the gain of the whole loop; the
-     * echo then falls with the fourth power of the range.
+     * What a data sheet states: at what range which target is detected, and with what probability. It gives the gain of
+     * the whole loop; the echo then falls with the fourth power of the range.
      *
-     * @param range at which the target is detected, 0.1 m to 1000 km, m
-     * @param crossSection of that target, 1e-9 to 1e6 m2
-     * @param probability of its detection, 0.1 to 0.99
+     * @param range range at which the target is detected, 0.1 m to 1000 km, m
+     * @param crossSection radar cross-section of that target, 1e-9 to 1e6 m2
+     * @param probability probability of detection, 0.1 to 0.99
      * @param falseAlarm probability that noise is taken for a target, 1e-12 to 0.01
-     * @param fluctuation of that target
+     * @param fluctuation how that target fluctuates
      */
     record DataSheet(
             @In(value = Quantity.LENGTH, from = 0.1, to = 1e6) double range,

@@ -26,9 +26,9 @@ public sealed interface RadarDetection {
     double probability(double signalToNoise, Fluctuation fluctuation);
 
     /**
-     * Always the same, as in the thesis that this project began with.
+     * A fixed threshold, as in the thesis that this project grew from.
      *
-     * @param signalToNoise -50 to 100 dB
+     * @param signalToNoise signal-to-noise ratio, -50 to 100 dB
      */
     record FixedThreshold(@In(value = Quantity.LEVEL, from = -50, to = 100) double signalToNoise)
             implements RadarDetection {
@@ -57,8 +57,8 @@ public sealed interface RadarDetection {
      * drawn, and the ratio for which the probability of detection is that number is what this look's echo must reach.
      *
      * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01; to 0.001 with several pulses
-     * @param pulses how many pulses of a look are summed without their phases, 1 to 1000; the signal-to-noise ratio is that
-     *     of one of them
+     * @param pulses number of pulses per look that are integrated non-coherently, 1 to 1000; the signal-to-noise ratio
+     *     is that of one of them
      */
     record Chance(
             @In(value = Quantity.NUMBER, from = 1e-12, to = 0.01) double falseAlarm,

@@ -15,23 +15,23 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A radar that stands still and looks with the same gain everywhere in its field of view, as one with an electronically
- * steered beam does.
+ * A radar on a fixed mount with the same gain throughout its field of view, like one with an electronically steered
+ * beam.
  *
  * @param position where its antenna is, m
- * @param aim the middle of its field of view; the elevation is its tilt
- * @param azimuthWidth how wide its field of view is, 0.01 to 360 degrees, rad
- * @param elevationWidth how high its field of view is, 0.01 to 180 degrees, rad
- * @param minRange nearer drones are lost in its own pulse, 0 to 1000 km, m
- * @param maxRange farther drones are not looked for, above 0 and at most 1000 km, m
- * @param minSpeed slower drones are taken for ground: least radial speed, 0 to 10,000 m/s
- * @param maxSpeed faster drones are not looked for: largest radial speed, above 0 and at most 10,000 m/s
- * @param rate scans a second, above 0, Hz
+ * @param aim the centre of its field of view; the elevation is its tilt
+ * @param azimuthWidth horizontal width of its field of view, 0.01 to 360 degrees, rad
+ * @param elevationWidth vertical width of its field of view, 0.01 to 180 degrees, rad
+ * @param minRange minimum range: nearer drones are masked by its own pulse, 0 to 1000 km, m
+ * @param maxRange maximum range: farther drones are not detected, above 0 and at most 1000 km, m
+ * @param minSpeed least radial speed: slower drones are taken for ground clutter, 0 to 10,000 m/s
+ * @param maxSpeed largest radial speed: faster drones are not detected, above 0 and at most 10,000 m/s
+ * @param rate scans per second, above 0, Hz
  * @param frequency carrier, 1 to 1000 GHz, Hz
- * @param polarisation of the wave; matters in rain only
- * @param budget how strong an echo is over the noise
- * @param detection from which signal-to-noise ratio on an echo counts
- * @param accuracy how well it tells where a drone is
+ * @param polarisation polarisation; it matters in rain only
+ * @param budget what determines the signal-to-noise ratio of an echo
+ * @param detection at which signal-to-noise ratio an echo is detected
+ * @param accuracy how accurately it measures positions
  */
 public record RadarSettings(
         Position position,

@@ -13,18 +13,17 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A radio receiver that hears all round.
+ * An omnidirectional radio receiver.
  *
  * @param position where its antenna is, m
- * @param rate how often it tells, above 0, Hz
- * @param lowest frequency that it hears, 1 MHz to 100 GHz, Hz
- * @param highest frequency that it hears, Hz
- * @param gain of its antenna, -50 to 60 dBi
- * @param bandwidth of the noise in it, 1 to 1e10 Hz
- * @param noiseFigure what its own electronics add to the noise, 0 to 50 dB
- * @param clutter what ground and buildings take on average besides the one edge that counts, and noise of the place adds,
- *     0 to 100 dB
- * @param threshold signal-to-noise ratio from which on an emission is noticed, -50 to 100 dB
+ * @param rate looks per second, above 0, Hz
+ * @param lowest lowest frequency that it receives, 1 MHz to 100 GHz, Hz
+ * @param highest highest frequency that it receives, Hz
+ * @param gain gain of its antenna, -50 to 60 dBi
+ * @param bandwidth noise bandwidth, 1 to 1e10 Hz
+ * @param noiseFigure noise figure of its electronics, 0 to 50 dB
+ * @param clutter average loss by ground and buildings beyond that of the highest edge, plus local noise, 0 to 100 dB
+ * @param threshold signal-to-noise ratio at and above which a signal is detected, -50 to 100 dB
  */
 public record RfSettings(
         Position position,

@@ -18,23 +18,23 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A thermal camera, on a fixed mount or on one that turns.
+ * A thermal camera, on a fixed mount or on a positioner.
  *
  * @param position where its centre of projection is, m
  * @param aim where its axis points; the horizon is level
- * @param width pixels in a row, 1 to 16384; the picture has at most 67,108,864
- * @param height rows, 1 to 16384
+ * @param width pixels per row, 1 to 16384; at most 67,108,864 in the picture
+ * @param height rows of pixels, 1 to 16384
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the side of the picture that the field of view spans
- * @param rate frames a second, above 0, Hz
- * @param noise difference of temperature that stands out of the noise as much as the noise itself (NETD), 1e-6 to
- *     100 K
- * @param transmission what a kilometre of air leaves in its band and the weather meant, 1e-6 to 1
- * @param leastSignal ratio of signal to noise below which nothing is resolved, above 0 and at most 1000
- * @param task what is to be done with the picture
- * @param probability from which on that counts as done, above 0 and below 1; without meaning by chance
- * @param byChance whether each frame decides by drawing a random number instead
- * @param positioner the mount that turns it about its aim, or empty for a fixed one
+ * @param rate frames per second, above 0, Hz
+ * @param noise noise-equivalent temperature difference (NETD), 1e-6 to 100 K
+ * @param transmission transmittance of a kilometre of air in its band and in the weather assumed, 1e-6 to 1
+ * @param leastSignal signal-to-noise ratio below which nothing is resolved, above 0 and at most 1000
+ * @param task what the picture must allow
+ * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by
+ *     chance
+ * @param byChance whether each frame decides by a random number instead
+ * @param positioner the positioner that turns it, or empty for a fixed mount
  */
 public record ThermalSettings(
         Position position,

@@ -6,18 +6,20 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How the energy model propagates sound: levels in octave bands fall by spreading, by the air and at surfaces, as real
- * ones do. The straight path, mirror reflections of low order and the way round an edge are computed exactly; what comes
- * later is estimated by rays, with its standard error.
+ * How the energy model propagates sound: levels in octave bands fall by spreading, in the air and at surfaces, as in
+ * reality. The straight path, mirror reflections of low order and the way round an edge are computed exactly; what
+ * comes later is estimated by rays, with its standard error.
  *
- * @param rays how many rays are followed in one look at most, 1 to 10,000,000
- * @param accuracy no more rays are followed once the standard error of the level is below this, 0 to 10 dB; with 0 all are
- * @param roulette a ray with less than this share of its first energy goes on by chance only, above 0 and below 1
- * @param maxOrder how many surfaces a ray may meet before what is left of it is given up, 0 to 10,000
- * @param mirrorOrder up to how many reflections by the largest planes are computed exactly, 1 to 4; single ones by all
- *     surfaces always are
- * @param diffraction how sound bends round edges
- * @param criterion what is compared with the background
+ * @param rays the most rays that one look traces, 1 to 10,000,000
+ * @param accuracy tracing stops once the standard error of the level is below this, 0 to 10 dB; with 0 all rays are
+ *     traced
+ * @param roulette fraction of its initial energy below which a ray survives by chance only (Russian roulette), above 0
+ *     and below 1
+ * @param maxOrder how many surfaces a ray may hit before it is dropped, 0 to 10,000
+ * @param mirrorOrder order up to which specular reflections in the largest planes are computed exactly, 1 to 4;
+ *     first-order reflections in all surfaces always are
+ * @param diffraction how diffraction round edges is computed
+ * @param criterion which level is compared with the background
  */
 public record EnergyModel(
         @In(value = Quantity.NUMBER, from = 1, to = 10_000_000) int rays,

@@ -6,14 +6,15 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How the level model propagates sound: every ray carries the drone's whole level, which falls with the air and at each
- * surface only. It is the model of the thesis that this project began with; its levels are calibrated, not physical.
+ * How the level model propagates sound: every ray carries the drone's full level, which is reduced only by the air and
+ * at each surface. It is the model of the thesis that this project began with; its levels are calibrated, not physical.
  *
- * @param initialRays rays that leave the drone in random directions, besides one straight at the sensor; 1 to 100,000
+ * @param initialRays rays that leave the drone in random directions, in addition to one straight to the sensor; 1 to
+ *     100,000
  * @param reflectionsPerHit rays that leave each surface that is hit, 1 to 10,000
  * @param attenuation loss of level in the air, 0 to 1000 dB/m
- * @param maxOrder how many surfaces a ray may meet before it ends, 0 to 100
- * @param rayBudget how many straight pieces of rays one look may trace, 1 to 50,000,000
+ * @param maxOrder how many surfaces a ray may hit before it ends, 0 to 100
+ * @param rayBudget how many ray segments one look may trace, 1 to 50,000,000
  */
 public record LevelModel(
         @In(value = Quantity.NUMBER, from = 1, to = 100_000) int initialRays,
