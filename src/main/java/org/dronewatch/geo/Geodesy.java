@@ -4,8 +4,8 @@ import org.dronewatch.geometry.Position;
 
 /**
  * Turns places of the world frame (x east, y north, z up, m) into latitude and longitude on the WGS 84 ellipsoid. The frame
- * touches the ellipsoid at the scene's origin: as nobody says how high that lies, it is taken to lie on the ellipsoid. An
- * origin 1000 m high moves what is 1 km away by 0.16 m on the map.
+ * touches at the scene's origin a surface that lies above the ellipsoid by the origin's height; an origin whose height is not
+ * known is taken to lie on the ellipsoid, which at 1000 m would move what is 1 km away by 0.16 m on the map.
  *
  * <p>East, north and up become earth-centred coordinates without any approximation, and these become latitude and longitude
  * (IOGP Publication 373-7-2, Geomatics Guidance Note 7, part 2, methods 9837 and 9602). The formula of the latitude is
@@ -35,13 +35,34 @@ public final class Geodesy {
 
     /** The geodesy of a world frame whose origin lies there. */
     public Geodesy(Origin origin) {
-        height = origin.height();
+        height = origin.height().orElse(0.0);
         longitude = origin.longitude();
         sinLatitude = Math.sin(origin.latitude());
         cosLatitude = Math.cos(origin.latitude());
         double normal = SEMI_MAJOR / Math.sqrt(1.0 - E2 * sinLatitude * sinLatitude);
-        originOut = normal * cosLatitude;
-        originUp = normal * (1.0 - E2) * sinLatitude;
+        originOut = (normal + height) * cosLatitude;
+        originUp = (normal * (1.0 - E2) + height) * sinLatitude;
+    }
+
+    /**
+     * Where a place on earth is in the world frame (IOGP 373-7-2, methods 9602 and 9837, forward).
+     *
+     * @param latitude north of the equator, rad
+     * @param theLongitude longitude east of Greenwich, rad
+     * @param above height above the ellipsoid, on which the origin lies at its own height, or at 0 where that is not known, m
+     */
+    public Position inWorld(double latitude, double theLongitude, double above) {
+        double sin = Math.sin(latitude);
+        double cos = Math.cos(latitude);
+        double normal = SEMI_MAJOR / Math.sqrt(1.0 - E2 * sin * sin);
+        double fromAxis = (normal + above) * cos;
+        double turned = theLongitude - longitude;
+        double out = fromAxis * Math.cos(turned) - originOut;
+        double up = (normal * (1.0 - E2) + above) * sin - originUp;
+        return new Position(
+                fromAxis * Math.sin(turned),
+                cosLatitude * up - sinLatitude * out,
+                cosLatitude * out + sinLatitude * up);
     }
 
     /**

@@ -1,5 +1,6 @@
 package org.dronewatch.geo;
 
+import java.util.Optional;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -10,12 +11,12 @@ import org.dronewatch.setting.Quantity;
  *
  * @param latitude north of the equator, rad
  * @param longitude east of Greenwich, rad
- * @param height above sea level, -500 to 9000 m; 0 if not known, and maps are then drawn on the ground
+ * @param height above sea level, -500 to 9000 m; empty if not known, and maps are then drawn on the ground
  */
 public record Origin(
         @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude,
         @In(value = Quantity.ANGLE, from = -Math.PI, to = Math.PI) double longitude,
-        @In(value = Quantity.LENGTH, from = -500, to = 9000) double height) {
+        @In(value = Quantity.LENGTH, from = -500, to = 9000) Optional<Double> height) {
     /** Checks the limits. */
     public Origin {
         Limits.check(Origin.class, latitude, longitude, height);
@@ -24,11 +25,11 @@ public record Origin(
     /** An origin whose height is not known. */
     @Defaults({"latitude", "longitude"})
     public static Origin at(double latitude, double longitude) {
-        return new Origin(latitude, longitude, 0.0);
+        return new Origin(latitude, longitude, Optional.empty());
     }
 
-    /** Whether its height is known. */
-    public boolean hasHeight() {
-        return height != 0.0;
+    /** This origin at a known height above sea level, m. */
+    public Origin withHeight(double metres) {
+        return new Origin(latitude, longitude, Optional.of(metres));
     }
 }

@@ -55,9 +55,7 @@ final class ResultFile {
     private static void add(ObjectNode node, Origin origin) {
         node.put("latitude_deg", Math.toDegrees(origin.latitude()));
         node.put("longitude_deg", Math.toDegrees(origin.longitude()));
-        if (origin.hasHeight()) {
-            node.put("height_m", origin.height());
-        }
+        origin.height().ifPresent(height -> node.put("height_m", height));
     }
 
     private static void add(ObjectNode node, PairResult pair) {

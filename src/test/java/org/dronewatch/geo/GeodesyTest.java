@@ -3,6 +3,7 @@ package org.dronewatch.geo;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -53,6 +54,49 @@ class GeodesyTest {
 
         assertThat(place.latitude()).isEqualTo(degrees(53, 48, 33.820), within(2 * MILLIMETRE));
         assertThat(place.longitude()).isEqualTo(degrees(2, 7, 46.380), within(3 * MILLIMETRE));
+    }
+
+    /** The same example the other way, with the origin at its height. */
+    @Test
+    void placesOnEarthAreFoundInTheWorld() {
+        Geodesy geodesy =
+                new Geodesy(Origin.at(Math.toRadians(55.0), Math.toRadians(5.0)).withHeight(200.0));
+        Position place =
+                geodesy.inWorld(Math.toRadians(degrees(53, 48, 33.820)), Math.toRadians(degrees(2, 7, 46.380)), 73.0);
+
+        assertThat(place.x()).isEqualTo(-189_013.869, within(1e-3));
+        assertThat(place.y()).isEqualTo(-128_642.040, within(1e-3));
+        assertThat(place.z()).isEqualTo(-4_220.171, within(1e-3));
+    }
+
+    @Test
+    void anOriginAtSeaLevelIsKnownToLieThere() {
+        Origin sea = Origin.at(0.7, 0.2).withHeight(0.0);
+        assertThat(sea.height()).contains(0.0);
+        assertThat(sea).isNotEqualTo(Origin.at(0.7, 0.2));
+        assertThat(new Geodesy(sea).at(new Position(0, 0, 5)).height()).isEqualTo(5.0);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"50.08, 14.42, 430", "0, 180, 0", "-89.5, 10, 2800", "90, 0, 0", "31.5, 35.5, -430"})
+    void fromTheMapBackToTheWorld(double latitude, double longitude, double height) {
+        Geodesy geodesy = new Geodesy(
+                Origin.at(Math.toRadians(latitude), Math.toRadians(longitude)).withHeight(height));
+        for (Position local : List.of(
+                new Position(0, 0, 0),
+                new Position(-900, 40, 120),
+                new Position(30, 8000, -50),
+                new Position(5, 5, 0))) {
+            GeoPoint place = geodesy.at(local);
+            // At the foot of the place, whatever its height: the vertical there leans by its distance over the earth's
+            // radius.
+            Position foot = geodesy.inWorld(
+                    Math.toRadians(place.latitude()), Math.toRadians(place.longitude()), place.height());
+            double distance = Math.hypot(local.x(), local.y());
+            assertThat(Math.hypot(foot.x() - local.x(), foot.y() - local.y()))
+                    .isLessThan(1e-6 + distance * distance * distance / (2.0 * 6.33e6 * 6.33e6));
+            assertThat(local.z() - foot.z()).isBetween(-1e-6, 1e-6 + distance * distance / (2.0 * 6.33e6));
+        }
     }
 
     /** There by the defining formula of earth-centred coordinates, and back. */

@@ -89,7 +89,9 @@ final class SettingTables {
                         latitude < 0.0 ? "S" : "N",
                         Math.abs(longitude),
                         longitude < 0.0 ? "W" : "E")
-                + (origin.hasHeight() ? format("%.1f m above sea level", origin.height()) : "height not known");
+                + origin.height()
+                        .map(height -> format("%.1f m above sea level", height))
+                        .orElse("height not known");
     }
 
     /** Where the settings of sensors come from: a row for each entry of the catalogue, and one for all that is in none. */

@@ -61,7 +61,7 @@ final class MapContent {
     }
 
     private String heights() {
-        return origin.hasHeight()
+        return origin.height().isPresent()
                 ? "Heights are metres above the sea."
                 : "Heights are metres above the level of the scene's origin, neither above the sea nor above the ground:"
                         + " how high the origin lies is not known.";
@@ -69,7 +69,7 @@ final class MapContent {
 
     /** Whether heights are those above the sea, so that things can be drawn where they are in the air. */
     boolean isInSpace() {
-        return origin.hasHeight();
+        return origin.height().isPresent();
     }
 
     /** All features, in the order of their folders and of the scene. */

@@ -286,7 +286,7 @@ class SiteMapTest {
 
     @Test
     void withTheHeightOfTheOriginDronesAreInTheAir() throws Exception {
-        Origin origin = new Origin(Math.toRadians(45), Math.toRadians(10), 430.0);
+        Origin origin = Origin.at(Math.toRadians(45), Math.toRadians(10)).withHeight(430.0);
         Path file = directory.resolve("high.kml");
         write(
                 new SceneRunner(new Meadow(directory, "high", Optional.of(origin))),
