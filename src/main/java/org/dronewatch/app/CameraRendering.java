@@ -7,7 +7,6 @@ import org.dronewatch.render.FilmMaker;
 import org.dronewatch.render.RunHistory;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.PictureSettings;
@@ -15,14 +14,12 @@ import picocli.CommandLine.Model.CommandSpec;
 
 /** What one camera sees. */
 final class CameraRendering extends Rendering {
-    private final SceneRunner runner;
     private final SceneSettings settings;
     private final String id;
     private final SensorSettings<?> camera;
 
-    CameraRendering(SceneRunner runner, SceneSettings settings, Simulation simulation, String id) {
+    CameraRendering(SceneSettings settings, Simulation simulation, String id) {
         super(simulation);
-        this.runner = runner;
         this.settings = settings;
         this.id = id;
         this.camera = settings.sensors().get(id);
@@ -44,7 +41,8 @@ final class CameraRendering extends Rendering {
         if (turns) {
             spec.commandLine().getErr().printf("camera '%s' as it looked at %.3f s%n", id, shown);
         }
-        DepthImage image = threads.call(() -> new CameraView(id, camera, runner.stage(settings), history).draw(shown));
+        DepthImage image = threads.call(
+                () -> new CameraView(id, camera, simulation().stage(history, settings), history).draw(shown));
         target.write(ending.equals("png") ? image::writePng : image::writePfm);
         return image.width() + " x " + image.height() + " pixels, " + image.hitCount() + " of them show drones";
     }
@@ -52,7 +50,7 @@ final class CameraRendering extends Rendering {
     /** A film shows the looks that the camera has in the run, each until the next. */
     @Override
     FilmMaker maker(Film film, RunHistory history) {
-        CameraView view = new CameraView(id, camera, runner.stage(settings), history);
+        CameraView view = new CameraView(id, camera, simulation().stage(history, settings), history);
         double[] shown = {Double.NaN};
         BufferedImage[] image = new BufferedImage[1];
         return new FilmMaker(film, time -> {

@@ -6,6 +6,7 @@ import me.tongfei.progressbar.ProgressBarStyle;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.SceneListener;
+import org.dronewatch.run.Stage;
 import org.dronewatch.setting.PlainText;
 
 /** A progress bar on standard error, when that is a terminal. */
@@ -48,7 +49,7 @@ final class Progress implements SceneListener, AutoCloseable {
     }
 
     @Override
-    public void runStarted(RunInfo info) {
+    public void runStarted(RunInfo info, Stage stage) {
         run = info;
         if (bar == null) {
             bar = barOf(task, (only < 0 ? info.runs() : 1L) * STEPS);

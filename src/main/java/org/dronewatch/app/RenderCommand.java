@@ -105,8 +105,8 @@ final class RenderCommand implements Callable<Integer> {
         SceneSettings settings = settingsOfRun(runner);
         Simulation simulation = new Simulation(scene, runner, run, threads.number());
         Rendering rendering = subject.view != null
-                ? new SiteRendering(scene.name(), runner, settings, simulation, site, subject.view)
-                : new CameraRendering(runner, settings, simulation, camera(settings));
+                ? new SiteRendering(scene.name(), settings, simulation, site, subject.view)
+                : new CameraRendering(settings, simulation, camera(settings));
         rendering.check(ending());
         String said = ending().equals("mp4")
                 ? rendering.film(films.film(settings.run().duration()), target, threads, main.interruption()::happened)

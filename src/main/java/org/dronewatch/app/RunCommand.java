@@ -14,6 +14,8 @@ import org.dronewatch.report.WholeFile;
 import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.Pace;
 import org.dronewatch.run.PairResult;
+import org.dronewatch.run.RunInfo;
+import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -87,7 +89,7 @@ final class RunCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         runner.notes(err::println);
         configure(runner);
-        SceneSettings first = runner.settingsOfRuns().get(0);
+        runner.settings();
         Path directory = directory(scene);
         Optional<String> obstacle = view ? Viewer.obstacle() : Optional.empty();
         if (obstacle.isPresent()) {
@@ -95,10 +97,10 @@ final class RunCommand implements Callable<Integer> {
             return Main.NO_DISPLAY;
         }
         if (rays != null) {
-            writeRays(runner.stage(first), err);
+            runner.listener(rayWriter(err));
         }
         if (!view) {
-            run(scene, runner, first, directory);
+            run(scene, runner, directory);
             return 0;
         }
         try (Viewer viewer = Viewer.open(scene, runner, threads.number())) {
@@ -107,7 +109,7 @@ final class RunCommand implements Callable<Integer> {
                 viewer.note(line);
             });
             try {
-                run(scene, runner, first, directory);
+                run(scene, runner, directory);
                 viewer.finished(true);
             } catch (RuntimeException e) {
                 if (viewer.isClosed()) {
@@ -122,7 +124,7 @@ final class RunCommand implements Callable<Integer> {
         return 0;
     }
 
-    private void run(Scene scene, SceneRunner runner, SceneSettings first, Path directory) {
+    private void run(Scene scene, SceneRunner runner, Path directory) {
         PrintWriter err = spec.commandLine().getErr();
         Interruption interruption = main.interruption();
         try (RunReport report = new RunReport(scene, directory, observations);
@@ -132,10 +134,6 @@ final class RunCommand implements Callable<Integer> {
                     .cancelWhen(interruption::happened)
                     .run();
             interruption.letFinish();
-            if (result.complete()) {
-                runner.stage(first).draw(0.0, report::draw);
-                report.site(runner::stage);
-            }
             report.command(spec.root().commandLine().getParseResult().originalArgs());
             report.inputs(runner.inputs());
             report.finish(result);
@@ -146,8 +144,20 @@ final class RunCommand implements Callable<Integer> {
         }
     }
 
-    private void writeRays(Stage stage, PrintWriter err) {
+    /** Writes the rays at the start of the first run. */
+    private SceneListener rayWriter(PrintWriter err) {
         WholeFile file = new WholeFile("--rays", rays);
+        return new SceneListener() {
+            @Override
+            public void runStarted(RunInfo run, Stage stage) {
+                if (run.run() == 0) {
+                    writeRays(stage, file, err);
+                }
+            }
+        };
+    }
+
+    private void writeRays(Stage stage, WholeFile file, PrintWriter err) {
         RayPaths paths = new RayPaths();
         stage.traceRays(0.0, paths::recorder);
         file.write(paths::writeTo);

@@ -2,6 +2,8 @@ package org.dronewatch.app;
 
 import java.util.function.BooleanSupplier;
 import org.dronewatch.render.RunHistory;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 
@@ -23,6 +25,16 @@ final class Simulation {
         this.runner = runner;
         this.run = run;
         this.threads = threads;
+    }
+
+    /**
+     * The site of the run: as it was simulated, or if it was not, made for the pictures.
+     *
+     * @param history of the run
+     * @param settings of the run
+     */
+    Stage stage(RunHistory history, SceneSettings settings) {
+        return history.stage().orElseGet(() -> runner.stage(settings));
     }
 
     /**

@@ -1,34 +1,27 @@
 package org.dronewatch.app;
 
 import java.awt.image.BufferedImage;
+import java.util.function.DoubleFunction;
 import javax.imageio.ImageIO;
 import org.dronewatch.render.Film;
 import org.dronewatch.render.FilmMaker;
 import org.dronewatch.render.RunHistory;
 import org.dronewatch.report.WholeFile;
+import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Model.CommandSpec;
 
 /** The whole site with all that is in it. */
 final class SiteRendering extends Rendering {
     private final String title;
-    private final SceneRunner runner;
     private final SceneSettings settings;
     private final SiteView view;
     private final SiteView.From from;
 
-    SiteRendering(
-            String title,
-            SceneRunner runner,
-            SceneSettings settings,
-            Simulation simulation,
-            SiteView view,
-            SiteView.From from) {
+    SiteRendering(String title, SceneSettings settings, Simulation simulation, SiteView view, SiteView.From from) {
         super(simulation);
         this.title = title;
-        this.runner = runner;
         this.settings = settings;
         this.view = view;
         this.from = from;
@@ -51,16 +44,18 @@ final class SiteRendering extends Rendering {
         boolean turns = settings.sensors().values().stream()
                 .anyMatch(sensor -> sensor.positioner().isPresent());
         RunHistory history = turns ? simulation().until(time, () -> false) : new RunHistory();
-        BufferedImage image =
-                threads.call(() -> view.pictures(title, settings, runner.stage(settings), history, from, time, false)
-                        .apply(time));
+        BufferedImage image = threads.call(() -> pictures(history, time, false).apply(time));
         target.write(stream -> ImageIO.write(image, "png", stream));
         return image.getWidth() + " x " + image.getHeight() + " pixels";
     }
 
     @Override
     FilmMaker maker(Film film, RunHistory history) {
-        return new FilmMaker(
-                film, view.pictures(title, settings, runner.stage(settings), history, from, film.from(), true));
+        return new FilmMaker(film, pictures(history, film.from(), true));
+    }
+
+    private DoubleFunction<BufferedImage> pictures(RunHistory history, double first, boolean detections) {
+        Stage stage = simulation().stage(history, settings);
+        return view.pictures(title, settings, stage, history, from, first, detections);
     }
 }

@@ -9,16 +9,29 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.Pointings;
+import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.SceneListener;
+import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
 /**
- * What pictures of one run need to know of it besides its site: where positioners pointed and which sensor detected which
- * drone, at any time so far. It listens to a single run. One thread at a time.
+ * What pictures need to know of one run: its site, where positioners pointed and which sensor detected which drone, at any
+ * time so far. It listens to a single run. One thread at a time.
  */
 public final class RunHistory implements SceneListener {
+    private Optional<Stage> stage = Optional.empty();
     private final Pointings pointings = new Pointings();
     private final Map<List<String>, List<DetectionEvent>> events = new HashMap<>();
+
+    @Override
+    public void runStarted(RunInfo run, Stage itsStage) {
+        stage = Optional.of(itsStage);
+    }
+
+    /** The site of the run; empty before it has started. */
+    public Optional<Stage> stage() {
+        return stage;
+    }
 
     @Override
     public void observed(Frame frame) {

@@ -10,9 +10,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.dronewatch.report.html.Looks;
+import org.dronewatch.report.html.RunLooks;
 import org.dronewatch.report.map.SiteMap;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
@@ -24,7 +24,6 @@ import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.InputFiles;
-import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.Observation;
@@ -34,8 +33,9 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
  * Writes the files of a run: {@code detections.csv} and, when asked for, {@code observations.csv} while it goes on,
- * {@code result.json}, {@code summary.json}, {@code provenance.json}, {@code report.html}, {@code plots/} and, of a scene
- * with an origin on earth, {@code map.geojson} and {@code map.kml} at its end. They appear in the directory together, once all is done.
+ * {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end, and if it was not cut
+ * short, {@code report.html} and, of a scene with an origin on earth, {@code map.geojson} and {@code map.kml}. They appear in
+ * the directory together, once all is done.
  */
 public final class RunReport implements SceneListener, AutoCloseable {
     private static final String DETECTIONS = "detections.csv";
@@ -51,7 +51,6 @@ public final class RunReport implements SceneListener, AutoCloseable {
     private final Instant started = Instant.now();
     private List<String> command = List.of();
     private Optional<InputFiles> inputs = Optional.empty();
-    private Optional<Function<SceneSettings, Stage>> stages = Optional.empty();
 
     /**
      * Opens the report.
@@ -117,8 +116,8 @@ public final class RunReport implements SceneListener, AutoCloseable {
     }
 
     @Override
-    public void runStarted(RunInfo run) {
-        looks.runStarted(run);
+    public void runStarted(RunInfo run, Stage stage) {
+        looks.runStarted(run, stage);
     }
 
     @Override
@@ -183,22 +182,12 @@ public final class RunReport implements SceneListener, AutoCloseable {
                 Numbers.text(o.arrival()));
     }
 
-    /** Draws a curve of a sensor; it appears with the other plots. */
-    public void draw(String sensor, Curve curve) {
+    private void draw(String sensor, Curve curve) {
         XYChart chart = Charts.chart(sensor + ": " + curve.title(), curve.xTitle(), curve.yTitle());
         chart.addSeries(sensor, curve.x(), curve.y()).setMarker(SeriesMarkers.NONE);
         chart.getStyler().setYAxisMin(Collections.min(curve.y()));
         chart.getStyler().setLegendVisible(false);
-        directory.write(
-                () -> Charts.write(chart, plotFile(curve.name() + "-" + sensor, sensor + ": " + curve.title())));
-    }
-
-    /**
-     * Takes what gives the site of a run by its settings, such as {@code runner::stage}: only with it there are a {@code
-     * report.html} and maps. It is asked when the report is finished.
-     */
-    public void site(Function<SceneSettings, Stage> ofRun) {
-        stages = Optional.of(ofRun);
+        Charts.write(chart, plotFile(curve.name() + "-" + sensor, sensor + ": " + curve.title()));
     }
 
     /** Notes the arguments of the command line in {@code provenance.json} and the report; a run by a program has none. */
@@ -233,9 +222,11 @@ public final class RunReport implements SceneListener, AutoCloseable {
                 .ifPresent(plot -> plot.write(plotFile("range-over-" + plot.fileName(), plot.caption())));
         rangePlots.write(result, name -> plotFile(SiteReport.VALUES + name, valueCaption(result, name)));
         List<String> obsolete = new ArrayList<>();
-        if (stages.isPresent()) {
-            new SiteReport(result, looks, stages.get(), captions).write(directory, provenance);
-            obsolete.addAll(writeMaps(result, stages.get()));
+        Optional<Stage> site = site(result);
+        if (site.isPresent()) {
+            site.get().draw(0.0, this::draw);
+            new SiteReport(result, looks, captions).write(directory, provenance);
+            obsolete.addAll(writeMaps(result, site.get()));
         } else {
             obsolete.add(SiteReport.FILE);
             obsolete.addAll(SiteMap.FILES);
@@ -246,10 +237,14 @@ public final class RunReport implements SceneListener, AutoCloseable {
         directory.publish(obsolete);
     }
 
+    /** That of the first run; empty when the scene was cut short, or this report did not listen to it. */
+    private Optional<Stage> site(SceneResult result) {
+        return result.complete() ? looks.ofRun(result.runs().get(0).run()).map(RunLooks::stage) : Optional.empty();
+    }
+
     /** Writes the maps if the scene has an origin on earth; gives what must not stay of an earlier run. */
-    private List<String> writeMaps(SceneResult result, Function<SceneSettings, Stage> ofRun) throws IOException {
-        Optional<SiteMap> map =
-                SiteMap.of(result, ofRun.apply(result.runs().get(0).settings()));
+    private List<String> writeMaps(SceneResult result, Stage stage) throws IOException {
+        Optional<SiteMap> map = SiteMap.of(result, stage);
         if (map.isEmpty()) {
             return SiteMap.FILES;
         }

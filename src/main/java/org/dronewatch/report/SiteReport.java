@@ -8,17 +8,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.HtmlReport;
 import org.dronewatch.report.html.Looks;
+import org.dronewatch.report.html.RunLooks;
 import org.dronewatch.report.html.RunView;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.SceneResult;
-import org.dronewatch.run.Stage;
-import org.dronewatch.scenario.SceneSettings;
 
 /** Writes {@code report.html}: draws the site of each run at its first alert and gathers the plots. */
 final class SiteReport {
@@ -40,20 +38,18 @@ final class SiteReport {
 
     private final SceneResult result;
     private final Looks looks;
-    private final Function<SceneSettings, Stage> stages;
     private final Map<String, String> captions;
 
     /**
      * A report of a finished run.
      *
-     * @param stages gives the site of a run
+     * @param looks what listened to all its runs
      * @param captions what each plot shows, by the name of its file
      */
-    SiteReport(SceneResult result, Looks looks, Function<SceneSettings, Stage> stages, Map<String, String> captions) {
+    SiteReport(SceneResult result, Looks looks, Map<String, String> captions) {
         this.captions = Map.copyOf(captions);
         this.result = result;
         this.looks = looks;
-        this.stages = stages;
     }
 
     void write(OutputDirectory directory, Provenance provenance) throws IOException {
@@ -74,10 +70,9 @@ final class SiteReport {
     }
 
     private RunView view(RunResult run) throws IOException {
-        Stage stage = stages.apply(run.settings());
+        RunLooks itsLooks = looks.ofRun(run.run()).orElseThrow();
         int width = result.runs().size() < MANY_RUNS ? WIDTH : WIDTH_OF_MANY;
-        SitePictures pictures = new SitePictures(
-                run, stage, looks.ofRun(run.run()).orElseThrow().pointings(), width);
-        return new RunView(stage, pictures.draw(result.scene()));
+        SitePictures pictures = new SitePictures(run, itsLooks.stage(), itsLooks.pointings(), width);
+        return new RunView(itsLooks.stage(), pictures.draw(result.scene()));
     }
 }

@@ -31,6 +31,12 @@ public record RunResult(
         alerts = List.copyOf(alerts);
     }
 
+    /** Of a run that was cancelled before it had a stage: nothing was simulated, nothing detected. */
+    public static RunResult notBegun(RunInfo info) {
+        List<PairResult> pairs = new DetectionLog(info.run(), info.settings(), event -> {}).pairs();
+        return new RunResult(info.run(), info.settings(), 0.0, List.of(), pairs, List.of());
+    }
+
     /** The alerts that count: those to drones that attack. Where none attacks, all. */
     public List<AlertResult> attackAlerts() {
         Map<String, DroneSettings> drones = settings.fliers();

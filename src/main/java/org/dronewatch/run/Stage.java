@@ -36,11 +36,16 @@ import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
-/** A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. */
+/**
+ * A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. Only {@link #look}
+ * changes it, and is for the thread that runs the scene; everything else any thread may ask, during the run and after it.
+ */
 public final class Stage {
     private final World world;
     private final Map<String, Integer> colours;
     private final List<Flier> fliers = new ArrayList<>();
+    private final Map<String, SensorSettings<?>> sensors;
+    private final List<String> raySensors;
     private final List<Looker> lookers = new ArrayList<>();
     private final Map<String, Pointing> pointings = new LinkedHashMap<>();
     private final PerfectAssociation association = new PerfectAssociation();
@@ -63,7 +68,17 @@ public final class Stage {
                     new Drone(id, drone, models.index(List.of(drone.model())).tree());
             fliers.add(new Flier(created, paths.of(id, drone)));
         });
-        settings.enabledSensors().forEach((id, sensor) -> lookers.add(new Looker(id, sensor)));
+        this.sensors = settings.enabledSensors();
+        sensors.forEach((id, sensor) -> lookers.add(new Looker(id, sensor)));
+        this.raySensors = lookers.stream()
+                .filter(looker -> looker.sensor instanceof RaySensor)
+                .map(looker -> looker.id)
+                .toList();
+    }
+
+    /** Lets go of the sensors, some of which keep large pictures: there are no more looks. Everything else can still be asked. */
+    void release() {
+        lookers.clear();
     }
 
     private void warn(SceneSettings settings, ModelCache models) {
@@ -148,52 +163,45 @@ public final class Stage {
      * @param target gives what records the rays of a sensor and a drone of these names
      */
     public void traceRays(double time, BiFunction<String, String, RayRecorder> target) {
-        for (Looker looker : lookers) {
-            if (looker.sensor instanceof RaySensor sensor) {
-                for (Drone drone : dronesAt(time)) {
-                    trace(looker, sensor, drone, time, target.apply(looker.id, drone.id()));
-                }
+        for (String sensor : raySensors) {
+            for (Drone drone : dronesAt(time)) {
+                trace(sensor, drone, time, target.apply(sensor, drone.id()));
             }
         }
     }
 
     /** Whether there are rays to trace: a sensor that follows rays, and a drone. */
     public boolean tracesRays() {
-        return !fliers.isEmpty() && lookers.stream().anyMatch(looker -> looker.sensor instanceof RaySensor);
+        return !fliers.isEmpty() && !raySensors.isEmpty();
     }
 
     /**
      * Lets one sensor tell of all rays that lead from one drone to it, as its first look would trace them if it did not stop
-     * early. The sensor is a new one: the run may go on meanwhile on another thread.
+     * early.
      *
      * @param time where the drone is, seconds since the start of the run
      * @return whether there are such a drone and such a sensor, and it follows rays
      */
     public boolean traceRays(double time, String sensor, String drone, RayRecorder target) {
-        for (Looker looker : lookers) {
-            if (looker.id.equals(sensor) && looker.settings.create() instanceof RaySensor fresh) {
-                for (Drone one : dronesAt(time)) {
-                    if (one.id().equals(drone)) {
-                        trace(looker, fresh, one, time, target);
-                        return true;
-                    }
-                }
+        for (Drone one : dronesAt(time)) {
+            if (one.id().equals(drone) && raySensors.contains(sensor)) {
+                trace(sensor, one, time, target);
+                return true;
             }
         }
         return false;
     }
 
-    private void trace(Looker looker, RaySensor sensor, Drone drone, double time, RayRecorder target) {
-        Sample sample = Sample.of(runSeed, looker.id, 0, time);
-        sensor.traceRays(world, drone, sample.random(drone.id(), RaySensor.RAYS), target);
+    /** By a new sensor: the run may go on meanwhile on another thread. */
+    private void trace(String sensor, Drone drone, double time, RayRecorder target) {
+        Sample sample = Sample.of(runSeed, sensor, 0, time);
+        RaySensor fresh = (RaySensor) sensors.get(sensor).create();
+        fresh.traceRays(world, drone, sample.random(drone.id(), RaySensor.RAYS), target);
     }
 
     /** Names of the sensors that follow rays. */
     public List<String> raySensors() {
-        return lookers.stream()
-                .filter(looker -> looker.sensor instanceof RaySensor)
-                .map(looker -> looker.id)
-                .toList();
+        return raySensors;
     }
 
     /**
@@ -203,24 +211,24 @@ public final class Stage {
      * @param target is given each sensor's name with a curve
      */
     public void draw(double time, BiConsumer<String, Curve> target) {
-        for (Looker looker : lookers) {
-            if (looker.sensor instanceof CurveSensor sensor) {
+        sensors.forEach((id, settings) -> {
+            if (settings.create() instanceof CurveSensor sensor) {
                 for (Drone drone : dronesAt(time)) {
-                    Sample sample = Sample.of(runSeed, looker.id, 0, time);
+                    Sample sample = Sample.of(runSeed, id, 0, time);
                     sensor.curves(world, drone, sample.random(drone.id(), CurveSensor.CURVES))
-                            .forEach(curve -> target.accept(looker.id + "-" + drone.id(), curve));
+                            .forEach(curve -> target.accept(id + "-" + drone.id(), curve));
                 }
             }
-        }
+        });
     }
 
     /** The earliest time at which a sensor looks next; infinity when there is no sensor. */
-    public double nextLook() {
+    double nextLook() {
         return lookers.stream().mapToDouble(Looker::nextTime).min().orElse(Double.POSITIVE_INFINITY);
     }
 
     /** Lets every sensor that is due at a time look. */
-    public List<Observation> look(double time, List<Drone> drones, LookTimes times) {
+    List<Observation> look(double time, List<Drone> drones, LookTimes times) {
         pointings.clear();
         List<Supplier<List<Observation>>> looks = new ArrayList<>();
         for (Looker looker : lookers) {
@@ -252,17 +260,17 @@ public final class Stage {
     }
 
     /** The last looks by contact: what alerts and mounts know of them. */
-    public List<ContactLook> contactLooks() {
+    List<ContactLook> contactLooks() {
         return contactLooks;
     }
 
     /** Which contact is which drone, for scoring. */
-    public PerfectAssociation association() {
+    PerfectAssociation association() {
         return association;
     }
 
     /** Where the mounts of the sensors that looked last pointed, by name of the sensor. */
-    public Map<String, Pointing> pointings() {
+    Map<String, Pointing> pointings() {
         return pointings;
     }
 

@@ -13,19 +13,15 @@ import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.djutils.event.EventType;
 import org.djutils.metadata.MetaData;
 import org.djutils.metadata.ObjectDescriptor;
-import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.parallel.Workers;
-import org.dronewatch.run.Frame;
-import org.dronewatch.run.LookTimes;
 import org.dronewatch.run.ModelCache;
-import org.dronewatch.run.Pace;
+import org.dronewatch.run.RunControl;
 import org.dronewatch.run.RunInfo;
+import org.dronewatch.run.RunSession;
 import org.dronewatch.run.SceneResult;
-import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.PriceSettings;
 import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scenario.SceneBuilder;
@@ -61,9 +57,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     private static final long serialVersionUID = 1L;
 
     private transient SceneBuilder builder;
-    private transient RunPlan plan;
-    private transient Stage stage;
-    private transient ModelCache ownModels;
+    private transient ModelCache models;
+    private transient RunSession session;
 
     /** A scene with a simulator of its own, for {@link #run()} and {@link SceneRunner}. */
     protected Scene() {
@@ -253,64 +248,52 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         return new SceneRunner(this).run();
     }
 
-    /** What this scene is to do when the simulator next constructs it. What the last run has made is let go. */
-    final void prepare(RunPlan next) {
-        this.plan = next;
-        this.stage = null;
-    }
-
-    /** Creates world, drones and sensors and schedules the first look; DSOL calls this for each replication. */
+    /** Opens a run and schedules its first look; DSOL calls this for each replication. */
     @Override
     public final void constructModel() {
-        if (!(getSimulator() instanceof SceneSimulator own && own.constructsLater())) {
-            construct();
-        }
+        Optional<RunSession> given = getSimulator() instanceof SceneSimulator own ? own.session() : Optional.empty();
+        session = given.orElseGet(this::openSession);
+        scheduleNextLook();
     }
 
-    /** Does what {@link #constructModel()} promises. */
-    final void construct() {
-        if (plan == null) {
-            if (ownModels == null) {
-                ownModels = new ModelCache(directory(), note -> {});
-            }
-            RunInfo info = new RunInfo(0, 1, describe().withoutSweep());
-            plan = new RunPlan(info, ownModels, f -> {}, Pace.AS_FAST_AS_POSSIBLE, new LookTimes(), () -> false);
+    /** A run under a simulator of the user's, which says how long it lasts. All replications have the same settings. */
+    private RunSession openSession() {
+        if (models == null) {
+            models = new ModelCache(directory(), note -> {});
+        }
+        RunInfo info = session == null ? new RunInfo(0, 1, describe().withoutSweep()) : session.info();
+        if (session != null) {
+            session.close();
         }
         int replication = getSimulator().getReplication() instanceof ExperimentReplication<?, ?> numbered
                 ? numbered.getReplicationNr()
                 : 0;
-        RunInfo info = plan.info();
-        long runSeed = Draws.derivedSeed(info.settings().run().seed(), "replication", replication);
-        stage = new Stage(info.settings(), plan.models(), runSeed);
-        scheduleNextLook();
+        long seed = Draws.derivedSeed(info.settings().run().seed(), "replication", replication);
+        return new RunSession(info, seed, models, RunControl.until(Double.POSITIVE_INFINITY));
     }
 
-    /** World, drones and sensors of the current run; null before they are made. */
-    final Stage stage() {
-        return stage;
+    /** Lets go of the last run, which somebody else closes. */
+    final void forgetSession() {
+        session = null;
     }
 
     private void scheduleNextLook() {
-        double time = stage.nextLook();
-        double absolute = getSimulator().getReplication().getStartTime() + time;
-        if (absolute <= getSimulator().getReplication().getEndTime()) {
-            getSimulator().scheduleEventAbs(absolute, SimEventInterface.NORMAL_PRIORITY, () -> look(time));
+        OptionalDouble next = session.nextTime();
+        if (next.isPresent()) {
+            double time = getSimulator().getReplication().getStartTime() + next.getAsDouble();
+            if (time <= getSimulator().getReplication().getEndTime()) {
+                getSimulator().scheduleEventAbs(time, SimEventInterface.NORMAL_PRIORITY, this::look);
+            }
         }
     }
 
-    private void look(double time) {
-        if (plan.cancelled().getAsBoolean()) {
-            return;
+    private void look() {
+        if (session.nextTime().isPresent()) {
+            double now = getSimulator().getSimulatorTime();
+            for (Observation observation : session.advance().observations()) {
+                fireTimedEvent(OBSERVATION, observation, now);
+            }
+            scheduleNextLook();
         }
-        plan.pace().await(time);
-        Workers.checkInterrupted();
-        List<Drone> drones = stage.dronesAt(time);
-        List<Observation> observations = stage.look(time, drones, plan.times());
-        double now = getSimulator().getSimulatorTime();
-        for (Observation observation : observations) {
-            fireTimedEvent(OBSERVATION, observation, now);
-        }
-        plan.frames().accept(new Frame(plan.info().run(), time, drones, observations, stage.pointings()));
-        scheduleNextLook();
     }
 }

@@ -1,5 +1,6 @@
 package org.dronewatch.scene;
 
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import nl.tudelft.simulation.dsol.SimRuntimeException;
@@ -8,6 +9,7 @@ import nl.tudelft.simulation.dsol.simulators.DevsSimulator;
 import nl.tudelft.simulation.dsol.simulators.ReplicationState;
 import nl.tudelft.simulation.dsol.simulators.RunState;
 import nl.tudelft.simulation.dsol.simulators.SimulatorInterface;
+import org.dronewatch.run.RunSession;
 
 /**
  * A DSOL simulator that runs on the caller's thread and lets what an event throws surface there, unchanged. DSOL's own
@@ -19,7 +21,7 @@ final class SceneSimulator extends DevsSimulator<Double> {
 
     private transient Thread caller;
     private transient RuntimeException failure;
-    private transient volatile boolean initializing;
+    private transient RunSession session;
 
     private SceneSimulator(String id) {
         super(id);
@@ -32,28 +34,33 @@ final class SceneSimulator extends DevsSimulator<Double> {
         }
     }
 
-    /** Runs a scene's replication from start to end on this thread, and leaves no thread behind. */
-    void run(Scene scene, SceneReplication replication) {
+    /**
+     * Drives a run of a scene from start to end on this thread, and leaves no thread behind.
+     *
+     * @param open the run, which the caller closes
+     */
+    void run(Scene scene, SceneReplication replication, RunSession open) {
         caller = Thread.currentThread();
         failure = null;
+        session = open;
         try {
             initializeApart(scene, replication);
-            scene.construct();
             runToEnd();
         } finally {
             cleanUp();
+            scene.forgetSession();
+            session = null;
             caller = null;
         }
     }
 
-    /** Whether the scene is not to construct its model yet: that may take long, and is done on the caller's thread. */
-    boolean constructsLater() {
-        return initializing;
+    /** The run that is to be driven; empty when this simulator is started as any other. */
+    Optional<RunSession> session() {
+        return Optional.ofNullable(session);
     }
 
     /** DSOL swallows interrupts while it initializes, which takes a millisecond: so another thread does that. */
     private void initializeApart(Scene scene, SceneReplication replication) {
-        initializing = true;
         try {
             // Waits through an interrupt and keeps it.
             CompletableFuture.runAsync(() -> initializeAlone(scene, replication), SceneSimulator::start)
@@ -63,8 +70,6 @@ final class SceneSimulator extends DevsSimulator<Double> {
                 throw error;
             }
             throw e.getCause() instanceof RuntimeException known ? known : e;
-        } finally {
-            initializing = false;
         }
     }
 

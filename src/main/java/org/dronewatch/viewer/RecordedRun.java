@@ -10,19 +10,22 @@ import org.dronewatch.render.RunHistory;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.RunInfo;
+import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
 /** One run as far as it has been simulated. Written by the thread that simulates, read by any. */
 final class RecordedRun {
     private final RunInfo info;
+    private final Stage stage;
     private final Map<List<String>, Readings> readings = new HashMap<>();
     private final RunHistory history = new RunHistory();
     private final List<DetectionEvent> events = new ArrayList<>();
     private double reached;
     private boolean finished;
 
-    RecordedRun(RunInfo info) {
+    RecordedRun(RunInfo info, Stage stage) {
         this.info = info;
+        this.stage = stage;
     }
 
     synchronized void add(Frame frame) {
@@ -46,6 +49,11 @@ final class RecordedRun {
 
     RunInfo info() {
         return info;
+    }
+
+    /** Its site. */
+    Stage stage() {
+        return stage;
     }
 
     /** How long it lasts, s. */

@@ -6,6 +6,7 @@ import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.SceneListener;
+import org.dronewatch.run.Stage;
 
 /** The runs of a scene while they are simulated. Told by the thread that simulates, read by any. */
 final class Recording implements SceneListener {
@@ -15,9 +16,9 @@ final class Recording implements SceneListener {
     private boolean frames;
 
     @Override
-    public synchronized void runStarted(RunInfo info) {
+    public synchronized void runStarted(RunInfo info, Stage stage) {
         finishCurrent();
-        current = new RecordedRun(info);
+        current = new RecordedRun(info, stage);
         runs.add(current);
     }
 

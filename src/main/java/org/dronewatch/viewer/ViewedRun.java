@@ -15,16 +15,14 @@ import org.dronewatch.scenario.SceneSettings;
 final class ViewedRun {
     private final String title;
     private final RecordedRun run;
-    private final Stage stage;
     private final SitePicture picture;
     private final Set<String> drones;
 
-    ViewedRun(String title, RecordedRun run, Stage stage) {
+    ViewedRun(String title, RecordedRun run) {
         this.title = title;
         this.run = run;
-        this.stage = stage;
         this.drones = settings().fliers().keySet();
-        this.picture = new SitePicture(settings(), stage);
+        this.picture = new SitePicture(settings(), run.stage());
     }
 
     RecordedRun run() {
@@ -36,7 +34,7 @@ final class ViewedRun {
     }
 
     Stage stage() {
-        return stage;
+        return run.stage();
     }
 
     SitePicture picture() {
@@ -73,7 +71,7 @@ final class ViewedRun {
         if (settings().sensors().containsKey(id)) {
             return Optional.of(settings().sensors().get(id).position());
         }
-        return stage.dronesAt(time).stream()
+        return stage().dronesAt(time).stream()
                 .filter(drone -> drone.id().equals(id))
                 .map(drone -> Position.of(drone.position()))
                 .findFirst();

@@ -120,7 +120,7 @@ public final class Viewer implements AutoCloseable {
     }
 
     private ViewerPane paneOf(Subject subject) {
-        return new ViewerPane(subject.scene().name(), recording, subject.runner()::stage, threads);
+        return new ViewerPane(subject.scene().name(), recording, threads);
     }
 
     /** Whoever reads models for a window that is gone need not go on. */

@@ -3,7 +3,6 @@ package org.dronewatch.viewer;
 import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 import javax.swing.Action;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -16,8 +15,6 @@ import javax.swing.SwingUtilities;
 import org.dronewatch.render.Cut;
 import org.dronewatch.render.RaySet;
 import org.dronewatch.render.SiteState;
-import org.dronewatch.run.Stage;
-import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
 /**
@@ -32,7 +29,6 @@ final class ViewerPane extends JPanel {
 
     private final String title;
     private final transient Recording recording;
-    private final transient Function<SceneSettings, Stage> stages;
     private final transient Playback playback = new Playback();
     private final transient ViewerActions actions = new ViewerActions(playback);
     private final transient Latest staging;
@@ -62,14 +58,12 @@ final class ViewerPane extends JPanel {
      *
      * @param title of the scene
      * @param recording is told what happens
-     * @param stages makes the site of a run's settings; asked on a thread of this pane
      * @param threads how many trace
      */
-    ViewerPane(String title, Recording recording, Function<SceneSettings, Stage> stages, int threads) {
+    ViewerPane(String title, Recording recording, int threads) {
         super(new BorderLayout());
         this.title = title;
         this.recording = recording;
-        this.stages = stages;
         this.staging = new Latest("dronewatch-stage", threads, this::tell);
         this.site = new SiteSection(threads, this::tell);
         this.cameras = new CameraPanel(threads, status::setText, this::select, this::tell);
@@ -189,7 +183,7 @@ final class ViewerPane extends JPanel {
     void show(RecordedRun run) {
         awaited = run;
         staging.ask(outdated -> {
-            ViewedRun next = new ViewedRun(title, run, stages.apply(run.info().settings()));
+            ViewedRun next = new ViewedRun(title, run);
             Optional<Cut> cut = next.picture().openRoof(0.0);
             SwingUtilities.invokeLater(() -> {
                 if (awaited == run) {

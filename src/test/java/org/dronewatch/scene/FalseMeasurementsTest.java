@@ -142,7 +142,6 @@ class FalseMeasurementsTest {
                 pointings.addAll(frame.pointings().values());
             });
             result = runner.run();
-            report.site(runner::stage);
             report.finish(result);
         }
         events.addAll(result.runs().get(0).events());

@@ -17,6 +17,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.SceneResult;
+import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
@@ -193,7 +194,7 @@ class InterruptTest {
                 .cancelWhen(() -> true)
                 .listener(new SceneListener() {
                     @Override
-                    public void runStarted(RunInfo info) {
+                    public void runStarted(RunInfo info, Stage stage) {
                         Thread.currentThread().interrupt();
                     }
                 })

@@ -26,7 +26,7 @@ public final class PaintedWindow {
             Recording recording = new Recording();
             runner.listener(recording).run();
             recording.finish(true);
-            ViewerPane pane = onEventThread(() -> new ViewerPane(scene.name(), recording, runner::stage, 2));
+            ViewerPane pane = onEventThread(() -> new ViewerPane(scene.name(), recording, 2));
             try {
                 return painted(pane, time, width, height);
             } finally {

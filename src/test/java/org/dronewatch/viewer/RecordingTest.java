@@ -76,7 +76,7 @@ class RecordingTest {
     @Test
     void aRunThatWasCutShortEndsWhereItWasCut() {
         Recording cut = new Recording();
-        cut.runStarted(new RunInfo(0, 1, run.info().settings()));
+        cut.runStarted(new RunInfo(0, 1, run.info().settings()), run.stage());
         cut.observed(new Frame(0, 3.5, List.of(), List.of()));
         cut.finish(false);
 
@@ -88,7 +88,7 @@ class RecordingTest {
     @Test
     void playsStepsAndJumpsWithinWhatIsSimulated() {
         Recording live = new Recording();
-        live.runStarted(new RunInfo(0, 1, run.info().settings()));
+        live.runStarted(new RunInfo(0, 1, run.info().settings()), run.stage());
         RecordedRun half = live.runs().get(0);
         Playback playback = new Playback();
         playback.show(half);

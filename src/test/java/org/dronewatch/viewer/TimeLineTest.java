@@ -12,6 +12,7 @@ import java.util.List;
 import javax.swing.JScrollPane;
 import javax.swing.UIManager;
 import org.dronewatch.run.RunInfo;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.AfterEach;
@@ -38,7 +39,9 @@ class TimeLineTest {
         Path file = directory.resolve("many.yaml");
         Files.writeString(
                 file, "world: {models: [packaged:hill.obj]}\nsensors:\n" + sensors + "run: {duration: 30 s}\n");
-        RecordedRun run = new RecordedRun(new RunInfo(0, 1, new SceneRunner(new SceneFile(file)).settings()));
+        SceneRunner runner = new SceneRunner(new SceneFile(file));
+        SceneSettings settings = runner.settings();
+        RecordedRun run = new RecordedRun(new RunInfo(0, 1, settings), runner.stage(settings));
         playback.show(run);
         line.setSize(800, 900);
         line.update();

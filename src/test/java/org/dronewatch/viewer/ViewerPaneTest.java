@@ -50,7 +50,7 @@ class ViewerPaneTest {
         Recording recording = new Recording();
         runner.listener(recording).run();
         recording.finish(true);
-        pane = onEventThread(() -> new ViewerPane(scene.name(), recording, runner::stage, 2));
+        pane = onEventThread(() -> new ViewerPane(scene.name(), recording, 2));
         onEventThread(() -> {
             pane.setSize(1280, 740);
             layOut(pane);

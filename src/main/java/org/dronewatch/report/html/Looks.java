@@ -9,10 +9,11 @@ import org.dronewatch.run.Frame;
 import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.SceneListener;
+import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
 /**
- * Keeps the looks of the runs that a report shows in full: of all runs where there are at most {@value #MOST_RUNS}, else of the
+ * Keeps the looks and the sites of the runs that a report shows in full: of all runs where there are at most {@value #MOST_RUNS}, else of the
  * first and of the {@value #WORST_OF_MANY} worst, so that memory does not grow with the number of runs.
  */
 public final class Looks implements SceneListener {
@@ -28,9 +29,9 @@ public final class Looks implements SceneListener {
     private int runs = 1;
 
     @Override
-    public void runStarted(RunInfo info) {
+    public void runStarted(RunInfo info, Stage stage) {
         runs = info.runs();
-        kept.put(info.run(), new RunLooks(info.settings().run().duration()));
+        kept.put(info.run(), new RunLooks(info.settings().run().duration(), stage));
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.Pointings;
+import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
 /** Of one run: of all looks of a sensor at a drone the best, how many of them detected it, and where positioners pointed. */
@@ -16,13 +17,16 @@ public final class RunLooks {
     private final Map<List<String>, Look> best = new HashMap<>();
     private final Map<List<String>, long[]> counts = new HashMap<>();
     private final Pointings pointings;
+    private final Stage stage;
 
     /**
-     * Of a run that has not begun.
+     * Of a run that has not looked yet.
      *
      * @param duration of the run, s
+     * @param stage its site
      */
-    RunLooks(double duration) {
+    RunLooks(double duration, Stage stage) {
+        this.stage = stage;
         this.pointings = new Pointings(duration / INTERVALS);
     }
 
@@ -36,6 +40,11 @@ public final class RunLooks {
             count[0]++;
             count[1] += o.isDetected() ? 1 : 0;
         }
+    }
+
+    /** The site of the run. */
+    public Stage stage() {
+        return stage;
     }
 
     /** Where the positioners of the run's sensors pointed. */

@@ -1,0 +1,174 @@
+package org.dronewatch.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Observation;
+
+/**
+ * One run of a scene, look by look. The result depends on settings, seed and models only: not on who drives the run, how fast,
+ * with how many threads, or who listens. For one thread; it looks with the {@link Workers} of that thread.
+ *
+ * <pre>{@code
+ * try (RunSession session = new RunSession(settings, seed, models)) {
+ *     while (session.nextTime().isPresent()) {
+ *         session.advance();
+ *     }
+ *     return session.result();
+ * }
+ * }</pre>
+ */
+public final class RunSession implements AutoCloseable {
+    private final RunInfo info;
+    private final RunControl control;
+    private final Stage stage;
+    private final DetectionLog log;
+    private final AlertWatch alerts;
+    private final List<SceneListener> listeners = new ArrayList<>();
+    private double reached;
+    private boolean closed;
+    private Optional<RunResult> result = Optional.empty();
+
+    /**
+     * Opens a run that lasts as long as its settings say: builds the world, creates drones and sensors.
+     *
+     * @param settings of the run; what they sweep is not repeated
+     * @param seed of all random numbers, instead of that of the settings
+     * @param models where models come from
+     * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
+     */
+    public RunSession(SceneSettings settings, long seed, ModelCache models) {
+        this(
+                new RunInfo(0, 1, settings),
+                seed,
+                models,
+                RunControl.until(settings.run().duration()));
+    }
+
+    /**
+     * Opens one run of several.
+     *
+     * @param info its number and settings
+     * @param seed of all random numbers, instead of that of the settings
+     * @param models where models come from
+     * @param control when it ends, and how it is driven
+     * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
+     */
+    public RunSession(RunInfo info, long seed, ModelCache models, RunControl control) {
+        this.info = info;
+        this.control = control;
+        this.stage = new Stage(info.settings(), models, seed);
+        this.log = new DetectionLog(
+                info.run(), info.settings(), event -> listeners.forEach(listener -> listener.detectionChanged(event)));
+        this.alerts = new AlertWatch(info.run(), info.settings(), stage.world());
+    }
+
+    /**
+     * Runs a scene to its end, as fast as possible.
+     *
+     * @param settings of the run; what they sweep is not repeated
+     * @param seed of all random numbers, instead of that of the settings
+     * @param models where models come from
+     * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
+     */
+    public static RunResult run(SceneSettings settings, long seed, ModelCache models) {
+        try (RunSession session = new RunSession(settings, seed, models)) {
+            while (session.nextTime().isPresent()) {
+                session.advance();
+            }
+            return session.result();
+        }
+    }
+
+    /** Adds a listener and tells it that the run has started; the looks that follow are told on the thread of the run. */
+    public void listen(SceneListener listener) {
+        listeners.add(listener);
+        listener.runStarted(info, stage);
+    }
+
+    /** Its number and settings. */
+    public RunInfo info() {
+        return info;
+    }
+
+    /** Its world, drones and sensors. */
+    public Stage stage() {
+        return stage;
+    }
+
+    /** When the next sensors look, seconds since the start of the run; empty when the run has ended or is cancelled. */
+    public OptionalDouble nextTime() {
+        double next = stage.nextLook();
+        boolean over = isEnded() || isPastEnd(next) || control.cancelled().getAsBoolean();
+        return over ? OptionalDouble.empty() : OptionalDouble.of(next);
+    }
+
+    private boolean isPastEnd(double next) {
+        return next > control.until() || Double.isInfinite(next);
+    }
+
+    private boolean isEnded() {
+        return closed || result.isPresent();
+    }
+
+    /**
+     * Lets the sensors look that are next, at their time and the run's pace, and tells the listeners.
+     *
+     * @return the drones at that time, and what was observed
+     * @throws IllegalStateException when there are no more looks
+     * @throws java.util.concurrent.CancellationException when the thread is interrupted; it stays so
+     */
+    public Frame advance() {
+        double time = stage.nextLook();
+        if (isEnded() || isPastEnd(time)) {
+            throw new IllegalStateException("run " + info.run() + " has no more looks");
+        }
+        control.pace().await(time);
+        Workers.checkInterrupted();
+        List<Drone> drones = stage.dronesAt(time);
+        List<Observation> observations = stage.look(time, drones, control.times());
+        Frame frame = new Frame(info.run(), time, drones, observations, stage.pointings());
+        reached = time;
+        alerts.add(frame, stage);
+        log.add(observations);
+        listeners.forEach(listener -> listener.observed(frame));
+        return frame;
+    }
+
+    /**
+     * Ends the run and gives its result: up to the last look if there could have been more, else up to its end. The listeners
+     * are told once.
+     *
+     * @throws IllegalStateException when the run was closed without a result
+     */
+    public RunResult result() {
+        if (result.isEmpty()) {
+            if (closed) {
+                throw new IllegalStateException("run " + info.run() + " was closed before it had a result");
+            }
+            result = Optional.of(summed());
+            listeners.forEach(listener -> listener.runEnded(result.get()));
+        }
+        return result.get();
+    }
+
+    private RunResult summed() {
+        boolean whole = Double.isFinite(control.until())
+                && isPastEnd(stage.nextLook())
+                && !control.cancelled().getAsBoolean();
+        double simulated = whole ? control.until() : reached;
+        return new RunResult(
+                info.run(), info.settings(), simulated, log.events(), log.pairs(), alerts.results(stage, simulated));
+    }
+
+    /** Ends the run, and lets go of its sensors. A result that was asked for before stays. */
+    @Override
+    public void close() {
+        closed = true;
+        stage.release();
+    }
+}

@@ -1,0 +1,125 @@
+package org.dronewatch.scene;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.scenario.InputFiles;
+import org.dronewatch.scenario.Overrides;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenario.SweepSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsPath;
+
+/** A scene with its overrides: the settings of its runs, each with the place where it was set. Nothing is loaded. */
+final class ConfiguredScene {
+    private final Scene scene;
+    private final Map<String, String> overrides = new LinkedHashMap<>();
+    private Path directory;
+    private Catalog catalog;
+
+    ConfiguredScene(Scene scene) {
+        this.scene = scene;
+        directory(scene.directory());
+    }
+
+    /** Overrides a setting, over what was set before. */
+    void set(String path, String value) {
+        overrides.put(path, value);
+    }
+
+    /** Sets where relative paths start, and the user's catalogue files lie. */
+    void directory(Path path) {
+        this.directory = path;
+        this.catalog = Catalog.beside(path);
+    }
+
+    Path directory() {
+        return directory;
+    }
+
+    /** What the settings were made from: their files, without the models. */
+    InputFiles inputs(SceneSettings settings) {
+        return InputFiles.of(settings).withScene(scene.files(), catalog.filesRead());
+    }
+
+    /**
+     * The scene's settings with all overrides, checked; nothing is loaded.
+     *
+     * @throws InputException when an override does not fit
+     */
+    SceneSettings settings() {
+        SceneSettings settings = described();
+        for (Map.Entry<String, String> override : overrides.entrySet()) {
+            boolean sweptPath = settings.sweep()
+                    .map(sweep -> sweep.parameter().equals(override.getKey()))
+                    .orElse(false);
+            try {
+                settings = writer().write(settings, override.getKey(), override.getValue());
+            } catch (InputException e) {
+                throw new InputException("--set " + e.getMessage(), e);
+            }
+            settings = sweptPath ? settings.withoutSweep() : settings;
+        }
+        settingsOfRuns(settings);
+        return settings;
+    }
+
+    private Overrides writer() {
+        return new Overrides(catalog);
+    }
+
+    private SceneSettings described() {
+        try {
+            return scene.describe();
+        } catch (IllegalArgumentException e) {
+            throw new InputException("scene " + scene.name() + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** The settings of each run; reads every value of the sweep, so that the last cannot fail after the first has run. */
+    List<SceneSettings> settingsOfRuns(SceneSettings settings) {
+        Optional<SweepSettings> sweep = settings.sweep();
+        if (sweep.isEmpty()) {
+            return List.of(settings);
+        }
+        SettingsPath path = new SettingsPath(sweep.get().parameter());
+        List<SceneSettings> runs = new ArrayList<>();
+        String here = "sweep.parameter";
+        try {
+            path.read(settings);
+            here = "sweep.from";
+            List<String> values = sweep.get().values(path.quantity(settings));
+            for (int i = 0; i < values.size(); i++) {
+                here = "sweep.values." + i;
+                runs.add(writer().write(settings.asRunWith(i, values.get(i)), path.toString(), values.get(i)));
+            }
+        } catch (IllegalArgumentException | InputException e) {
+            throw new InputException(placeOf(here) + "sweep of " + path + ": " + e.getMessage(), e);
+        }
+        return runs;
+    }
+
+    /** What a message about a setting begins with: the option that set it or what it is part of, or its line in a file. */
+    private String placeOf(String path) {
+        return placeOf(path, set -> path.equals(set) || path.startsWith(set + "."));
+    }
+
+    /** The same for a file that a setting names: what is wrong with that is not the fault of an override of its scale. */
+    String placeOfFile(String path) {
+        return placeOf(path, set -> set.equals(path) || set.equals(path + ".file"));
+    }
+
+    private String placeOf(String path, Predicate<String> isBehind) {
+        for (Map.Entry<String, String> override : overrides.entrySet()) {
+            if (isBehind.test(override.getKey())) {
+                return "--set " + override.getKey() + "=" + override.getValue() + ": ";
+            }
+        }
+        return scene.placeOf(path).map(place -> place + ": ").orElse("");
+    }
+}

@@ -1,0 +1,52 @@
+package org.dronewatch.scene;
+
+import java.util.List;
+import java.util.function.Consumer;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.run.ModelCache;
+import org.dronewatch.scenario.ConditionAdvice;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.InputException;
+
+/** The models of a scene's runs, each read once. */
+final class SceneModels {
+    private final ConfiguredScene scene;
+    private final ModelCache models;
+
+    /**
+     * No models yet.
+     *
+     * @param notes is given what is read and what looks odd, a line each; first of all, which settings do not go together
+     */
+    SceneModels(ConfiguredScene scene, Consumer<String> notes) {
+        this.scene = scene;
+        this.models = new ModelCache(scene.directory(), notes);
+        ConditionAdvice.of(scene.settingsOfRuns(scene.settings())).forEach(models::warn);
+    }
+
+    ModelCache cache() {
+        return models;
+    }
+
+    /** How long models were read and trees built so far, s. */
+    double seconds() {
+        return models.loadSeconds() + models.buildSeconds();
+    }
+
+    /** Reads the models of a run, so that what is wrong with one names the setting that asks for it. */
+    void load(SceneSettings settings) {
+        List<ModelSettings> world = settings.world().models();
+        for (int i = 0; i < world.size(); i++) {
+            load("world.models." + i, world.get(i));
+        }
+        settings.drones().forEach((id, drone) -> load("drones." + id + ".model", drone.model()));
+    }
+
+    private void load(String path, ModelSettings model) {
+        try {
+            models.read(model);
+        } catch (InputException e) {
+            throw new InputException(scene.placeOfFile(path) + path + ": " + e.getMessage(), e);
+        }
+    }
+}
