@@ -13,13 +13,13 @@ final class DiffuseConnection {
     private static final int BANDS = OctaveBands.COUNT;
 
     private final Air air;
-    private final WallPassage walls;
+    private final WallTransmission walls;
     private final EnergyTally tally;
     private final double[] brought = new double[BANDS];
 
     DiffuseConnection(World world, BandSurfaces surfaces, Air air, EnergyTally tally) {
         this.air = air;
-        this.walls = new WallPassage(world, surfaces);
+        this.walls = new WallTransmission(world, surfaces);
         this.tally = tally;
     }
 

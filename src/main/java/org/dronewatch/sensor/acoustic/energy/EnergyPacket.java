@@ -15,12 +15,12 @@ final class EnergyPacket {
     private final EnergyModel model;
     private final BandSurfaces surfaces;
     private final Air air;
-    private final EnergyBooks books;
+    private final EnergyLedger books;
     private final double[] energy = new double[BANDS];
     private final double[] scattered = new double[BANDS];
     private double first;
 
-    EnergyPacket(EnergyModel model, BandSurfaces surfaces, Air air, EnergyBooks books) {
+    EnergyPacket(EnergyModel model, BandSurfaces surfaces, Air air, EnergyLedger books) {
         this.model = model;
         this.surfaces = surfaces;
         this.air = air;

@@ -39,7 +39,7 @@ public final class EnergyTracer {
     private final Air air;
     private final ExactPaths exact;
     private final EnergyTally tally;
-    private final EnergyBooks books = new EnergyBooks();
+    private final EnergyLedger books = new EnergyLedger();
     private final Supplier<RayBatch> batches;
 
     /** One for each batch that is traced at the same time. */

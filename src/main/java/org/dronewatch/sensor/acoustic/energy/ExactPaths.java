@@ -24,13 +24,13 @@ final class ExactPaths {
     private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final Air air;
-    private final WallPassage walls;
+    private final WallTransmission walls;
     private final EdgePath edges;
-    private final MirrorChains chains;
+    private final ImageSources chains;
 
-    private final HeardPaths direct = new HeardPaths();
-    private final HeardPaths diffracted = new HeardPaths();
-    private final HeardPaths mirrored = new HeardPaths();
+    private final FoundPaths direct = new FoundPaths();
+    private final FoundPaths diffracted = new FoundPaths();
+    private final FoundPaths mirrored = new FoundPaths();
     private final double[] heard = new double[BANDS];
     private Position[] mirrorPlaces = new Position[16];
     private int mirrors;
@@ -42,9 +42,9 @@ final class ExactPaths {
         this.traversal = world.newRayTracer();
         this.surfaces = surfaces;
         this.air = air;
-        this.walls = new WallPassage(world, surfaces);
+        this.walls = new WallTransmission(world, surfaces);
         this.edges = new EdgePath(world);
-        this.chains = new MirrorChains(world, planes, surfaces, air, model.mirrorOrder());
+        this.chains = new ImageSources(world, planes, surfaces, air, model.mirrorOrder());
     }
 
     /** Finds all paths from a source to a sensor. */
@@ -69,17 +69,17 @@ final class ExactPaths {
     }
 
     /** What comes straight: power over the sphere, less air and walls. */
-    HeardPaths direct() {
+    FoundPaths direct() {
         return direct;
     }
 
     /** What comes round an edge. */
-    HeardPaths diffracted() {
+    FoundPaths diffracted() {
         return diffracted;
     }
 
     /** What comes over mirror reflections. */
-    HeardPaths mirrored() {
+    FoundPaths mirrored() {
         return mirrored;
     }
 

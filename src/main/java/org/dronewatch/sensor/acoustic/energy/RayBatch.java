@@ -11,8 +11,8 @@ final class RayBatch {
     private final EnergyModel model;
     private final Position sensor;
     private final EnergyTally tally;
-    private final EnergyBooks books = new EnergyBooks();
-    private final RayJourney journey;
+    private final EnergyLedger books = new EnergyLedger();
+    private final BackwardRay journey;
     private final FirstScattering firstScattering;
     private long traced;
 
@@ -27,7 +27,7 @@ final class RayBatch {
         this.model = model;
         this.sensor = sensor;
         this.tally = new EnergyTally(air);
-        this.journey = new RayJourney(model, sensor, radius, world, planes, surfaces, air, tally, books);
+        this.journey = new BackwardRay(model, sensor, radius, world, planes, surfaces, air, tally, books);
         this.firstScattering = new FirstScattering(world, surfaces, air, tally);
     }
 
@@ -51,7 +51,7 @@ final class RayBatch {
     }
 
     /** Where their energy went. */
-    EnergyBooks books() {
+    EnergyLedger books() {
         return books;
     }
 

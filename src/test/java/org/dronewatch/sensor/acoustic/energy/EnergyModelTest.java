@@ -350,8 +350,8 @@ class EnergyModelTest {
     @Test
     void aBallThatReachesThroughAFloorIsLess() {
         World floor = Sites.world(Sites.square(50, 0), SurfaceMaterial.uniform("floor", 0.2, 0));
-        ReceiverBall ball =
-                new ReceiverBall(0.5, new Air(Atmosphere.STANDARD), new EnergyTally(new Air(Atmosphere.STANDARD)));
+        ReceiverSphere ball =
+                new ReceiverSphere(0.5, new Air(Atmosphere.STANDARD), new EnergyTally(new Air(Atmosphere.STANDARD)));
         double whole = 4.0 / 3.0 * Math.PI * 0.125;
 
         assertThat(ball.surround(new Position(0, 0, 0.1), floor.newRayTracer()))

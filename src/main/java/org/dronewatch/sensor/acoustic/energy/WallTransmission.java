@@ -11,7 +11,7 @@ import org.dronewatch.world.World;
  * Straight ways through all that stands in them: a sheet takes its transmission loss, a solid takes it once, on the way
  * in; what is opaque lets nothing pass. One per thread.
  */
-final class WallPassage {
+final class WallTransmission {
     private static final int BANDS = OctaveBands.COUNT;
 
     /** How near to an end of a way a surface counts as the end's own, as a share of the way. */
@@ -23,7 +23,7 @@ final class WallPassage {
     private final double[] passed = new double[BANDS];
     private boolean free;
 
-    WallPassage(World world, BandSurfaces surfaces) {
+    WallTransmission(World world, BandSurfaces surfaces) {
         this.mesh = world.mesh();
         this.traversal = world.newIncoherentRayTracer();
         this.surfaces = surfaces;

@@ -18,7 +18,7 @@ import org.dronewatch.world.World;
  * scattered, it is joined to the source; where it comes by the source after a mirror reflection, it is counted in a ball,
  * unless its path is one of those that are computed exactly. One per thread.
  */
-final class RayJourney {
+final class BackwardRay {
     private static final double STAND_OFF = 1e-9;
 
     /** Up to this order every surface that scatters is joined to the source, later ones when chance scatters there. */
@@ -36,7 +36,7 @@ final class RayJourney {
     private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final WallPlanes planes;
-    private final ReceiverBall ball;
+    private final ReceiverSphere ball;
     private final DiffuseConnection connection;
     private final EnergyPacket energy;
     private final AcousticRay ray = new AcousticRay();
@@ -63,7 +63,7 @@ final class RayJourney {
      * @param tally is given what rays bring
      * @param books are told where their energy goes
      */
-    RayJourney(
+    BackwardRay(
             EnergyModel model,
             Position sensor,
             double radius,
@@ -72,14 +72,14 @@ final class RayJourney {
             BandSurfaces surfaces,
             Air air,
             EnergyTally tally,
-            EnergyBooks books) {
+            EnergyLedger books) {
         this.model = model;
         this.sensor = sensor;
         this.mesh = world.mesh();
         this.traversal = world.newIncoherentRayTracer();
         this.surfaces = surfaces;
         this.planes = planes;
-        this.ball = new ReceiverBall(radius, air, tally);
+        this.ball = new ReceiverSphere(radius, air, tally);
         this.connection = new DiffuseConnection(world, surfaces, air, tally);
         this.energy = new EnergyPacket(model, surfaces, air, books);
     }

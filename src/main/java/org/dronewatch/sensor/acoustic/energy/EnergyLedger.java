@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 /** Keeps account of where the energy of rays goes. One per thread. */
-final class EnergyBooks {
+final class EnergyLedger {
     private double gained;
     private double absorbed;
     private double air;
@@ -19,7 +19,7 @@ final class EnergyBooks {
     }
 
     /** Adds the account of other rays. */
-    void add(EnergyBooks others) {
+    void add(EnergyLedger others) {
         gained += others.gained;
         absorbed += others.absorbed;
         air += others.air;

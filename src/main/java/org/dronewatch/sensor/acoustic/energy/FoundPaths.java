@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.dronewatch.sound.OctaveBands;
 
 /** Paths that were found one by one: what is heard over them, as intensity over the source's power in all bands, 1/m2. */
-final class HeardPaths {
+final class FoundPaths {
     private static final int BANDS = OctaveBands.COUNT;
 
     private final double[] heard = new double[BANDS];

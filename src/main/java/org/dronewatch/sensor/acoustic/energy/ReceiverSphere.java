@@ -10,7 +10,7 @@ import org.dronewatch.sound.OctaveBands;
  * A ball in which rays are counted that happen to come by: what a ray brings is its energy times the length of its chord;
  * over the ball's volume the sum of that is the mean intensity in the ball. One per thread.
  */
-final class ReceiverBall {
+final class ReceiverSphere {
     private static final int BANDS = OctaveBands.COUNT;
 
     /** Directions in which is looked how much of the ball is free: its volume is right within about 1 %. */
@@ -24,7 +24,7 @@ final class ReceiverBall {
     private final EnergyTally tally;
     private final double[] brought = new double[BANDS];
 
-    ReceiverBall(double radius, Air air, EnergyTally tally) {
+    ReceiverSphere(double radius, Air air, EnergyTally tally) {
         this.radius = radius;
         this.air = air;
         this.tally = tally;

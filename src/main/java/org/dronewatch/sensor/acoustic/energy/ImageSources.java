@@ -12,7 +12,7 @@ import org.dronewatch.world.World;
  * path back from the sensor must meet every wall where it should, with nothing between (Allen and Berkley, JASA 65, 1979;
  * Borish, JASA 75, 1984, for rooms of any shape). One per thread.
  */
-final class MirrorChains {
+final class ImageSources {
     private static final int BANDS = OctaveBands.COUNT;
 
     /** How exactly a path must meet a wall, as a share of the way to it. */
@@ -34,7 +34,7 @@ final class MirrorChains {
     private double[] heardImages = new double[3 * 16];
     private int heardCount;
 
-    MirrorChains(World world, WallPlanes planes, BandSurfaces surfaces, Air air, int maxOrder) {
+    ImageSources(World world, WallPlanes planes, BandSurfaces surfaces, Air air, int maxOrder) {
         this.mesh = world.mesh();
         this.planes = planes;
         this.traversal = world.newRayTracer();
@@ -47,7 +47,7 @@ final class MirrorChains {
     }
 
     /** Adds all paths of order two to the largest one. */
-    void addTo(HeardPaths paths, SoundSource source, Position sensor) {
+    void addTo(FoundPaths paths, SoundSource source, Position sensor) {
         Position place = source.place();
         images[0][0] = place.x();
         images[0][1] = place.y();
@@ -57,7 +57,7 @@ final class MirrorChains {
     }
 
     /** Mirrors the last image in every wall but the one before; looks for a path from two reflections on. */
-    private void mirror(int order, SoundSource source, Position sensor, HeardPaths paths) {
+    private void mirror(int order, SoundSource source, Position sensor, FoundPaths paths) {
         for (int wall = 0; wall < planes.wallCount(); wall++) {
             if (order > 0 && walls[order - 1] == wall) {
                 continue;
@@ -80,7 +80,7 @@ final class MirrorChains {
     }
 
     /** Follows a path back from the sensor over the walls of the last images, and adds it if it gets to the source. */
-    private void follow(int last, SoundSource source, Position sensor, HeardPaths paths) {
+    private void follow(int last, SoundSource source, Position sensor, FoundPaths paths) {
         double x = sensor.x();
         double y = sensor.y();
         double z = sensor.z();
