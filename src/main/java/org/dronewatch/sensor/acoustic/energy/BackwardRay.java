@@ -13,10 +13,10 @@ import org.dronewatch.sound.Levels;
 import org.dronewatch.world.World;
 
 /**
- * The way of one ray from the sensor. A surface absorbs its share; the rest goes on as one ray, reflected like a mirror,
- * scattered by Lambert's law or passed on through the wall, chosen by chance so that the mean is right. Where it is
- * scattered, it is joined to the source; where it comes by the source after a mirror reflection, it is counted in a ball,
- * unless its path is one of those that are computed exactly. One per thread.
+ * One ray traced backward from the sensor. A surface absorbs part of its energy; the rest goes on as one ray, reflected
+ * specularly, scattered by Lambert's law or transmitted through the wall, drawn at random so that the mean is right. Where
+ * the ray is scattered, it is connected to the source; where it passes the source after a specular reflection, it is counted
+ * in a sphere about the source, unless its path is one of those that are computed exactly. One per thread.
  */
 final class BackwardRay {
     private static final double STAND_OFF = 1e-9;
@@ -36,7 +36,7 @@ final class BackwardRay {
     private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final WallPlanes planes;
-    private final ReceiverSphere ball;
+    private final ReceiverSphere receiver;
     private final DiffuseConnection connection;
     private final EnergyPacket energy;
     private final AcousticRay ray = new AcousticRay();
@@ -59,9 +59,9 @@ final class BackwardRay {
     /**
      * Journeys from one sensor.
      *
-     * @param radius of the ball about the source, m
+     * @param radius of the sphere about the source, m
      * @param tally is given what rays bring
-     * @param books are told where their energy goes
+     * @param ledger records where their energy goes
      */
     BackwardRay(
             EnergyModel model,
@@ -72,21 +72,21 @@ final class BackwardRay {
             BandSurfaces surfaces,
             Air air,
             EnergyTally tally,
-            EnergyLedger books) {
+            EnergyLedger ledger) {
         this.model = model;
         this.sensor = sensor;
         this.mesh = world.mesh();
         this.traversal = world.newIncoherentRayTracer();
         this.surfaces = surfaces;
         this.planes = planes;
-        this.ball = new ReceiverSphere(radius, air, tally);
+        this.receiver = new ReceiverSphere(radius, air, tally);
         this.connection = new DiffuseConnection(world, surfaces, air, tally);
-        this.energy = new EnergyPacket(model, surfaces, air, books);
+        this.energy = new EnergyPacket(model, surfaces, air, ledger);
     }
 
     /** Prepares for rays that look for a source. */
     void seek(SoundSource next) {
-        ball.surround(next.place(), traversal);
+        receiver.surround(next.place(), traversal);
     }
 
     /** Follows one ray to its end, looking for the source that is sought; gives how many pieces were traced. */
@@ -110,7 +110,7 @@ final class BackwardRay {
             traced++;
             double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
             if (fromMirror && !isExact()) {
-                ball.count(ray, energy.byBand(), distance, source);
+                receiver.count(ray, energy.byBand(), distance, source);
             }
             recordFlight(Math.min(distance, DRAWN));
             if (!hit) {
@@ -124,7 +124,7 @@ final class BackwardRay {
                 return traced;
             }
             meet(traversal.triangle(), distance);
-            if (!energy.survives(random)) {
+            if (!energy.playRoulette(random)) {
                 return traced;
             }
         }
@@ -186,7 +186,7 @@ final class BackwardRay {
             standOff(-1.0);
             return;
         }
-        if (energy.passes(material, random)) {
+        if (energy.drawTransmission(material, random)) {
             ray.medium = surfaces.isSheet(material) ? ray.medium : material;
             mirrors = NOT_EXACT;
             standOff(-1.0);
@@ -201,7 +201,7 @@ final class BackwardRay {
         if (always) {
             join(energy.scatteredBy(material));
         }
-        if (energy.isScattered(material, random)) {
+        if (energy.drawScattering(material, random)) {
             if (!always) {
                 join(energy.byBand());
             }

@@ -7,7 +7,7 @@ import org.dronewatch.world.World;
 
 /**
  * Joins a point of a surface that scatters sound to the source, through what stands between: next-event estimation. What
- * is joined here must not be counted in the ball again. One per thread.
+ * is joined here must not be counted in the sphere again. One per thread.
  */
 final class DiffuseConnection {
     private static final int BANDS = OctaveBands.COUNT;
@@ -39,7 +39,7 @@ final class DiffuseConnection {
         double squared = x * x + y * y + z * z;
         double along = x * normal[0] + y * normal[1] + z * normal[2];
         if (!(along > 0.0)
-                || !walls.passes(ray.originX, ray.originY, ray.originZ, place.x(), place.y(), place.z(), ray.medium)) {
+                || !walls.trace(ray.originX, ray.originY, ray.originZ, place.x(), place.y(), place.z(), ray.medium)) {
             return false;
         }
         double way = Math.sqrt(squared);

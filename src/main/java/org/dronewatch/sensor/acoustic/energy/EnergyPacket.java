@@ -15,16 +15,16 @@ final class EnergyPacket {
     private final EnergyModel model;
     private final BandSurfaces surfaces;
     private final Air air;
-    private final EnergyLedger books;
+    private final EnergyLedger ledger;
     private final double[] energy = new double[BANDS];
     private final double[] scattered = new double[BANDS];
     private double first;
 
-    EnergyPacket(EnergyModel model, BandSurfaces surfaces, Air air, EnergyLedger books) {
+    EnergyPacket(EnergyModel model, BandSurfaces surfaces, Air air, EnergyLedger ledger) {
         this.model = model;
         this.surfaces = surfaces;
         this.air = air;
-        this.books = books;
+        this.ledger = ledger;
     }
 
     /** Gives it all that one ray carries at first. */
@@ -55,21 +55,25 @@ final class EnergyPacket {
         for (int band = 0; band < BANDS; band++) {
             energy[band] *= air.left(band, distance);
         }
-        books.leaveToAir(before - all());
+        ledger.leaveToAir(before - all());
     }
 
     /** Leaves the site. */
     void escape() {
-        books.escape(all());
+        ledger.escape(all());
     }
 
     /** Is given up at the largest order. */
     void giveUp() {
-        books.giveUp(all());
+        ledger.giveUp(all());
     }
 
-    /** Leaves a surface its share; chance decides whether the rest goes through or back. */
-    boolean passes(int material, RandomGenerator random) {
+    /**
+     * Leaves a surface what it absorbs, and draws whether the rest is transmitted or reflected.
+     *
+     * @return whether it is transmitted
+     */
+    boolean drawTransmission(int material, RandomGenerator random) {
         double before = all();
         double reflected = 0.0;
         double transmitted = 0.0;
@@ -78,16 +82,16 @@ final class EnergyPacket {
             transmitted += energy[band] * surfaces.transmitted(material, band);
         }
         double onward = reflected + transmitted;
-        books.absorb(before - onward);
+        ledger.absorb(before - onward);
         double chance = onward > 0.0 ? transmitted / onward : 0.0;
-        boolean passes = surfaces.transmits(material) && random.nextDouble() < chance;
+        boolean isTransmitted = surfaces.transmits(material) && random.nextDouble() < chance;
         for (int band = 0; band < BANDS; band++) {
-            energy[band] *= passes
+            energy[band] *= isTransmitted
                     ? surfaces.transmitted(material, band) / chance
                     : surfaces.reflected(material, band) / (1.0 - chance);
         }
-        books.exchange(onward, all());
-        return passes;
+        ledger.exchange(onward, all());
+        return isTransmitted;
     }
 
     /** What a surface would scatter of it, by band; valid until the next question. */
@@ -98,8 +102,12 @@ final class EnergyPacket {
         return scattered;
     }
 
-    /** Chance decides whether what a surface reflects goes on scattered or as from a mirror. */
-    boolean isScattered(int material, RandomGenerator random) {
+    /**
+     * Draws whether what a surface reflects is scattered or reflected specularly.
+     *
+     * @return whether it is scattered
+     */
+    boolean drawScattering(int material, RandomGenerator random) {
         double before = all();
         double sum = 0.0;
         for (double inBand : scatteredBy(material)) {
@@ -111,24 +119,28 @@ final class EnergyPacket {
             double share = surfaces.scattered(material, band);
             energy[band] *= diffuse ? share / chance : (1.0 - share) / (1.0 - chance);
         }
-        books.exchange(before, all());
+        ledger.exchange(before, all());
         return diffuse;
     }
 
-    /** Ends faint energies by chance and strengthens those that survive, which leaves the mean as it is. */
-    boolean survives(RandomGenerator random) {
+    /**
+     * Plays Russian roulette: ends faint rays by chance and strengthens the survivors, which leaves the mean unchanged.
+     *
+     * @return whether the ray survives
+     */
+    boolean playRoulette(RandomGenerator random) {
         double left = all();
         if (left >= model.roulette() * first) {
             return true;
         }
         if (left == 0.0 || random.nextDouble() >= SURVIVAL) {
-            books.exchange(left, 0.0);
+            ledger.exchange(left, 0.0);
             return false;
         }
         for (int band = 0; band < BANDS; band++) {
             energy[band] /= SURVIVAL;
         }
-        books.exchange(left, all());
+        ledger.exchange(left, all());
         return true;
     }
 }

@@ -39,7 +39,7 @@ public final class EnergyTracer {
     private final Air air;
     private final ExactPaths exact;
     private final EnergyTally tally;
-    private final EnergyLedger books = new EnergyLedger();
+    private final EnergyLedger ledger = new EnergyLedger();
     private final Supplier<RayBatch> batches;
 
     /** One for each batch that is traced at the same time. */
@@ -72,7 +72,7 @@ public final class EnergyTracer {
      */
     public EnergyReading trace(SoundSource drone, RandomGenerator random, RayRecorder recorder) {
         SoundSource source = drone.at(clearance.of(drone.place()));
-        books.clear();
+        ledger.clear();
         tally.clear();
         exact.find(source, sensor);
         long seed = random.nextLong();
@@ -94,7 +94,7 @@ public final class EnergyTracer {
             for (int i = 0; i < wave && !isAccurate(from); i++) {
                 RayBatch batch = team.get(i);
                 tally.add(batch.tally());
-                books.add(batch.books());
+                ledger.add(batch.ledger());
                 traced += batch.traced();
                 from = Math.min(from + BATCH, model.rays());
             }
@@ -130,7 +130,7 @@ public final class EnergyTracer {
                 reverberant,
                 traced,
                 Double.isFinite(error) ? error : 0.0,
-                books.audit(tally.rays()),
+                ledger.audit(tally.rays()),
                 decay);
     }
 

@@ -26,7 +26,7 @@ final class ExactPaths {
     private final Air air;
     private final WallTransmission walls;
     private final EdgePath edges;
-    private final ImageSources chains;
+    private final ImageSources imageSources;
 
     private final FoundPaths direct = new FoundPaths();
     private final FoundPaths diffracted = new FoundPaths();
@@ -44,7 +44,7 @@ final class ExactPaths {
         this.air = air;
         this.walls = new WallTransmission(world, surfaces);
         this.edges = new EdgePath(world);
-        this.chains = new ImageSources(world, planes, surfaces, air, model.mirrorOrder());
+        this.imageSources = new ImageSources(world, planes, surfaces, air, model.mirrorOrder());
     }
 
     /** Finds all paths from a source to a sensor. */
@@ -60,7 +60,7 @@ final class ExactPaths {
         for (int triangle = 0; triangle < mesh.triangleCount(); triangle++) {
             addMirror(triangle, source, sensor);
         }
-        chains.addTo(mirrored, source, sensor);
+        imageSources.addTo(mirrored, source, sensor);
     }
 
     /** What comes over all exact paths in all bands. */
@@ -85,7 +85,7 @@ final class ExactPaths {
 
     private void addDirect(SoundSource source, Position sensor) {
         Position place = source.place();
-        if (!walls.passes(place.x(), place.y(), place.z(), sensor.x(), sensor.y(), sensor.z(), AcousticRay.AIR)) {
+        if (!walls.trace(place.x(), place.y(), place.z(), sensor.x(), sensor.y(), sensor.z(), AcousticRay.AIR)) {
             return;
         }
         double way = Math.max(place.distance(sensor), OWN);

@@ -118,7 +118,7 @@ final class ImageSources {
             return;
         }
         double[] image = images[last + 1];
-        if (isKnown(image)) {
+        if (!addUnlessKnown(image)) {
             return;
         }
         double way = new Position(image[0], image[1], image[2]).distance(sensor);
@@ -134,14 +134,18 @@ final class ImageSources {
         paths.add(way, heard);
     }
 
-    /** Over the edge of two walls at a right angle, both orders of the walls give the same path. */
-    private boolean isKnown(double[] image) {
+    /**
+     * Over the edge of two walls at a right angle, both orders of the walls give the same path.
+     *
+     * @return whether the image was new
+     */
+    private boolean addUnlessKnown(double[] image) {
         for (int i = 0; i < heardCount; i++) {
             double away = Math.abs(heardImages[3 * i] - image[0])
                     + Math.abs(heardImages[3 * i + 1] - image[1])
                     + Math.abs(heardImages[3 * i + 2] - image[2]);
             if (away < ON) {
-                return true;
+                return false;
             }
         }
         if (3 * heardCount == heardImages.length) {
@@ -149,7 +153,7 @@ final class ImageSources {
         }
         System.arraycopy(image, 0, heardImages, 3 * heardCount, 3);
         heardCount++;
-        return false;
+        return true;
     }
 
     private static double square(double value) {

@@ -11,8 +11,8 @@ final class RayBatch {
     private final EnergyModel model;
     private final Position sensor;
     private final EnergyTally tally;
-    private final EnergyLedger books = new EnergyLedger();
-    private final BackwardRay journey;
+    private final EnergyLedger ledger = new EnergyLedger();
+    private final BackwardRay ray;
     private final FirstScattering firstScattering;
     private long traced;
 
@@ -27,18 +27,18 @@ final class RayBatch {
         this.model = model;
         this.sensor = sensor;
         this.tally = new EnergyTally(air);
-        this.journey = new BackwardRay(model, sensor, radius, world, planes, surfaces, air, tally, books);
+        this.ray = new BackwardRay(model, sensor, radius, world, planes, surfaces, air, tally, ledger);
         this.firstScattering = new FirstScattering(world, surfaces, air, tally);
     }
 
     /** Traces so many rays; forgets those before. */
     void trace(SoundSource source, int rays, RandomGenerator random, RayRecorder recorder) {
         tally.clear();
-        books.clear();
+        ledger.clear();
         traced = 0;
-        journey.seek(source);
+        ray.seek(source);
         for (int i = 0; i < rays; i++) {
-            traced += journey.follow(source, random, recorder);
+            traced += ray.follow(source, random, recorder);
             // What the source's rays find has met one surface, too.
             traced += model.maxOrder() > 0 ? firstScattering.add(source, sensor, random) : 0;
             tally.endRay();
@@ -51,8 +51,8 @@ final class RayBatch {
     }
 
     /** Where their energy went. */
-    EnergyLedger books() {
-        return books;
+    EnergyLedger ledger() {
+        return ledger;
     }
 
     /** How many pieces of rays were traced. */

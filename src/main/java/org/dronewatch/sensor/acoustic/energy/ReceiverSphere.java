@@ -7,8 +7,8 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * A ball in which rays are counted that happen to come by: what a ray brings is its energy times the length of its chord;
- * over the ball's volume the sum of that is the mean intensity in the ball. One per thread.
+ * A sphere in which passing rays are counted: each contributes its energy times the length of its chord, and the sum divided
+ * by the sphere's volume is the mean intensity in it. One per thread.
  */
 final class ReceiverSphere {
     private static final int BANDS = OctaveBands.COUNT;

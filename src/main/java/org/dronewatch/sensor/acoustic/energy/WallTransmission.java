@@ -8,8 +8,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Straight ways through all that stands in them: a sheet takes its transmission loss, a solid takes it once, on the way
- * in; what is opaque lets nothing pass. One per thread.
+ * Transmission along straight lines: a sheet takes its transmission loss, a solid takes it once, where the line enters;
+ * opaque surfaces let nothing pass. One per thread.
  */
 final class WallTransmission {
     private static final int BANDS = OctaveBands.COUNT;
@@ -30,11 +30,12 @@ final class WallTransmission {
     }
 
     /**
-     * Whether anything of the sound gets from one point to another.
+     * Follows the straight line from one point to another through all that stands in it.
      *
      * @param medium number of the material in which the way begins, or {@link AcousticRay#AIR}
+     * @return whether any of the sound arrives; {@link #isFree} and {@link #passed} then describe this line
      */
-    boolean passes(double fromX, double fromY, double fromZ, double toX, double toY, double toZ, int medium) {
+    boolean trace(double fromX, double fromY, double fromZ, double toX, double toY, double toZ, int medium) {
         double x = toX - fromX;
         double y = toY - fromY;
         double z = toZ - fromZ;
@@ -66,12 +67,12 @@ final class WallTransmission {
         return true;
     }
 
-    /** Whether nothing stood in the last way. */
+    /** Whether nothing stood in the last line. */
     boolean isFree() {
         return free;
     }
 
-    /** The share of a band that passed on the last way. */
+    /** The fraction of a band's energy that passed along the last line, 0 to 1. */
     double passed(int band) {
         return passed[band];
     }
