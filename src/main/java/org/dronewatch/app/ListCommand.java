@@ -8,22 +8,40 @@ import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.catalog.Positioners;
 import org.dronewatch.scenes.PackagedScene;
+import org.dronewatch.setting.Choices;
+import org.dronewatch.setting.FoundKind;
+import org.dronewatch.setting.Kind;
+import org.dronewatch.setting.KindRegistry;
+import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** Lists what comes with the program. */
 @Command(
         name = "list",
         mixinStandardHelpOptions = true,
-        description = "Lists the packaged scenes and the sensors of the catalogue, a line each.")
+        description = "Lists the packaged scenes and the sensors of the catalogue, a line each; or the kinds that"
+                + " scenes can choose.")
 final class ListCommand implements Callable<Integer> {
+    @Option(
+            names = "--kinds",
+            description =
+                    "Lists the kinds of sensors, flights and other things that scene files choose by 'kind: NAME', and"
+                            + " where on the class path they come from.")
+    private boolean kinds;
+
     @Spec
     private CommandSpec spec;
 
     @Override
     public Integer call() {
         PrintWriter out = spec.commandLine().getOut();
+        if (kinds) {
+            listKinds(out);
+            return 0;
+        }
         for (PackagedScene scene : PackagedScene.all()) {
             out.printf("scene     %-22s %s%n", scene.name(), scene.summary());
         }
@@ -44,6 +62,20 @@ final class ListCommand implements Callable<Integer> {
             out.printf("%-9s %-22s %s; covers %s%n", "mount", name, entry.title(), entry.coverage());
         }
         return 0;
+    }
+
+    private static void listKinds(PrintWriter out) {
+        for (FoundKind found : KindRegistry.found().all()) {
+            Kind<?> kind = found.kind();
+            out.printf(
+                    "%-19s %-19s %s; %s%n",
+                    typeInWords(kind.type()), kind.name(), PlainText.value(kind.summary()), found.origin());
+        }
+    }
+
+    /** {@code SensorSettings}: "sensor". */
+    private static String typeInWords(Class<?> type) {
+        return Choices.name(type.getSimpleName().replaceFirst("Settings$", "")).replace('-', ' ');
     }
 
     private static String ranges(CatalogEntry entry) {

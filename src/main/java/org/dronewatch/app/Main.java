@@ -8,6 +8,7 @@ import java.util.concurrent.CancellationException;
 import javax.imageio.ImageIO;
 import org.dronewatch.report.provenance.ProgramVersion;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.KindRegistry;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -125,6 +126,8 @@ public final class Main implements Runnable {
             return help;
         }
         commands.setOut(new PlainPrinter(commands.getOut()));
+        // What is wrong with the class path is said before anything is done.
+        KindRegistry.found();
         try (Interruption watch = new Interruption()) {
             interruption = watch;
             return new CommandLine.RunLast().execute(parsed);

@@ -120,22 +120,28 @@ public final class Catalog implements Kinds.NamedSettings {
     public Optional<CatalogEntry> entry(String name) {
         return document(name)
                 .map(document ->
-                        SettingsFile.read(document, CatalogEntry.class, Kinds.SEALED, directory.orElse(Path.of(""))));
+                        SettingsFile.read(document, CatalogEntry.class, Kinds.FOUND, directory.orElse(Path.of(""))));
     }
 
     /**
      * The settings of a sensor.
      *
-     * @param name in this catalogue
+     * @param name in this catalogue, or that of a kind, which is then as it is by default
      * @param parts what the entry leaves open or what is to be otherwise, by name of the setting: its position at least
      * @throws InputException when there is no such sensor, or the settings do not fit
      */
     public SensorSettings<?> settings(String name, Map<String, ?> parts) {
         Node.Mapping known = find(name)
+                .or(() -> ofKind(name))
                 .orElseThrow(() -> new InputException(
                         "no sensor '" + name + "' in the catalogue; " + Spelling.nearestAre(name, names())));
         Node.Mapping all = known.overlaidWith(Node.Mapping.ofReady(name, parts));
         return SettingsFile.read(all, SensorSettings.class, SensorKinds.kinds(this), directory.orElse(Path.of("")));
+    }
+
+    /** A kind of sensor with nothing said of it. */
+    private static Optional<Node.Mapping> ofKind(String name) {
+        return SensorKinds.all().containsKey(name) ? Optional.of(Node.Mapping.ofKind(name)) : Optional.empty();
     }
 
     /**
@@ -188,7 +194,7 @@ public final class Catalog implements Kinds.NamedSettings {
 
     /** What a file of the library says. */
     static CatalogEntry entryOf(Node.Mapping document) {
-        return SettingsFile.read(document, CatalogEntry.class, Kinds.SEALED, Path.of(""));
+        return SettingsFile.read(document, CatalogEntry.class, Kinds.FOUND, Path.of(""));
     }
 
     /** A file of the library. */

@@ -86,7 +86,7 @@ public record CatalogEntry(
 
         private static <T> T read(Map<String, ?> base, Optional<Node.Mapping> over, Class<T> type) {
             Node.Mapping plain = Node.Mapping.ofReady("catalogue", base);
-            return SettingsFile.read(over.map(plain::overlaidWith).orElse(plain), type, Kinds.SEALED, Path.of(""));
+            return SettingsFile.read(over.map(plain::overlaidWith).orElse(plain), type, Kinds.FOUND, Path.of(""));
         }
     }
 

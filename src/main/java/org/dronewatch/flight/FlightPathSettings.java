@@ -10,19 +10,11 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
-/** The way a drone flies; how fast is the drone's own setting. */
-public sealed interface FlightPathSettings
-        permits FlightPathSettings.Hover,
-                FlightPathSettings.Approach,
-                FlightPathSettings.Inbound,
-                FlightPathSettings.Waypoints,
-                FlightPathSettings.Glide,
-                FlightPathSettings.Orbit,
-                TerrainFollowing,
-                LowApproach,
-                Dive,
-                PopUp,
-                Displaced {
+/**
+ * The way a drone flies; how fast is the drone's own setting. Anyone may implement it; {@link org.dronewatch.setting.Kind} tells
+ * how files come to know a new one.
+ */
+public interface FlightPathSettings {
     /** The shortest leg of a flight, m. */
     double SHORTEST = 0.001;
 

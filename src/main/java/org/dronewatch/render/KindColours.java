@@ -12,8 +12,8 @@ import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * One colour for each kind of sensor: for those of the library the same in all pictures of all scenes, for others the same in
- * all pictures of a scene. Immutable.
+ * One colour for each kind of sensor: for those that the class path has the same in all pictures of all scenes, for
+ * others the same in all pictures of a scene. Immutable.
  */
 public final class KindColours {
     /** Drones and their ways have this colour in all pictures. */
@@ -21,6 +21,7 @@ public final class KindColours {
 
     private static final Color[] COLOURS = {
         new Color(0x1f5fbf), new Color(0xff6a00), new Color(0x2a9d5c), new Color(0x9b3fb5), new Color(0xb58900),
+        new Color(0x008b8b), new Color(0x8b4513), new Color(0x5f6b2d), new Color(0xc2185b), new Color(0x546e7a),
     };
 
     private final Map<String, Color> colours = new LinkedHashMap<>();

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.catalog.Catalog;
+import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
@@ -35,7 +36,7 @@ public final class Overrides {
         String id = path.startsWith(SENSORS) ? path.substring(SENSORS.length()) : "";
         SensorSettings<?> old = scene.sensors().get(id);
         if (old == null) {
-            return new SettingsPath(path, SensorKinds.parts()).write(scene, value);
+            return new SettingsPath(path).write(scene, value);
         }
         try {
             return scene.withSensor(id, catalog.settings(value.strip(), poseOf(old, value.strip())));
@@ -46,8 +47,9 @@ public final class Overrides {
 
     private Map<String, Object> poseOf(SensorSettings<?> old, String name) {
         Map<String, Object> pose = new LinkedHashMap<>();
-        Optional<Class<? extends Record>> next =
-                catalog.entry(name).map(entry -> SensorKinds.all().get(entry.kind()));
+        // A name of the catalogue goes before that of a kind.
+        String kind = catalog.entry(name).map(CatalogEntry::kind).orElse(name);
+        Optional<Class<?>> next = Optional.ofNullable(SensorKinds.all().get(kind));
         if (next.isPresent() && old instanceof Record settings) {
             SettingsForm mine = SettingsForm.of(settings.getClass());
             SettingsForm its = SettingsForm.of(next.get());

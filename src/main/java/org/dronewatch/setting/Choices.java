@@ -10,17 +10,32 @@ public final class Choices {
     private Choices() {}
 
     /**
-     * The kinds of a sealed interface by the names that people write: {@code EnergyModel} is {@code energy-model}. Those that
-     * are no records are not for people to write.
+     * The kinds of an interface by the names that people write: of a sealed one those that it permits, where {@code OnTheRun}
+     * is {@code on-the-run}, of any other those that the class path has. Those that are no records are not for people to write.
+     *
+     * @throws InputException when a kind on the class path is wrong
      */
-    public static Map<String, Class<?>> of(Class<?> sealedType) {
+    public static Map<String, Class<?>> of(Class<?> type) {
+        if (!type.isSealed()) {
+            return KindRegistry.found().of(type);
+        }
         Map<String, Class<?>> kinds = new LinkedHashMap<>();
-        for (Class<?> kind : sealedType.getPermittedSubclasses()) {
+        for (Class<?> kind : type.getPermittedSubclasses()) {
             if (kind.isRecord()) {
                 kinds.put(name(kind.getSimpleName()), kind);
             }
         }
         return Collections.unmodifiableMap(kinds);
+    }
+
+    /** Whether settings choose among kinds of a type. */
+    public static boolean isChoice(Class<?> type) {
+        return type.isSealed() || type.isInterface() && KindRegistry.found().knows(type);
+    }
+
+    /** What people write for the kind of some settings. */
+    public static String nameOf(Class<?> settings) {
+        return KindRegistry.found().kindOf(settings).map(Kind::name).orElseGet(() -> name(settings.getSimpleName()));
     }
 
     /** A name of Java as people write it: in small letters with dashes. */

@@ -64,7 +64,7 @@ public final class SettingText {
         if (plain.isRecord()) {
             return record(SettingsForm.of(plain), text);
         }
-        if (plain.isSealed()) {
+        if (Choices.isChoice(plain)) {
             return choice(Choices.of(plain), text);
         }
         throw several();
@@ -129,7 +129,7 @@ public final class SettingText {
     }
 
     /** One of several kinds of settings by its name, with the values that it has by default. */
-    static Object choice(Map<String, ? extends Class<?>> kinds, String text) {
+    private static Object choice(Map<String, ? extends Class<?>> kinds, String text) {
         Class<?> chosen = kinds.get(text.strip().toLowerCase(Locale.ROOT));
         if (chosen == null) {
             throw new IllegalArgumentException("'" + text + "' is none of " + kinds.keySet());

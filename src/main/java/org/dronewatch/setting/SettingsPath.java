@@ -17,21 +17,10 @@ import java.util.Optional;
 public final class SettingsPath {
     private final String path;
     private final List<String> names;
-    private final Map<Class<?>, Map<String, Class<? extends Record>>> open;
 
     /** A path as a person writes it. */
     public SettingsPath(String path) {
-        this(path, Map.of());
-    }
-
-    /**
-     * A path on which some kinds of settings have names.
-     *
-     * @param open the kinds, by name, of interfaces that anyone may implement; those of sealed ones are known
-     */
-    public SettingsPath(String path, Map<Class<?>, Map<String, Class<? extends Record>>> open) {
         this.path = path;
-        this.open = Map.copyOf(open);
         this.names = Arrays.asList(path.split("\\.", -1));
     }
 
@@ -148,8 +137,7 @@ public final class SettingsPath {
 
     private Object parsed(RecordComponent target, String text) {
         try {
-            Map<String, Class<? extends Record>> kinds = open.get(target.getType());
-            Object value = kinds == null ? SettingText.parse(target, text) : SettingText.choice(kinds, text);
+            Object value = SettingText.parse(target, text);
             Limits.check(target, value);
             return value;
         } catch (IllegalArgumentException e) {

@@ -56,7 +56,7 @@ final class Samples {
         if (plain.isEnum()) {
             return plain.getEnumConstants()[0];
         }
-        if (plain.isSealed()) {
+        if (Choices.isChoice(plain)) {
             return value(Choices.of(plain).values().iterator().next());
         }
         return of(plain).orElseGet(() -> filled(plain));

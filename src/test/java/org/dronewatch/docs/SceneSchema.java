@@ -66,7 +66,7 @@ final class SceneSchema {
                 .filter(kind -> SettingsForm.of(kind.getValue()).isCompleteByDefault())
                 .map(Map.Entry::getKey)
                 .toList();
-        if (!byName.isEmpty() && type.isSealed()) {
+        if (!byName.isEmpty() && kinds.named(type).isEmpty()) {
             any.add(names(byName));
         }
         kinds.named(type).ifPresent(named -> {

@@ -29,7 +29,7 @@ class SwitchableTest {
         Room read = SettingsFile.read(
                 SettingsFile.document("room.yaml", new ByteArrayInputStream(text)),
                 Room.class,
-                Kinds.SEALED,
+                Kinds.FOUND,
                 Path.of(""));
         Room lit = new Room(Map.of("desk", new Lamp(7, true)), Set.of());
         SettingsPath path = new SettingsPath("lamps.desk.enabled");

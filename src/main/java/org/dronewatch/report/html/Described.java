@@ -46,7 +46,7 @@ final class Described {
         }
         if (value instanceof Record inner) {
             String parts = of(inner, Set.of());
-            String kind = Choices.name(inner.getClass().getSimpleName().replaceAll("(?<=[a-z])(?=[A-Z])", "_"));
+            String kind = Choices.nameOf(inner.getClass());
             if (parts.isEmpty()) {
                 return Optional.of(kind);
             }
@@ -66,7 +66,7 @@ final class Described {
 
     private static boolean isChoice(Record settings) {
         return Stream.of(settings.getClass().getInterfaces())
-                .anyMatch(type -> type.getName().startsWith(OURS));
+                .anyMatch(type -> type.getName().startsWith(OURS) || Choices.isChoice(type));
     }
 
     private static String number(Number number, Quantity quantity) {

@@ -6,10 +6,10 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.setting.Choices;
 
-/** Among which kinds of settings a file chooses where a program knows an interface only. Immutable. */
+/** Among which kinds of settings a file chooses, and which ready settings it may begin with. Immutable. */
 public final class Kinds {
-    /** The kinds of sealed interfaces, which need no registration. */
-    public static final Kinds SEALED = new Kinds(Map.of(), Map.of());
+    /** The kinds of sealed interfaces and those that the class path has. */
+    public static final Kinds FOUND = new Kinds(Map.of(), Map.of());
 
     private final Map<Class<?>, Map<String, Class<?>>> registered;
     private final Map<Class<?>, NamedSettings> named;
@@ -48,7 +48,7 @@ public final class Kinds {
 
     /** Whether kinds are known of a type. */
     public boolean isChoice(Class<?> type) {
-        return type.isSealed() || registered.containsKey(type);
+        return registered.containsKey(type) || Choices.isChoice(type);
     }
 
     /** The kinds of a type by name. */

@@ -103,6 +103,12 @@ public sealed interface Node {
             return of(nodes, places, mark);
         }
 
+        /** What {@code kind: NAME} alone is. */
+        public static Mapping ofKind(String name) {
+            Mark mark = new Mark(name, 1, 1);
+            return of(Map.of(KindChooser.KIND, new Scalar(name, mark)), Map.of(KindChooser.KIND, mark), mark);
+        }
+
         /**
          * Where the value stands whose path a text begins with, as in {@code alert.rule.count 5 must be}; of a value that is
          * not written, where what should hold it stands.

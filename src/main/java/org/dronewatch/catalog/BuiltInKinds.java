@@ -1,0 +1,71 @@
+package org.dronewatch.catalog;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronewatch.flight.Dive;
+import org.dronewatch.flight.FlightPathSettings;
+import org.dronewatch.flight.LowApproach;
+import org.dronewatch.flight.PopUp;
+import org.dronewatch.flight.TerrainFollowing;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.camera.DetectionFunction;
+import org.dronewatch.sensor.camera.PixelThreshold;
+import org.dronewatch.sensor.camera.TargetTask;
+import org.dronewatch.sensor.radar.RadarSettings;
+import org.dronewatch.sensor.rf.RfSettings;
+import org.dronewatch.sensor.thermal.ThermalSettings;
+import org.dronewatch.setting.Kind;
+import org.dronewatch.setting.KindGroup;
+
+/** The kinds that come with the library. A new one is one more line here. */
+public final class BuiltInKinds implements KindGroup {
+    @Override
+    public List<Kind<?>> kinds() {
+        return Stream.of(sensors(), detectionFunctions(), flights())
+                .<Kind<?>>flatMap(List::stream)
+                .toList();
+    }
+
+    private static List<Kind<?>> sensors() {
+        return List.of(
+                sensor("camera", CameraSettings.class, "sees drones in daylight, by their pixels"),
+                sensor("acoustic", AcousticSettings.class, "hears drones: a microphone or an array of them"),
+                sensor("radar", RadarSettings.class, "detects the echo of drones"),
+                sensor("rf", RfSettings.class, "receives the radio link of drones"),
+                sensor("thermal", ThermalSettings.class, "sees the heat of drones, by day and night"));
+    }
+
+    private static List<Kind<?>> detectionFunctions() {
+        return List.of(
+                detection("pixel-threshold", PixelThreshold.class, "detects a drone that fills enough pixels"),
+                detection("target-task", TargetTask.class, "Johnson's criteria, with contrast, light and blur"));
+    }
+
+    private static List<Kind<?>> flights() {
+        return List.of(
+                flight("hover", FlightPathSettings.Hover.class, "stays in one place"),
+                flight("approach", FlightPathSettings.Approach.class, "straight from one place to another"),
+                flight("inbound", FlightPathSettings.Inbound.class, "level and straight towards a target"),
+                flight("waypoints", FlightPathSettings.Waypoints.class, "from waypoint to waypoint"),
+                flight("glide", FlightPathSettings.Glide.class, "climbs under power, then glides silently"),
+                flight("orbit", FlightPathSettings.Orbit.class, "level circles round a place"),
+                flight("terrain-following", TerrainFollowing.class, "low over the ground, from place to place"),
+                flight("low-approach", LowApproach.class, "low over the ground towards a target"),
+                flight("dive", Dive.class, "level towards a target, then dives into it"),
+                flight("pop-up", PopUp.class, "hovers behind cover, then rises"));
+    }
+
+    private static Kind<?> sensor(String name, Class<? extends SensorSettings<?>> settings, String summary) {
+        return Kind.of(SensorSettings.class, name, settings, summary);
+    }
+
+    private static Kind<?> detection(String name, Class<? extends DetectionFunction> settings, String summary) {
+        return Kind.of(DetectionFunction.class, name, settings, summary);
+    }
+
+    private static Kind<?> flight(String name, Class<? extends FlightPathSettings> settings, String summary) {
+        return Kind.of(FlightPathSettings.class, name, settings, summary);
+    }
+}

@@ -1,0 +1,67 @@
+package org.dronewatch.setting;
+
+import java.net.URISyntaxException;
+import java.net.URL;
+import java.nio.file.FileSystemNotFoundException;
+import java.nio.file.Path;
+import java.security.CodeSource;
+import java.util.regex.Pattern;
+
+/**
+ * A kind and where it comes from.
+ *
+ * @param kind what was found
+ * @param source path of its jar or directory of classes
+ * @param builtIn whether it comes with the library
+ */
+public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
+    private static final Pattern NAME = Pattern.compile("[a-z0-9][a-z0-9-]{0,63}");
+
+    /**
+     * Checks what the kind says of itself.
+     *
+     * @throws InputException when files cannot choose it
+     */
+    public FoundKind {
+        String place = "kind '" + kind.name() + "' from " + source + ": ";
+        if (kind.name() == null || !NAME.matcher(kind.name()).matches()) {
+            throw new InputException(place + "its name must be 1 to 64 small letters, digits and dashes");
+        }
+        if (kind.type() == null || !kind.type().isInterface() || kind.type().isSealed()) {
+            throw new InputException(place + "its type must be an interface that is open to all, is " + kind.type());
+        }
+        Class<?> settings = kind.settings();
+        if (settings == null || !settings.isRecord() || !kind.type().isAssignableFrom(settings)) {
+            throw new InputException(place + "its settings must be a record that implements "
+                    + kind.type().getSimpleName() + ", is " + settings);
+        }
+        if (kind.summary() == null || kind.summary().isBlank() || kind.summary().contains("\n")) {
+            throw new InputException(place + "its summary must be one line");
+        }
+    }
+
+    /** A kind that some class provides. */
+    static FoundKind by(Object provider, Kind<?> kind) {
+        String place = placeOf(provider.getClass());
+        return new FoundKind(kind, place, place.equals(placeOf(Kind.class)));
+    }
+
+    /** Where a class was loaded from. */
+    static String placeOf(Class<?> type) {
+        CodeSource code = type.getProtectionDomain().getCodeSource();
+        URL place = code == null ? null : code.getLocation();
+        if (place == null) {
+            return "class " + type.getName();
+        }
+        try {
+            return Path.of(place.toURI()).toString();
+        } catch (URISyntaxException | IllegalArgumentException | FileSystemNotFoundException e) {
+            return place.toString();
+        }
+    }
+
+    /** Where it comes from, in words for a list. */
+    public String origin() {
+        return builtIn ? "built in" : source;
+    }
+}

@@ -1,0 +1,36 @@
+package org.dronewatch.setting;
+
+/**
+ * One kind of something of which a scene may choose among several: a kind of sensor, of flight, of propagation. A provider
+ * implements this interface, has a public constructor without parameters, and is named in its jar's
+ * {@code META-INF/services/org.dronewatch.setting.Kind}, where {@link java.util.ServiceLoader} finds it. Files name kinds, never
+ * classes: which code runs is decided by the class path alone.
+ *
+ * @param <T> what it is a kind of
+ */
+public interface Kind<T> {
+
+    /** What it is a kind of: the interface that a setting has for its type. */
+    Class<? super T> type();
+
+    /** What files call it after {@code kind:}; small letters, digits and dashes, 1 to 64, unique among the kinds of its type. */
+    String name();
+
+    /** Its settings: a record that implements the type. */
+    Class<? extends T> settings();
+
+    /** What it is, in one line for people. */
+    String summary();
+
+    /**
+     * A kind of four values.
+     *
+     * @param type the interface
+     * @param name what files call it
+     * @param settings a record class
+     * @param summary one line
+     */
+    static <T> Kind<T> of(Class<? super T> type, String name, Class<? extends T> settings, String summary) {
+        return new PlainKind<>(type, name, settings, summary);
+    }
+}

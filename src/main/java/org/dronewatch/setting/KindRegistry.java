@@ -1,0 +1,142 @@
+package org.dronewatch.setting;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
+
+/**
+ * The kinds that the class path has: first those of the library, then all others by type and name, so that the order in which
+ * jars are given does not matter. Immutable.
+ */
+public final class KindRegistry {
+    private final List<FoundKind> all;
+    private final Map<Class<?>, Map<String, Class<?>>> byType = new LinkedHashMap<>();
+
+    /**
+     * A registry of some kinds.
+     *
+     * @throws InputException when two kinds of a type have the same name, in one line with both places
+     */
+    KindRegistry(List<FoundKind> found) {
+        all = new ArrayList<>(found);
+        all.sort(Comparator.comparing((FoundKind one) -> !one.builtIn())
+                .thenComparing(one -> one.builtIn() ? "" : one.kind().type().getName())
+                .thenComparing(one -> one.builtIn() ? "" : one.kind().name()));
+        for (FoundKind one : all) {
+            Class<?> former = byType.computeIfAbsent(one.kind().type(), type -> new LinkedHashMap<>())
+                    .putIfAbsent(one.kind().name(), one.kind().settings());
+            if (former != null) {
+                throw new InputException(twice(one));
+            }
+        }
+    }
+
+    private String twice(FoundKind one) {
+        List<String> places = all.stream()
+                .filter(other -> other.kind().type() == one.kind().type())
+                .filter(other -> other.kind().name().equals(one.kind().name()))
+                .map(FoundKind::source)
+                .toList();
+        return "kind '" + one.kind().name() + "' of " + one.kind().type().getSimpleName() + " is in "
+                + String.join(" and in ", places) + ": take one of them off the class path";
+    }
+
+    /**
+     * The kinds of this program's class path; they are looked for once.
+     *
+     * @throws InputException when a provider cannot be loaded, says something wrong, or a name is there twice
+     */
+    public static KindRegistry found() {
+        return Found.result();
+    }
+
+    /** Looks for kinds when they are first needed, and remembers what went wrong. */
+    private static final class Found {
+        private static final KindRegistry REGISTRY;
+        private static final String WRONG;
+
+        static {
+            KindRegistry registry = null;
+            String wrong = null;
+            try {
+                registry = new KindRegistry(load(loader()));
+            } catch (InputException e) {
+                wrong = e.getMessage();
+            }
+            REGISTRY = registry;
+            WRONG = wrong;
+        }
+
+        private static KindRegistry result() {
+            if (REGISTRY == null) {
+                throw new InputException(WRONG);
+            }
+            return REGISTRY;
+        }
+
+        private static ClassLoader loader() {
+            ClassLoader mine = Thread.currentThread().getContextClassLoader();
+            return mine == null ? Kind.class.getClassLoader() : mine;
+        }
+    }
+
+    /** What the providers that a class loader sees have. */
+    static List<FoundKind> load(ClassLoader loader) {
+        List<FoundKind> found = new ArrayList<>();
+        for (KindGroup group : providers(KindGroup.class, loader)) {
+            group.kinds().forEach(kind -> found.add(FoundKind.by(group, kind)));
+        }
+        for (Kind<?> kind : providers(Kind.class, loader)) {
+            found.add(FoundKind.by(kind, kind));
+        }
+        return found;
+    }
+
+    /**
+     * All providers of a service.
+     *
+     * @throws InputException when one cannot be loaded
+     */
+    public static <S> List<S> providers(Class<S> service, ClassLoader loader) {
+        List<S> providers = new ArrayList<>();
+        try {
+            Iterator<S> each = ServiceLoader.load(service, loader).iterator();
+            while (each.hasNext()) {
+                providers.add(each.next());
+            }
+        } catch (ServiceConfigurationError | LinkageError e) {
+            throw new InputException("class path: " + PlainText.value(String.valueOf(e.getMessage())), e);
+        }
+        return providers;
+    }
+
+    /** All kinds, in the order in which to show them. */
+    public List<FoundKind> all() {
+        return Collections.unmodifiableList(all);
+    }
+
+    /** Whether there are kinds of a type. */
+    public boolean knows(Class<?> type) {
+        return byType.containsKey(type);
+    }
+
+    /** The settings of the kinds of a type by name; none when it has no kinds. */
+    public Map<String, Class<?>> of(Class<?> type) {
+        return Collections.unmodifiableMap(byType.getOrDefault(type, Map.of()));
+    }
+
+    /** The kind that has these settings. */
+    public Optional<Kind<?>> kindOf(Class<?> settings) {
+        return all.stream()
+                .<Kind<?>>map(FoundKind::kind)
+                .filter(kind -> kind.settings() == settings)
+                .findFirst();
+    }
+}

@@ -1,0 +1,110 @@
+package org.dronewatch.setting;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.IOException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.dronewatch.flight.FlightPathSettings;
+import org.dronewatch.sensor.SensorSettings;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class KindRegistryTest {
+    /** Something of which there may be several kinds. */
+    interface Lamp {}
+
+    sealed interface Closed permits Candle {}
+
+    record Bulb(double watts) implements Lamp {}
+
+    record Candle(double length) implements Lamp, Closed {}
+
+    private static FoundKind found(String name, Class<? extends Lamp> settings, String source, boolean builtIn) {
+        return new FoundKind(Kind.of(Lamp.class, name, settings, "gives light"), source, builtIn);
+    }
+
+    @Test
+    void thoseOfTheLibraryComeFirstThenTheOthersByNameWhateverTheOrderOfTheJars() {
+        FoundKind own = found("zenith", Bulb.class, "own.jar", true);
+        FoundKind a = found("arc", Bulb.class, "b.jar", false);
+        FoundKind b = found("candle", Candle.class, "a.jar", false);
+        for (List<FoundKind> order : List.of(List.of(a, b, own), List.of(b, own, a))) {
+            KindRegistry registry = new KindRegistry(order);
+            assertThat(registry.of(Lamp.class).keySet()).containsExactly("zenith", "arc", "candle");
+            assertThat(registry.all()).containsExactly(own, a, b);
+        }
+    }
+
+    @Test
+    void aNameThatIsThereTwiceIsRefusedInOneLineWithBothPlaces() {
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> new KindRegistry(List.of(
+                        found("arc", Bulb.class, "/lib/one.jar", false),
+                        found("arc", Candle.class, "/lib/two.jar", false))))
+                .withMessage(
+                        "kind 'arc' of Lamp is in /lib/one.jar and in /lib/two.jar: take one of them off the class path");
+    }
+
+    @Test
+    void theSameNameMayBeThatOfAKindOfSomethingElse() {
+        interface Rope {}
+        record Cotton(double length) implements Rope {}
+        KindRegistry registry = new KindRegistry(List.of(
+                found("plain", Bulb.class, "a", false),
+                new FoundKind(Kind.of(Rope.class, "plain", Cotton.class, "a rope"), "b", false)));
+        assertThat(registry.of(Lamp.class)).containsEntry("plain", Bulb.class);
+        assertThat(registry.of(Rope.class)).containsEntry("plain", Cotton.class);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "Arc", "a b", "a.b", "../a", "-a"})
+    void aNameThatCannotBeWrittenInAPathIsRefused(String name) {
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> found(name, Bulb.class, "a.jar", false))
+                .withMessageContaining("a.jar: its name must be");
+    }
+
+    @Test
+    void whatCannotBeChosenIsRefused() {
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> new FoundKind(Kind.of(Closed.class, "c", Candle.class, "x"), "a.jar", false))
+                .withMessageContaining("must be an interface that is open to all");
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> found("lamp", Lamp.class, "a.jar", false))
+                .withMessageContaining("must be a record that implements Lamp");
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> new FoundKind(Kind.of(Lamp.class, "c", Bulb.class, "two\nlines"), "a.jar", false))
+                .withMessageContaining("one line");
+    }
+
+    @Test
+    void theLibrarysOwnAreFoundOnTheClassPath() {
+        assertThat(KindRegistry.found().of(SensorSettings.class).keySet())
+                .containsExactly("camera", "acoustic", "radar", "rf", "thermal");
+        assertThat(Choices.of(FlightPathSettings.class)).hasSize(10).containsKeys("hover", "pop-up");
+        assertThat(KindRegistry.found().all()).allMatch(FoundKind::builtIn);
+        assertThat(KindRegistry.found().all())
+                .allSatisfy(one -> assertThat(Choices.nameOf(one.kind().settings()))
+                        .isEqualTo(one.kind().name()));
+    }
+
+    @Test
+    void aProviderThatIsNotThereIsOneLine(@TempDir Path directory) throws IOException {
+        Path services = Files.createDirectories(directory.resolve("META-INF/services"));
+        Files.writeString(services.resolve(Kind.class.getName()), "org.example.Gone\n");
+        try (URLClassLoader loader =
+                new URLClassLoader(new URL[] {directory.toUri().toURL()})) {
+            assertThatExceptionOfType(InputException.class)
+                    .isThrownBy(() -> KindRegistry.load(loader))
+                    .withMessageContaining("org.example.Gone")
+                    .withMessageNotContaining("\n");
+        }
+    }
+}
