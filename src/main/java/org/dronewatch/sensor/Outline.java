@@ -67,13 +67,22 @@ public sealed interface Outline {
             double minRange,
             double maxRange)
             implements Outline {
+        /** Whether something is neither too near nor too far. */
+        public boolean reaches(Position way) {
+            double range = way.length();
+            return range >= minRange && range <= maxRange;
+        }
+
+        /** Why something is missed that it does not reach: the range where it begins or ends is the limit. */
+        public Explanation beyond(Position way) {
+            return Explanation.beyond(Cause.OUT_OF_RANGE, way.length() < minRange ? minRange : maxRange);
+        }
+
         @Override
         public boolean contains(Position way) {
-            double range = way.length();
             double aside = Math.IEEEremainder(Math.atan2(way.x(), way.y()) - azimuth, 2.0 * Math.PI);
             double above = Math.atan2(way.z(), Math.hypot(way.x(), way.y())) - elevation;
-            return range >= minRange
-                    && range <= maxRange
+            return reaches(way)
                     && Math.abs(aside) <= 0.5 * azimuthWidth + ROUNDING
                     && Math.abs(above) <= 0.5 * elevationWidth + ROUNDING;
         }

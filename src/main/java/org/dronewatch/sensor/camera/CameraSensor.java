@@ -5,15 +5,20 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.positioner.Sighting;
+import org.dronewatch.sensor.AssessableSensor;
+import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Cover;
+import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
-import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.DronePicture;
@@ -24,13 +29,14 @@ import org.jogamp.vecmath.Vector3d;
 /**
  * A camera for visible light. Keeps its last picture, and scratch memory for the drones before it: one thread at a time.
  */
-public final class CameraSensor implements Sensor {
+public final class CameraSensor implements AssessableSensor {
     private final CameraSettings settings;
     private final DronePicture ownAim;
 
     private DronePicture picture;
     private Optional<Pointing> pointing = Optional.empty();
     private World world;
+    private Cover cover;
 
     /** The way to the sun as long as the camera sees it. */
     private Optional<Vector3d> sun = Optional.empty();
@@ -45,15 +51,7 @@ public final class CameraSensor implements Sensor {
     /** Counts the pixels of each drone that is nearer than the world and the other drones. */
     @Override
     public List<Observation> observe(World site, List<Drone> drones, Sample sample) {
-        if (site != world) {
-            world = site;
-            sun = wayToSun();
-        }
-        if (!pointing.equals(sample.pointing())) {
-            pointing = sample.pointing();
-            picture = pointing.map(where -> new DronePicture(new CameraObject(settings.pointed(where))))
-                    .orElse(ownAim);
-        }
+        turn(site, sample.pointing());
         picture.draw(world, drones);
         List<Observation> observations = new ArrayList<>(drones.size());
         for (int i = 0; i < drones.size(); i++) {
@@ -62,9 +60,49 @@ public final class CameraSensor implements Sensor {
         return observations;
     }
 
+    private void turn(World site, Optional<Pointing> where) {
+        if (site != world) {
+            world = site;
+            cover = new Cover(site, settings.position());
+            sun = wayToSun();
+        }
+        if (!pointing.equals(where)) {
+            pointing = where;
+            picture = pointing.map(to -> new DronePicture(new CameraObject(settings.pointed(to))))
+                    .orElse(ownAim);
+        }
+    }
+
+    @Override
+    public Signal signal(World site, Drone drone, Optional<Pointing> where, RandomGenerator rayRandom) {
+        turn(site, where);
+        picture.draw(world, List.of(drone));
+        return signal(view(drone, picture.pixels(0)));
+    }
+
+    @Override
+    public Explanation explainMiss(World site, Drone drone, Optional<Pointing> where) {
+        turn(site, where);
+        Position way = Position.of(drone.position()).minus(settings.position());
+        if (!picture.camera().outline().contains(way)) {
+            return Explanation.of(Cause.OUT_OF_VIEW);
+        }
+        picture.draw(world, List.of(drone));
+        return cover.explain(drone, picture.pixels(0) == 0, () -> signal(view(drone, picture.pixelsInTheOpen(drone)))
+                .isDetected());
+    }
+
+    private Signal signal(DroneView view) {
+        DetectionFunction detection = settings.detection();
+        double value = detection.value(view);
+        return detection.byChance()
+                ? Signal.of(detection.probability(view).orElseThrow(), value, detection.unit(), detection.threshold())
+                : Signal.certain(value, detection.unit(), detection.threshold());
+    }
+
     private Observation observe(Drone drone, int pixels, Sample sample) {
-        double range = drone.distance(settings.position());
-        DroneView view = view(drone, pixels, range);
+        DroneView view = view(drone, pixels);
+        Signal signal = signal(view);
         OptionalDouble probability = settings.detection().probability(view);
         Observation observation = new Observation(
                 sample.sensor(),
@@ -73,10 +111,10 @@ public final class CameraSensor implements Sensor {
                 sample.index(),
                 sample.time(),
                 sample.time(),
-                range,
-                settings.detection().value(view),
+                view.range(),
+                signal.quantity(),
                 settings.detection().threshold(sample.random(drone.id(), Sample.DETECTION)),
-                settings.detection().unit(),
+                signal.unit(),
                 probability.isPresent() ? Map.of(Observation.PROBABILITY, probability.getAsDouble()) : Map.of());
         double lock = settings.positioner().map(PositionerSettings::lock).orElse(Double.POSITIVE_INFINITY);
         return observation.isDetected() || pixels >= lock
@@ -90,7 +128,8 @@ public final class CameraSensor implements Sensor {
         return new Sighting(settings.position(), Direction.of(way), OptionalDouble.empty());
     }
 
-    private DroneView view(Drone drone, int pixels, double range) {
+    private DroneView view(Drone drone, int pixels) {
+        double range = drone.distance(settings.position());
         double focalLength = picture.camera().focalLength();
         if (pixels == 0) {
             return new DroneView(0, range, focalLength, 0.0, world.light(), Double.POSITIVE_INFINITY);

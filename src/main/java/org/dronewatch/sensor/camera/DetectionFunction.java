@@ -11,7 +11,7 @@ public interface DetectionFunction {
     /** The value that is compared with the threshold. */
     double value(DroneView view);
 
-    /** The value from which on the drone counts as detected. */
+    /** The value from which on the drone counts as detected; where chance decides, that of an even chance. */
     double threshold();
 
     /**
@@ -21,6 +21,11 @@ public interface DetectionFunction {
      */
     default double threshold(RandomGenerator random) {
         return threshold();
+    }
+
+    /** Whether chance decides: then {@link #probability} is known. */
+    default boolean byChance() {
+        return false;
     }
 
     /** How likely one frame is to detect the drone, 0 to 1; empty when that is not known. */

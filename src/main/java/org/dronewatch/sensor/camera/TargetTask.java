@@ -51,6 +51,8 @@ public record TargetTask(
     public static final TargetTask DEFAULT =
             new TargetTask(Discrimination.DETECTION, 0.5, false, 0.5, 0.02, 100.0, 0.01, Math.toRadians(5.0));
 
+    private static final double EVEN_CHANCE = 0.5;
+
     /** Checks the limits. */
     public TargetTask {
         Limits.check(
@@ -104,7 +106,7 @@ public record TargetTask(
 
     @Override
     public double threshold() {
-        return probability;
+        return byChance ? EVEN_CHANCE : probability;
     }
 
     /** By chance: what the frame draws, so that it succeeds as often as its probability says. */

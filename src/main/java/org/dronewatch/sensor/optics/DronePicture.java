@@ -15,6 +15,9 @@ public final class DronePicture {
     private DynamicView dynamicView;
     private StaticView staticView;
 
+    /** For drones without the world. */
+    private DynamicView openView;
+
     /** Of a camera. */
     public DronePicture(CameraObject camera) {
         this.camera = camera;
@@ -39,6 +42,15 @@ public final class DronePicture {
     /** How many pixels show the drone of a number in the list that was drawn. */
     public int pixels(int number) {
         return dynamicView.pixels(number);
+    }
+
+    /** How many pixels would show a drone if it were alone and nothing stood in the way; keeps what was drawn. */
+    public int pixelsInTheOpen(Drone drone) {
+        if (openView == null) {
+            openView = new DynamicView(camera);
+        }
+        openView.draw(Background.NOTHING, List.of(drone));
+        return openView.pixels(0);
     }
 
     /** The whole picture with its drones: a distance for each pixel, and whether it shows a drone. */

@@ -43,7 +43,7 @@ final class DynamicView {
     }
 
     /** Draws the drones of a new frame and forgets those of the last. */
-    void draw(StaticView staticView, List<Drone> drones) {
+    void draw(Background background, List<Drone> drones) {
         int count = drones.size();
         if (silhouettes.length != count) {
             silhouettes = Stream.generate(Silhouette::new).limit(count).toArray(Silhouette[]::new);
@@ -54,7 +54,7 @@ final class DynamicView {
             silhouettes[i].clear();
             if (!silhouettes[i].rectangle().isEmpty()) {
                 findRivals(i);
-                draw(staticView, drones.get(i), i);
+                draw(background, drones.get(i), i);
             }
         }
     }
@@ -68,7 +68,7 @@ final class DynamicView {
         }
     }
 
-    private void draw(StaticView staticView, Drone drone, int number) {
+    private void draw(Background background, Drone drone, int number) {
         PixelRectangle rectangle = silhouettes[number].rectangle();
         TileTracer traversal = traversals.computeIfAbsent(drone.tree(), TileTracer::new);
         drone.worldToModel(toModel);
@@ -83,26 +83,26 @@ final class DynamicView {
                 } else {
                     traversal.traceSingly(left, top, columns, rows);
                 }
-                claimTile(traversal, left, top, columns, rows, staticView, number);
+                claimTile(traversal, left, top, columns, rows, background, number);
             }
         }
     }
 
     private void claimTile(
-            TileTracer traversal, int left, int top, int columns, int rows, StaticView staticView, int number) {
+            TileTracer traversal, int left, int top, int columns, int rows, Background background, int number) {
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 if (traversal.hits(column, row)) {
                     double distance = traversal.parameter(column, row) * camera.obliqueness(left + column, top + row);
-                    claim(left + column, top + row, (float) distance, staticView, number);
+                    claim(left + column, top + row, (float) distance, background, number);
                 }
             }
         }
     }
 
     /** Gives a pixel to a drone that stands before the world and before all drones that were drawn before it. */
-    private void claim(int column, int row, float distance, StaticView staticView, int number) {
-        if (!(distance < staticView.distance(column, row))) {
+    private void claim(int column, int row, float distance, Background background, int number) {
+        if (!(distance < background.distance(column, row))) {
             return;
         }
         for (int i = 0; i < rivalCount; i++) {

@@ -9,7 +9,7 @@ import org.dronewatch.world.World;
  * What a camera sees of the world without drones: a distance for each pixel, traced tile by tile when one of the tile's
  * pixels is first asked for, and kept. Used by one thread at a time.
  */
-final class StaticView {
+final class StaticView implements Background {
     /** Smaller than a traversal's tiles may be: mostly only the few pixels behind a drone are asked for. */
     private static final int TILE_WIDTH = 32;
 
@@ -46,7 +46,8 @@ final class StaticView {
     }
 
     /** Distance along a pixel's ray to the world, m; infinity for none. */
-    float distance(int column, int row) {
+    @Override
+    public float distance(int column, int row) {
         int tile = row / TILE_HEIGHT * tilesAcross + column / TILE_WIDTH;
         if (tiles[tile] == null) {
             tiles[tile] = trace(traversal, tile);

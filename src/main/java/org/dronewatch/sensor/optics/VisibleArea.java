@@ -49,6 +49,15 @@ public final class VisibleArea {
 
     /** The area of a drone that is in the picture and that nothing of the site hides, in pixels. */
     public double of(Drone drone) {
+        return of(drone, false);
+    }
+
+    /** The area of a drone that would be in the picture if nothing stood in the way, in pixels. */
+    public double inTheOpen(Drone drone) {
+        return of(drone, true);
+    }
+
+    private double of(Drone drone, boolean open) {
         Position from = camera.position();
         Vector3d way = Position.of(drone.position()).minus(from).toVector3d();
         double range = way.length();
@@ -79,12 +88,12 @@ public final class VisibleArea {
             double v = half * (2.0 * ((long) i * STEP % RAYS + 0.5) / RAYS - 1.0);
             ray.scaleAdd(u, aside, way);
             ray.scaleAdd(v, above, ray);
-            area += seen(model, ray) ? pixels(ray, share) : 0.0;
+            area += seen(model, ray, open) ? pixels(ray, share) : 0.0;
         }
         return area;
     }
 
-    private boolean seen(RayTracer model, Vector3d ray) {
+    private boolean seen(RayTracer model, Vector3d ray, boolean open) {
         Position at = camera.position();
         Matrix4d m = toModel;
         boolean hit = model.closestHit(
@@ -96,7 +105,7 @@ public final class VisibleArea {
                 m.m20 * ray.x + m.m21 * ray.y + m.m22 * ray.z,
                 0.0,
                 Double.POSITIVE_INFINITY);
-        return hit && !site.isOccluded(at.x(), at.y(), at.z(), ray.x, ray.y, ray.z, 0.0, model.distance());
+        return hit && (open || !site.isOccluded(at.x(), at.y(), at.z(), ray.x, ray.y, ray.z, 0.0, model.distance()));
     }
 
     /**

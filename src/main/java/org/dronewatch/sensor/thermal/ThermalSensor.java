@@ -5,15 +5,21 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.positioner.Sighting;
+import org.dronewatch.sensor.AssessableSensor;
+import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Cover;
+import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Sample;
-import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.VisibleArea;
 import org.dronewatch.setting.Quantity;
@@ -25,12 +31,15 @@ import org.dronewatch.world.World;
  * it resolves are half the square root of the drone's pixels, fewer the weaker the signal:
  * {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}. One thread at a time.
  */
-public final class ThermalSensor implements Sensor {
+public final class ThermalSensor implements AssessableSensor {
     private static final double KILOMETRE = 1000.0;
+    private static final double EVEN_CHANCE = 0.5;
 
     private final ThermalSettings settings;
     private Optional<Pointing> pointing = Optional.empty();
     private VisibleArea area;
+    private Cover cover;
+    private Outline outline;
 
     /** A camera of some settings. */
     public ThermalSensor(ThermalSettings settings) {
@@ -39,29 +48,60 @@ public final class ThermalSensor implements Sensor {
 
     @Override
     public List<Observation> observe(World world, List<Drone> drones, Sample sample) {
-        if (area == null || area.world() != world || !pointing.equals(sample.pointing())) {
-            pointing = sample.pointing();
-            area = new VisibleArea(
-                    new CameraObject(pointing.map(settings::pointed).orElse(settings)), world);
-        }
+        turn(world, sample.pointing());
         return drones.stream().map(drone -> look(drone, sample)).toList();
+    }
+
+    private void turn(World world, Optional<Pointing> where) {
+        if (area == null || area.world() != world || !pointing.equals(where)) {
+            pointing = where;
+            CameraObject camera =
+                    new CameraObject(pointing.map(settings::pointed).orElse(settings));
+            area = new VisibleArea(camera, world);
+            outline = camera.outline();
+            cover = new Cover(world, settings.position());
+        }
+    }
+
+    @Override
+    public Signal signal(World world, Drone drone, Optional<Pointing> where, RandomGenerator rayRandom) {
+        turn(world, where);
+        return signal(drone, area.of(drone));
+    }
+
+    @Override
+    public Explanation explainMiss(World world, Drone drone, Optional<Pointing> where) {
+        turn(world, where);
+        if (!outline.contains(Position.of(drone.position()).minus(settings.position()))) {
+            return Explanation.of(Cause.OUT_OF_VIEW);
+        }
+        return cover.explain(drone, area.of(drone) == 0.0, () -> signal(drone, area.inTheOpen(drone))
+                .isDetected());
+    }
+
+    private Signal signal(Drone drone, double pixels) {
+        double ratio = signalToNoise(drone.heat(), drone.distance(settings.position()), pixels);
+        double probability = settings.task().probability(resolved(pixels, ratio));
+        return settings.byChance()
+                ? Signal.of(probability, probability, Quantity.RATIO.unit(), EVEN_CHANCE)
+                : Signal.certain(probability, Quantity.RATIO.unit(), settings.probability());
     }
 
     private Observation look(Drone drone, Sample sample) {
         double range = drone.distance(settings.position());
         double pixels = area.of(drone);
-        double signal = signalToNoise(drone.heat(), range, pixels);
-        double probability = settings.task().probability(resolved(pixels, signal));
+        double ratio = signalToNoise(drone.heat(), range, pixels);
+        double probability = signal(drone, pixels).quantity();
         double threshold = settings.byChance()
                 ? 1.0 - sample.random(drone.id(), Sample.DETECTION).nextDouble()
                 : settings.probability();
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("pixels", pixels);
-        figures.put("signal_to_noise", signal);
+        figures.put("signal_to_noise", ratio);
         figures.put(Observation.PROBABILITY, probability);
         boolean locked =
                 pixels >= settings.positioner().map(PositionerSettings::lock).orElse(Double.POSITIVE_INFINITY);
-        boolean told = probability >= threshold || locked && signal > settings.leastSignal();
+        boolean told = probability >= threshold || locked && ratio > settings.leastSignal();
         return new Observation(
                 sample.sensor(),
                 settings.kind(),

@@ -1,0 +1,88 @@
+package org.dronewatch.sensor;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.world.Obstacle;
+
+/**
+ * The random-free half of a look: how likely a sensor is to detect a drone that is somewhere and flies somehow, and why it
+ * is not if it is not. The other half draws from it.
+ *
+ * @param signal what the sensor has of the drone
+ * @param explanation why that is not enough; {@link Explanation#DETECTED} when it is
+ */
+public record Assessment(Signal signal, Explanation explanation) {
+    private static final String DECIBELS = "dB";
+
+    /**
+     * Checks that both halves agree.
+     *
+     * @throws IllegalArgumentException when a drone is detected with a cause, or missed without one
+     */
+    public Assessment {
+        if (signal.isDetected() != (explanation.cause() == Cause.DETECTED)) {
+            throw new IllegalArgumentException("quantity " + signal.quantity() + " with threshold " + signal.threshold()
+                    + " does not agree with cause " + explanation.cause());
+        }
+    }
+
+    /** How likely one look detects the drone, 0 to 1. */
+    public double probability() {
+        return signal.probability();
+    }
+
+    /** What is measured, in the unit. */
+    public double quantity() {
+        return signal.quantity();
+    }
+
+    /** Unit of quantity, threshold, margin and standard error; empty for a ratio. */
+    public String unit() {
+        return signal.unit();
+    }
+
+    /** What the quantity must reach; of a sensor that decides by chance, what detects every other time. */
+    public double threshold() {
+        return signal.threshold();
+    }
+
+    /** Quantity less threshold: negative where something is missing, minus infinity where nothing reaches the sensor in dB. */
+    public double margin() {
+        return signal.quantity() - signal.threshold();
+    }
+
+    /** The margin in dB, so that sensors of different kinds compare: {@code 10 lg(quantity / threshold)} where the unit is not dB. */
+    public double marginDb() {
+        return unit().equals(DECIBELS) ? margin() : 10.0 * Math.log10(quantity() / threshold());
+    }
+
+    /** Standard error of the quantity, in its unit; 0 where it is exact. */
+    public double standardError() {
+        return signal.standardError();
+    }
+
+    /** Standard error of the probability; 0 where it is exact. */
+    public double probabilityError() {
+        return signal.probabilityError();
+    }
+
+    /** Whether quantity or probability is an estimate. */
+    public boolean isEstimated() {
+        return standardError() > 0.0 || probabilityError() > 0.0;
+    }
+
+    /** Why the drone is not detected. */
+    public Cause cause() {
+        return explanation.cause();
+    }
+
+    /** What hides it, for a cause that is {@link Cause#isHidden() hidden}. */
+    public Optional<Obstacle> obstacle() {
+        return explanation.obstacle();
+    }
+
+    /** The range, m, or radial speed, m/s, that it is beyond, for causes that have such a limit. */
+    public OptionalDouble limit() {
+        return explanation.limit();
+    }
+}

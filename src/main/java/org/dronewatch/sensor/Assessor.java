@@ -1,0 +1,68 @@
+package org.dronewatch.sensor;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.random.RandomGenerator;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.world.World;
+
+/**
+ * Assesses sensors of every kind. Of one that is not an {@link AssessableSensor} it takes one look, and finds the cause of a
+ * miss from the space that the sensor looks into and from what stands before the drone: then the probability is that of the
+ * look, 0 or 1 where it tells none. One thread at a time.
+ */
+public final class Assessor {
+    private final String id;
+    private final SensorSettings<?> settings;
+    private final Sensor sensor;
+    private final World world;
+    private final Cover cover;
+
+    /**
+     * Of a new sensor of some settings in a world.
+     *
+     * @param id name of the sensor
+     */
+    public Assessor(String id, SensorSettings<?> settings, World world) {
+        this.id = id;
+        this.settings = settings;
+        this.sensor = settings.create();
+        this.world = world;
+        this.cover = new Cover(world, settings.position());
+    }
+
+    /** As {@link AssessableSensor#assess}, in this assessor's world. */
+    public Assessment assess(Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
+        if (sensor instanceof AssessableSensor assessable) {
+            return assessable.assess(world, drone, pointing, rayRandom);
+        }
+        Sample look = Sample.of(rayRandom.nextLong(), id, 0, 0.0).withPointing(pointing);
+        Observation seen = sensor.observe(world, List.of(drone), look).get(0);
+        Signal signal = new Signal(seen.probability(), seen.value(), seen.unit(), seen.threshold(), 0.0, 0.0);
+        return new Assessment(signal, seen.isDetected() ? Explanation.DETECTED : explainByOutline(drone, pointing));
+    }
+
+    /** As {@link AssessableSensor#explainMiss}, in this assessor's world. */
+    public Explanation explainMiss(Drone drone, Optional<Pointing> pointing) {
+        return sensor instanceof AssessableSensor assessable
+                ? assessable.explainMiss(world, drone, pointing)
+                : explainByOutline(drone, pointing);
+    }
+
+    private Explanation explainByOutline(Drone drone, Optional<Pointing> pointing) {
+        SensorSettings<?> pointed = pointing.isPresent() ? settings.pointed(pointing.get()) : settings;
+        Optional<Outline> outline = pointed.outline();
+        if (outline.isEmpty() || outline.get() instanceof Outline.Ball) {
+            return Explanation.of(Cause.TOO_WEAK);
+        }
+        Position way = Position.of(drone.position()).minus(settings.position());
+        if (outline.get() instanceof Outline.Sector sector && !sector.reaches(way)) {
+            return sector.beyond(way);
+        }
+        return outline.get().contains(way)
+                ? cover.explain(drone, true, () -> false)
+                : Explanation.of(Cause.OUT_OF_VIEW);
+    }
+}

@@ -1,0 +1,50 @@
+package org.dronewatch.sensor;
+
+import org.dronewatch.mesh.io.ModelRole;
+
+/**
+ * Why a sensor does not detect a drone. Where several causes hold, the first in this order counts; words for them are made
+ * by reports.
+ */
+public enum Cause {
+    /** Nearer or farther than the sensor looks. */
+    OUT_OF_RANGE,
+    /** Beside, above or below what the sensor looks into. */
+    OUT_OF_VIEW,
+    /** It emits nothing that the sensor could receive. */
+    SILENT,
+    /** Its radial speed is less than the sensor tells from what stands still. */
+    TOO_SLOW,
+    /** Its radial speed is more than the sensor can follow. */
+    TOO_FAST,
+    /** Nothing of it is visible, or it would be detected if nothing stood in the way; terrain is what the line of sight meets first. */
+    HIDDEN_BY_TERRAIN,
+    /** The same with a building. */
+    HIDDEN_BY_BUILDING,
+    /** The same with plants. */
+    HIDDEN_BY_VEGETATION,
+    /** The same with any other model. */
+    HIDDEN_BY_OTHER,
+    /** What reaches the sensor is not enough: too small, too faint, too quiet. */
+    TOO_WEAK,
+    /** It is detected: no cause is missing. */
+    DETECTED;
+
+    /** The cause of a drone that a model of some role hides. */
+    public static Cause hiddenBy(ModelRole role) {
+        return switch (role) {
+            case TERRAIN -> HIDDEN_BY_TERRAIN;
+            case BUILDING -> HIDDEN_BY_BUILDING;
+            case VEGETATION -> HIDDEN_BY_VEGETATION;
+            case OTHER -> HIDDEN_BY_OTHER;
+        };
+    }
+
+    /** Whether something stands in the way. */
+    public boolean isHidden() {
+        return this == HIDDEN_BY_TERRAIN
+                || this == HIDDEN_BY_BUILDING
+                || this == HIDDEN_BY_VEGETATION
+                || this == HIDDEN_BY_OTHER;
+    }
+}

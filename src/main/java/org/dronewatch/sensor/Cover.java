@@ -1,0 +1,66 @@
+package org.dronewatch.sensor;
+
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.world.Obstacle;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
+import org.jogamp.vecmath.Matrix4d;
+import org.jogamp.vecmath.Point3d;
+
+/** What hides drones from a sensor. Keeps scratch memory: one thread at a time. */
+public final class Cover {
+    private final Visibility visibility;
+    private final Position sensor;
+
+    /**
+     * Before a sensor in a world.
+     *
+     * @param sensor where it is, m
+     */
+    public Cover(World world, Position sensor) {
+        this.visibility = new Visibility(world);
+        this.sensor = sensor;
+    }
+
+    /** The world. */
+    public World world() {
+        return visibility.world();
+    }
+
+    /** What stands between the sensor and the drone's origin. */
+    public Optional<Obstacle> ofOrigin(Drone drone) {
+        return visibility.obstacle(sensor, Position.of(drone.position()));
+    }
+
+    /** What stands before the drone's origin, or, where nothing does, before the first corner of its mesh that is hidden. */
+    public Optional<Obstacle> of(Drone drone) {
+        Optional<Obstacle> before = ofOrigin(drone);
+        Matrix4d matrix = drone.modelMatrix();
+        TriangleMesh mesh = drone.tree().mesh();
+        Point3d corner = new Point3d();
+        for (int i = 0; before.isEmpty() && i < mesh.vertexCount(); i++) {
+            corner.set(mesh.vertexCoordinate(i, 0), mesh.vertexCoordinate(i, 1), mesh.vertexCoordinate(i, 2));
+            matrix.transform(corner);
+            before = visibility.obstacle(sensor, Position.of(corner));
+        }
+        return before;
+    }
+
+    /**
+     * Why a drone is missed that is in range and in view: hidden, or too weak.
+     *
+     * @param invisible whether the sensor has nothing of it
+     * @param detectedInTheOpen whether it would be detected if nothing stood in the way; only asked where it matters
+     */
+    public Explanation explain(Drone drone, boolean invisible, BooleanSupplier detectedInTheOpen) {
+        Optional<Obstacle> before = invisible ? ofOrigin(drone) : Optional.empty();
+        if (before.isEmpty() && detectedInTheOpen.getAsBoolean()) {
+            before = of(drone);
+        }
+        return before.map(Explanation::hiddenBy).orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
+    }
+}

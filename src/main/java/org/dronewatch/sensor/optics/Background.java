@@ -1,0 +1,11 @@
+package org.dronewatch.sensor.optics;
+
+/** What is behind drones in a picture. */
+@FunctionalInterface
+interface Background {
+    /** Nothing: every drone is seen whole. */
+    Background NOTHING = (column, row) -> Float.POSITIVE_INFINITY;
+
+    /** How far away it is along a pixel's ray, m; infinity for none. */
+    float distance(int column, int row);
+}
