@@ -4,18 +4,20 @@ import java.util.Locale;
 import java.util.Optional;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Outline;
 import org.jogamp.vecmath.Vector3d;
 
 /** Where and how fast a drone must be for a radar to look for it. */
 final class FieldOfRegard {
     private final RadarSettings settings;
-    private final Outline outline;
+    private final Outline.Sector outline;
     private final double fastest;
 
     FieldOfRegard(RadarSettings settings) {
         this.settings = settings;
-        this.outline = settings.outline().orElseThrow();
+        this.outline = settings.sector();
         this.fastest = Math.min(settings.maxSpeed(), settings.budget().migrationSpeed());
     }
 
@@ -28,6 +30,26 @@ final class FieldOfRegard {
     double radialSpeed(Drone drone) {
         Vector3d way = Position.of(drone.position()).minus(settings.position()).toVector3d();
         return way.dot(drone.velocity()) / Math.max(way.length(), Double.MIN_NORMAL);
+    }
+
+    /** Why the radar does not look for a drone; empty when it does. */
+    Optional<Explanation> miss(Drone drone) {
+        Position way = Position.of(drone.position()).minus(settings.position());
+        if (!outline.reaches(way)) {
+            return Optional.of(outline.beyond(way));
+        }
+        if (!outline.contains(way)) {
+            return Optional.of(Explanation.of(Cause.OUT_OF_VIEW));
+        }
+        double radial = radialSpeed(drone);
+        if (hasSpeed(radial)) {
+            return Optional.empty();
+        }
+        boolean slow = Math.abs(radial) < settings.minSpeed();
+        return Optional.of(
+                slow
+                        ? Explanation.beyond(Cause.TOO_SLOW, settings.minSpeed())
+                        : Explanation.beyond(Cause.TOO_FAST, fastest));
     }
 
     /** Why its speed hides a drone, in words; empty when it does not. */

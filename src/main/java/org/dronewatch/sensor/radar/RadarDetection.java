@@ -18,6 +18,13 @@ public sealed interface RadarDetection {
     double threshold(Fluctuation fluctuation, RandomGenerator random);
 
     /**
+     * What an echo must reach to count in every other look at least, dB: for a fixed threshold that threshold.
+     *
+     * @param fluctuation of the target
+     */
+    double evenThreshold(Fluctuation fluctuation);
+
+    /**
      * How likely an echo is to count in one look, 0 to 1.
      *
      * @param signalToNoise dB
@@ -47,6 +54,11 @@ public sealed interface RadarDetection {
         }
 
         @Override
+        public double evenThreshold(Fluctuation fluctuation) {
+            return signalToNoise;
+        }
+
+        @Override
         public double probability(double ratio, Fluctuation fluctuation) {
             return ratio >= signalToNoise ? 1.0 : 0.0;
         }
@@ -70,6 +82,8 @@ public sealed interface RadarDetection {
         /** Up to here the approximations for several pulses hold. */
         private static final double MOST_WITH_PULSES = 1e-3;
 
+        private static final double EVEN_CHANCE = 0.5;
+
         /** Enough for a probability to a billionth. */
         private static final int HALVINGS = 30;
 
@@ -91,6 +105,11 @@ public sealed interface RadarDetection {
             // 1 - u is above 0, so that the ratio is finite at that end, too; below 1 by as much as u can be small.
             double probability = Math.min(1.0 - 1e-9, 1.0 - random.nextDouble());
             return Math.max(FAINTEST, Detectability.required(probability, falseAlarm, fluctuation, pulses));
+        }
+
+        @Override
+        public double evenThreshold(Fluctuation fluctuation) {
+            return Math.max(FAINTEST, Detectability.required(EVEN_CHANCE, falseAlarm, fluctuation, pulses));
         }
 
         @Override

@@ -4,12 +4,18 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Sighting;
+import org.dronewatch.sensor.AssessableSensor;
+import org.dronewatch.sensor.Cover;
+import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
-import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.Signal;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
 
@@ -18,7 +24,7 @@ import org.jogamp.vecmath.Point3d;
  * because of where the drone is or how fast it comes, and for one that is wholly hidden. A drone that is hidden in part
  * counts for the part that shows.
  */
-public final class RadarSensor implements Sensor {
+public final class RadarSensor implements AssessableSensor {
     private static final String UNIT = "dB";
 
     private final RadarSettings settings;
@@ -26,6 +32,7 @@ public final class RadarSensor implements Sensor {
 
     private World world;
     private VisibleShare visible;
+    private Cover cover;
 
     /** A radar of some settings. */
     public RadarSensor(RadarSettings settings) {
@@ -35,32 +42,64 @@ public final class RadarSensor implements Sensor {
 
     @Override
     public List<Observation> observe(World site, List<Drone> drones, Sample sample) {
+        enter(site);
+        return drones.stream().map(drone -> look(drone, sample)).toList();
+    }
+
+    private void enter(World site) {
         if (site != world) {
             world = site;
             visible = new VisibleShare(site, settings.position());
+            cover = new Cover(site, settings.position());
         }
-        return drones.stream().map(drone -> look(drone, sample)).toList();
+    }
+
+    @Override
+    public Signal signal(World site, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
+        enter(site);
+        return signal(drone, crossSection(drone, visibleShare(drone)));
+    }
+
+    @Override
+    public Explanation explainMiss(World site, Drone drone, Optional<Pointing> pointing) {
+        enter(site);
+        return field.miss(drone)
+                .orElseGet(() ->
+                        cover.explain(drone, visible.of(drone) == 0.0, () -> signal(drone, crossSection(drone, 1.0))
+                                .isDetected()));
+    }
+
+    /** Of what shows of a drone, and is looked for. */
+    private Signal signal(Drone drone, double area) {
+        RadarSignature.Fluctuation fluctuation = drone.settings().radar().fluctuation();
+        double echo = echo(drone, area);
+        double probability = settings.detection().probability(echo, fluctuation);
+        return Signal.of(probability, echo, UNIT, settings.detection().evenThreshold(fluctuation));
+    }
+
+    /** How much of a drone shows, 0 to 1; 0 for one that the radar does not look for. */
+    private double visibleShare(Drone drone) {
+        return field.miss(drone).isPresent() ? 0.0 : visible.of(drone);
+    }
+
+    private double crossSection(Drone drone, double share) {
+        return share * drone.settings().radar().towards(aspect(drone));
     }
 
     private Observation look(Drone drone, Sample sample) {
         Position place = Position.of(drone.position());
-        double range = Math.max(place.distance(settings.position()), Double.MIN_NORMAL);
-        Position way = place.minus(settings.position());
-        double speed = field.radialSpeed(drone);
-        double share = field.contains(way) && field.hasSpeed(speed) ? visible.of(drone) : 0.0;
-        double area = share * drone.settings().radar().towards(aspect(drone));
-        double echo = echo(way, range, area);
+        double share = visibleShare(drone);
+        double area = crossSection(drone, share);
+        double echo = echo(drone, area);
 
+        RadarSignature.Fluctuation fluctuation = drone.settings().radar().fluctuation();
         Map<String, Double> figures = new LinkedHashMap<>();
-        figures.put("radial_speed_m_per_s", speed);
-        figures.put("in_field", field.contains(way) ? 1.0 : 0.0);
+        figures.put("radial_speed_m_per_s", field.radialSpeed(drone));
+        figures.put("in_field", field.contains(place.minus(settings.position())) ? 1.0 : 0.0);
         figures.put("visible_share", share);
         figures.put("cross_section_m2", area);
-        double threshold = settings.detection()
-                .threshold(drone.settings().radar().fluctuation(), sample.random(drone.id(), Sample.DETECTION));
-        figures.put(
-                Observation.PROBABILITY,
-                settings.detection().probability(echo, drone.settings().radar().fluctuation()));
+        figures.put(Observation.PROBABILITY, settings.detection().probability(echo, fluctuation));
+        double threshold = settings.detection().threshold(fluctuation, sample.random(drone.id(), Sample.DETECTION));
         Optional<Sighting> sighting = echo >= threshold
                 ? Optional.of(settings.accuracy()
                         .sighting(settings.position(), place, sample.random(drone.id(), Sample.ERROR)))
@@ -72,7 +111,7 @@ public final class RadarSensor implements Sensor {
                 sample.index(),
                 sample.time(),
                 sample.time(),
-                range,
+                range(drone),
                 echo,
                 threshold,
                 UNIT,
@@ -80,11 +119,17 @@ public final class RadarSensor implements Sensor {
                 sighting);
     }
 
+    private double range(Drone drone) {
+        return Math.max(Position.of(drone.position()).distance(settings.position()), Double.MIN_NORMAL);
+    }
+
     /** Signal-to-noise ratio of an echo, dB, with what the rain takes on both ways. */
-    private double echo(Position way, double range, double area) {
+    private double echo(Drone drone, double area) {
         if (area == 0.0) {
             return Double.NEGATIVE_INFINITY;
         }
+        Position way = Position.of(drone.position()).minus(settings.position());
+        double range = range(drone);
         double elevation = Math.asin(Math.max(-1.0, Math.min(1.0, way.z() / range)));
         double rain = Rain.attenuation(settings.frequency(), world.rain(), elevation, settings.polarisation());
         return settings.budget().signalToNoise(settings.frequency(), area, range) - 2.0 * rain * range;

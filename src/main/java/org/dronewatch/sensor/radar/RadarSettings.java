@@ -162,14 +162,19 @@ public record RadarSettings(
 
     @Override
     public Optional<Outline> outline() {
+        return Optional.of(sector());
+    }
+
+    /** The space that it looks into. */
+    Outline.Sector sector() {
         Position axis = aim.from(position);
-        return Optional.of(new Outline.Sector(
+        return new Outline.Sector(
                 Math.atan2(axis.x(), axis.y()),
                 Math.atan2(axis.z(), Math.hypot(axis.x(), axis.y())),
                 azimuthWidth,
                 elevationWidth,
                 minRange,
-                maxRange));
+                maxRange);
     }
 
     @Override

@@ -1,7 +1,9 @@
 package org.dronewatch.sensor.rf;
 
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
 /**
@@ -55,6 +57,19 @@ public final class RadioPath {
         if (!(length > 0.0)) {
             return 0.0;
         }
+        return knifeEdgeLoss(parameter(from, to, length, highest(from, to, length, frequency), frequency));
+    }
+
+    /** The model with the highest edge between two places; empty where nothing is below the line. */
+    Optional<Obstacle> obstacle(Position from, Position to, double frequency) {
+        double length = from.distance(to);
+        boolean found = length > 0.0
+                && Double.isFinite(parameter(from, to, length, highest(from, to, length, frequency), frequency));
+        return found ? Optional.of(world.obstacle(traversal.triangle())) : Optional.empty();
+    }
+
+    /** The share of the way at which the highest edge stands, above 0 and below 1. */
+    private double highest(Position from, Position to, double length, double frequency) {
         double worst = Double.NEGATIVE_INFINITY;
         double at = 0.5;
         for (int i = 1; i < STEPS; i++) {
@@ -67,13 +82,18 @@ public final class RadioPath {
         }
         // Once more, finely, about the worst: edges are sharp.
         double step = 1.0 / STEPS;
+        double middle = at;
         for (int i = -STEPS / 2; i <= STEPS / 2; i++) {
-            double share = at + 2.0 * i * step / STEPS;
-            if (share > 0.0 && share < 1.0) {
-                worst = Math.max(worst, parameter(from, to, length, share, frequency));
+            double share = middle + 2.0 * i * step / STEPS;
+            double v = share > 0.0 && share < 1.0
+                    ? parameter(from, to, length, share, frequency)
+                    : Double.NEGATIVE_INFINITY;
+            if (v > worst) {
+                worst = v;
+                at = share;
             }
         }
-        return knifeEdgeLoss(worst);
+        return at;
     }
 
     /** {@code v = h sqrt(2 (d1 + d2) / (wavelength d1 d2))} of the site's highest point at a share of the way. */

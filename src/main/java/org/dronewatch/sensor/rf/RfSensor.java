@@ -3,23 +3,32 @@ package org.dronewatch.sensor.rf;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.AssessableSensor;
+import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
-import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.Signal;
+import org.dronewatch.world.Obstacle;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
  * A radio receiver. Its value is the signal-to-noise ratio of the stronger of a drone's own emission and its pilot's; minus
  * infinity for a drone that is silent, and for a carrier that it does not hear. Keeps scratch memory: one thread at a time.
  */
-public final class RfSensor implements Sensor {
+public final class RfSensor implements AssessableSensor {
     private static final String UNIT = "dB";
 
     private final RfSettings settings;
     private RadioPath path;
+    private Visibility visibility;
 
     /** A receiver of some settings. */
     public RfSensor(RfSettings settings) {
@@ -28,17 +37,54 @@ public final class RfSensor implements Sensor {
 
     @Override
     public List<Observation> observe(World world, List<Drone> drones, Sample sample) {
-        if (path == null || path.world() != world) {
-            path = new RadioPath(world);
-        }
+        enter(world);
         return drones.stream().map(drone -> listen(drone, sample)).toList();
     }
 
-    private Observation listen(Drone drone, Sample sample) {
+    private void enter(World world) {
+        if (path == null || path.world() != world) {
+            path = new RadioPath(world);
+            visibility = new Visibility(world);
+        }
+    }
+
+    @Override
+    public Signal signal(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
+        enter(world);
+        return Signal.certain(Math.max(ofDrone(drone), ofPilot(drone)), UNIT, settings.threshold());
+    }
+
+    /**
+     * Waves go round edges, so that none is hidden by standing behind something: only if the stronger of both emissions
+     * would be heard without the loss at the edge.
+     */
+    @Override
+    public Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing) {
+        enter(world);
         RadioLink link = drone.settings().radio();
-        double ofDrone = ratio(link, Position.of(drone.position()), link.power());
-        double ofPilot =
-                link.pilot().map(place -> ratio(link, place, link.pilotPower())).orElse(Double.NEGATIVE_INFINITY);
+        if (!settings.hears(link)) {
+            return Explanation.of(Cause.SILENT);
+        }
+        Position from = Position.of(drone.position());
+        double strongest = link.power() - spreading(link, from);
+        if (link.pilot().isPresent()) {
+            double ofPilot = link.pilotPower() - spreading(link, link.pilot().get());
+            from = ofPilot > strongest ? link.pilot().get() : from;
+            strongest = Math.max(strongest, ofPilot);
+        }
+        if (strongest + settings.gain() - settings.noise() < settings.threshold()) {
+            return Explanation.of(Cause.TOO_WEAK);
+        }
+        Position emitter = from;
+        Optional<Obstacle> before = visibility.obstacle(settings.position(), emitter);
+        return before.or(() -> path.obstacle(emitter, settings.position(), link.frequency()))
+                .map(Explanation::hiddenBy)
+                .orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
+    }
+
+    private Observation listen(Drone drone, Sample sample) {
+        double ofDrone = ofDrone(drone);
+        double ofPilot = ofPilot(drone);
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("drone_snr_db", ofDrone);
         figures.put("pilot_snr_db", ofPilot);
@@ -56,18 +102,35 @@ public final class RfSensor implements Sensor {
                 figures);
     }
 
+    private double ofDrone(Drone drone) {
+        RadioLink link = drone.settings().radio();
+        return ratio(link, Position.of(drone.position()), link.power());
+    }
+
+    private double ofPilot(Drone drone) {
+        RadioLink link = drone.settings().radio();
+        return link.pilot().map(place -> ratio(link, place, link.pilotPower())).orElse(Double.NEGATIVE_INFINITY);
+    }
+
     /** Signal-to-noise ratio of an emission from a place, dB. */
     private double ratio(RadioLink link, Position from, double power) {
-        double carrier = link.frequency();
-        if (!link.emits() || carrier < settings.lowest() || carrier > settings.highest()) {
+        if (!settings.hears(link)) {
             return Double.NEGATIVE_INFINITY;
         }
-        // In the near field the formula means nothing; nearer than a metre is as good as a metre.
-        double distance = Math.max(1.0, from.distance(settings.position()));
-        double loss = RadioPath.freeSpaceLoss(distance, carrier)
-                + path.obstacleLoss(from, settings.position(), carrier)
+        double loss = RadioPath.freeSpaceLoss(distance(from), link.frequency())
+                + path.obstacleLoss(from, settings.position(), link.frequency())
                 + settings.clutter();
         return power + settings.gain() - loss - settings.noise();
+    }
+
+    /** What an emission loses if nothing stands in its way, dB. */
+    private double spreading(RadioLink link, Position from) {
+        return RadioPath.freeSpaceLoss(distance(from), link.frequency()) + settings.clutter();
+    }
+
+    /** In the near field the formula means nothing; nearer than a metre is as good as a metre. */
+    private double distance(Position from) {
+        return Math.max(1.0, from.distance(settings.position()));
     }
 
     /** What this receiver was made from. */

@@ -83,6 +83,11 @@ public record RfSettings(
         return new RfSettings(position, rate, lowest, highest, gain, bandwidth, noiseFigure, clutter, decibels);
     }
 
+    /** Whether a link emits on a frequency that it receives. */
+    boolean hears(RadioLink link) {
+        return link.emits() && link.frequency() >= lowest && link.frequency() <= highest;
+    }
+
     /** Power of the noise in it, dBm. */
     public double noise() {
         return THERMAL + 10.0 * Math.log10(bandwidth) + noiseFigure;

@@ -1,0 +1,133 @@
+package org.dronewatch.sensor.rf;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.dronewatch.sensor.Walls.assess;
+import static org.dronewatch.sensor.Walls.behind;
+import static org.dronewatch.sensor.Walls.block;
+import static org.dronewatch.sensor.Walls.cube;
+import static org.dronewatch.sensor.Walls.look;
+import static org.dronewatch.sensor.Walls.open;
+import static org.dronewatch.sensor.Walls.wall;
+
+import java.util.SplittableRandom;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.RadioLink;
+import org.dronewatch.flight.FlightPathSettings.Hover;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.mesh.io.ModelRole;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** What a radio receiver has of a drone, and why that is not enough. */
+class RfAssessmentTest {
+    private static final Position ANTENNA = new Position(0, 0, 0);
+    private static final RfSettings RECEIVER = RfSettings.at(ANTENNA);
+
+    private static Drone emitting(Position place, RadioLink link) {
+        DroneSettings settings =
+                DroneSettings.of(ModelSettings.of("cube.obj"), Hover.at(place)).withRadio(link);
+        return cube(settings, place, new Position(0, 0, 0));
+    }
+
+    private static Drone emitting(double north) {
+        return emitting(new Position(0, north, 0), RadioLink.DEFAULT);
+    }
+
+    /** How far the default link is heard in free space, m. */
+    private static double reach() {
+        double room = 20.0 - RECEIVER.noise() - RECEIVER.threshold();
+        return Math.pow(10.0, (room - RadioPath.freeSpaceLoss(1.0, 2.4e9)) / 20.0);
+    }
+
+    @Test
+    void inTheOpenItIsHeardUpToTheRangeOfTheLinkBudget() {
+        assertThat(assess(RECEIVER, open(), emitting(0.99 * reach())).cause()).isEqualTo(Cause.DETECTED);
+        Assessment weak = assess(RECEIVER, open(), emitting(1.1 * reach()));
+        assertThat(weak.cause()).isEqualTo(Cause.TOO_WEAK);
+        assertThat(weak.margin()).isCloseTo(-20.0 * Math.log10(1.1), within(1e-9));
+        assertThat(weak.probability()).isZero();
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = RadioLink.Control.class,
+            mode = EnumSource.Mode.EXCLUDE,
+            names = {"RADIO"})
+    void aDroneThatEmitsNothingIsSilentEvenBehindAWall(RadioLink.Control control) {
+        Drone drone = emitting(new Position(0, 100, 0), RadioLink.DEFAULT.withControl(control));
+
+        assertThat(assess(RECEIVER, open(), drone).cause()).isEqualTo(Cause.SILENT);
+        assertThat(assess(RECEIVER, behind(wall(50, -9, 9), ModelRole.TERRAIN), drone)
+                        .cause())
+                .isEqualTo(Cause.SILENT);
+    }
+
+    @Test
+    void aCarrierThatItDoesNotReceiveIsSilence() {
+        Drone drone = emitting(new Position(0, 100, 0), RadioLink.DEFAULT.withFrequency(433e6));
+
+        assertThat(assess(RECEIVER, open(), drone).cause()).isEqualTo(Cause.DETECTED);
+        assertThat(assess(RECEIVER.withFrequencies(2e9, 6e9), open(), drone).cause())
+                .isEqualTo(Cause.SILENT);
+    }
+
+    @ParameterizedTest
+    @EnumSource(ModelRole.class)
+    void aDroneIsHiddenOnlyWhereTheEdgeTakesWhatIsMissing(ModelRole role) {
+        World world = behind(block(500, 2), role);
+
+        assertThat(assess(RECEIVER, world, emitting(0.2 * reach())).cause()).isEqualTo(Cause.DETECTED);
+        Assessment hidden = assess(RECEIVER, world, emitting(0.9 * reach()));
+        assertThat(hidden.cause()).isEqualTo(Cause.hiddenBy(role));
+        assertThat(hidden.obstacle().orElseThrow().model().file()).isEqualTo("wall.obj");
+        assertThat(hidden.quantity()).isFinite();
+        assertThat(assess(RECEIVER, world, emitting(1.1 * reach())).cause()).isEqualTo(Cause.TOO_WEAK);
+    }
+
+    /** An edge just below the line takes 6 dB without touching it. */
+    @Test
+    void anEdgeBelowTheLineHidesToo() {
+        World world = behind(block(500, -0.01), ModelRole.VEGETATION);
+
+        Assessment hidden = assess(RECEIVER, world, emitting(0.9 * reach()));
+
+        assertThat(hidden.cause()).isEqualTo(Cause.HIDDEN_BY_VEGETATION);
+        assertThat(hidden.obstacle().orElseThrow().model().file()).isEqualTo("wall.obj");
+    }
+
+    /** The pilot is nearer and stronger: what hides the pilot counts. */
+    @Test
+    void theStrongerOfDroneAndPilotSaysWhatHides() {
+        World world = behind(block(500, 99), ModelRole.BUILDING);
+        Drone drone = emitting(
+                new Position(0, -3 * reach(), 0), RadioLink.DEFAULT.withPilot(new Position(0, 0.9 * reach(), 0)));
+
+        assertThat(assess(RECEIVER, world, drone).cause()).isEqualTo(Cause.HIDDEN_BY_BUILDING);
+        assertThat(assess(RECEIVER, open(), drone).cause()).isEqualTo(Cause.DETECTED);
+    }
+
+    @Test
+    void aLookAndAnAssessmentAgreeToTheLastBit() {
+        SplittableRandom random = new SplittableRandom(3);
+        World world = behind(block(300, 5), ModelRole.TERRAIN);
+        for (int i = 0; i < 50; i++) {
+            Position place = new Position(
+                    random.nextDouble(-500, 500), random.nextDouble(0, 2 * reach()), random.nextDouble(0, 200));
+            Drone drone = emitting(place, RadioLink.DEFAULT);
+            Observation look = look(RECEIVER, world, drone, i);
+            Assessment one = assess(RECEIVER, world, drone);
+            assertThat(one.quantity()).isEqualTo(look.value());
+            assertThat(one.threshold()).isEqualTo(look.threshold());
+            assertThat(one.probability()).isEqualTo(look.isDetected() ? 1.0 : 0.0);
+            assertThat(one.cause() == Cause.DETECTED).isEqualTo(look.isDetected());
+        }
+    }
+}
