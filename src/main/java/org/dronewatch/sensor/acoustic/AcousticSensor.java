@@ -4,15 +4,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
+import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.acoustic.energy.DecayCurve;
 import org.dronewatch.sensor.acoustic.energy.EnergyReading;
 import org.dronewatch.sensor.acoustic.energy.EnergyTracer;
@@ -23,14 +28,19 @@ import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sensor.acoustic.propagation.EnergyModel.Criterion;
 import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sound.BandLevels;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
  * A microphone that hears each drone for itself. By the level model its value is the best undivided level received. By the
  * energy model it is the A-weighted sound pressure level, or the signal-to-noise ratio of the best band, and the drones are
  * to be given as they were when the sound left them. Keeps scratch memory: one thread at a time.
+ *
+ * <p>By the energy model an assessment and a look of the same random numbers agree exactly; the probability is 0 or 1. By the
+ * level model a look traces once, and where that may go one way or the other, an assessment is the fraction of 32 traces,
+ * marked as estimated: then the look's value may differ from the assessment's.
  */
-public final class AcousticSensor implements RaySensor, CurveSensor {
+public final class AcousticSensor implements RaySensor, CurveSensor, AssessableSensor {
     private static final String UNIT = "dB";
 
     /** Share of its first energy down to which a ray is followed for sure when a decay curve is drawn. */
@@ -49,6 +59,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
     private World heard;
     private LevelTracer levels;
     private EnergyTracer energies;
+    private Visibility visibility;
 
     /** A sensor of some settings. */
     public AcousticSensor(AcousticSettings settings) {
@@ -76,6 +87,12 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
     private Observation observe(World world, Drone drone, Sample sample, Criterion criterion) {
         EnergyReading reading = read(world, drone, sample.random(drone.id(), RAYS));
         BandLevels background = world.backgroundNoise().spectrum();
+        Signal signal = signal(reading, background, criterion);
+        double emission = sample.time() - drone.distance(settings.position()) / settings.signalSpeed(world);
+        return observation(sample, drone, emission, signal.quantity(), signal.threshold(), reading.figures(background));
+    }
+
+    private Signal signal(EnergyReading reading, BandLevels background, Criterion criterion) {
         double value = reading.aWeightedLevel();
         double over = background.aWeighted();
         if (criterion == Criterion.BEST_BAND) {
@@ -83,8 +100,41 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
             value = reading.level(band) - background.level(band);
             over = 0.0;
         }
-        double emission = sample.time() - drone.distance(settings.position()) / settings.signalSpeed(world);
-        return observation(sample, drone, emission, value, settings.detectionLevel(over), reading.figures(background));
+        double threshold = settings.detectionLevel(over);
+        return new Signal(value >= threshold ? 1.0 : 0.0, value, UNIT, threshold, reading.standardError(), 0.0);
+    }
+
+    @Override
+    public Signal signal(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
+        if (settings.propagation() instanceof EnergyModel model) {
+            BandLevels background = world.backgroundNoise().spectrum();
+            return signal(read(world, drone, rayRandom), background, model.criterion());
+        }
+        return AcousticAssessment.byLevel(
+                straightLevel(drone),
+                settings.detectionLevel(world.backgroundNoise().level()),
+                rayRandom,
+                rays -> listen(world, drone, rays));
+    }
+
+    @Override
+    public Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing) {
+        hear(world);
+        return AcousticAssessment.explainMiss(visibility, settings.position(), drone, isHeardInTheOpen(world, drone));
+    }
+
+    private boolean isHeardInTheOpen(World world, Drone drone) {
+        if (settings.propagation() instanceof EnergyModel model) {
+            EnergyReading open = energies.inTheOpen(sound(drone));
+            return signal(open, world.backgroundNoise().spectrum(), model.criterion())
+                    .isDetected();
+        }
+        return straightLevel(drone)
+                >= settings.detectionLevel(world.backgroundNoise().level());
+    }
+
+    private double straightLevel(Drone drone) {
+        return AcousticAssessment.straightLevel((LevelModel) settings.propagation(), settings.position(), drone);
     }
 
     private Observation observation(
@@ -205,6 +255,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor {
             return;
         }
         heard = world;
+        visibility = new Visibility(world);
         if (settings.propagation() instanceof LevelModel model) {
             levels = new LevelTracer(
                     model,

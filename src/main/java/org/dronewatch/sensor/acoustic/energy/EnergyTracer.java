@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
@@ -100,6 +101,20 @@ public final class EnergyTracer {
             }
         }
         return reading(source, traced);
+    }
+
+    /**
+     * What would be heard if nothing stood in the way and nothing reflected: spreading and air alone. Exact.
+     *
+     * @param drone the drone's sound
+     */
+    public EnergyReading inTheOpen(SoundSource drone) {
+        SoundSource source = drone.at(clearance.of(drone.place()));
+        double[] heard = exact.inTheOpen(source, sensor);
+        List<Double> nothing = Collections.nCopies(OctaveBands.COUNT, 0.0);
+        EnergyAudit unsent = new EnergyAudit(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+        return new EnergyReading(
+                energies(source, band -> heard[band]), nothing, nothing, nothing, 0, 0.0, unsent, new DecayCurve());
     }
 
     /** As long as no ray has brought anything, nothing is known of what they might bring. */

@@ -96,6 +96,17 @@ final class ExactPaths {
         direct.add(way, heard);
     }
 
+    /** What would come straight in each band if nothing stood in the way. */
+    double[] inTheOpen(SoundSource source, Position sensor) {
+        double way = Math.max(source.place().distance(sensor), OWN);
+        double rise = (sensor.z() - source.place().z()) / way;
+        double[] open = new double[BANDS];
+        for (int band = 0; band < BANDS; band++) {
+            open[band] = spread(source, band, rise, way);
+        }
+        return open;
+    }
+
     /** Power in a band that leaves at an elevation, spread over the sphere after a way. */
     private double spread(SoundSource source, int band, double rise, double way) {
         return source.share(band) * source.factor(band, rise) * air.left(band, way) / (4.0 * Math.PI * way * way);

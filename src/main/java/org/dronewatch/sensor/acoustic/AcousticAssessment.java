@@ -1,0 +1,81 @@
+package org.dronewatch.sensor.acoustic;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.random.RandomGenerator;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Explanation;
+import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.acoustic.level.Listening;
+import org.dronewatch.sensor.acoustic.propagation.LevelModel;
+import org.dronewatch.world.Visibility;
+
+/** What a microphone by the level model has of a drone before chance decides, and what hides drones from any microphone. */
+final class AcousticAssessment {
+    /** How many times a look is repeated where it depends on its rays. */
+    private static final int TRACES = 32;
+
+    private static final String UNIT = "dB";
+
+    private AcousticAssessment() {}
+
+    /** One look of the level model. */
+    interface Look {
+        /** Traces until the first ray that is loud enough. */
+        Listening listen(RandomGenerator rays);
+    }
+
+    /** The level that comes straight from a drone if nothing stands in the way, dB. */
+    static double straightLevel(LevelModel model, Position sensor, Drone drone) {
+        return drone.soundLevel()
+                - model.attenuation() * Position.of(drone.position()).distance(sensor);
+    }
+
+    /**
+     * The signal by the level model: certain where the straight ray is loud enough, which is traced first, and where even
+     * that would be too quiet; estimated from some looks otherwise. The first of these is the look of a run with the same
+     * random numbers. The quantity of an estimate is the median of the best levels, the upper of the two in the middle, so
+     * that it reaches the threshold when half of the looks do.
+     */
+    static Signal byLevel(double straightLevel, double threshold, RandomGenerator rays, Look look) {
+        if (straightLevel < threshold) {
+            return Signal.certain(straightLevel, UNIT, threshold);
+        }
+        Listening first = look.listen(rays);
+        if (first.detected() && first.traced() == 1) {
+            return Signal.certain(first.bestLevel(), UNIT, threshold);
+        }
+        double[] levels = new double[TRACES];
+        levels[0] = first.bestLevel();
+        int hits = first.detected() ? 1 : 0;
+        for (int i = 1; i < TRACES; i++) {
+            Listening next = look.listen(rays);
+            levels[i] = next.bestLevel();
+            hits += next.detected() ? 1 : 0;
+        }
+        Arrays.sort(levels);
+        double probability = (double) hits / TRACES;
+        return new Signal(probability, levels[TRACES / 2], UNIT, threshold, 0.0, error(hits));
+    }
+
+    /**
+     * Standard error of a fraction of looks: the standard deviation of the beta distribution that they leave of a
+     * probability of which nothing was known, so that it is above 0 for none and for all.
+     */
+    private static double error(int hits) {
+        double no = TRACES - hits + 1.0;
+        double all = TRACES + 2.0;
+        return Math.sqrt((hits + 1.0) * no / (all * all * (all + 1.0)));
+    }
+
+    /** Sound comes by other ways, too: a drone behind something is hidden only if it would be heard in the open. */
+    static Explanation explainMiss(Visibility visibility, Position sensor, Drone drone, boolean heardInTheOpen) {
+        return Optional.of(heardInTheOpen)
+                .filter(heard -> heard)
+                .flatMap(heard -> visibility.obstacle(sensor, Position.of(drone.position())))
+                .map(Explanation::hiddenBy)
+                .orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
+    }
+}
