@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import me.tongfei.progressbar.ProgressBar;
 import org.dronewatch.bench.KernelBench;
-import org.dronewatch.bench.Measurement;
 import org.dronewatch.bench.RayFile;
 import org.dronewatch.bench.RayGenerator;
 import org.dronewatch.bench.RaySet;
+import org.dronewatch.bench.TracingSpeed;
 import org.dronewatch.bench.TraversalKind;
 import org.dronewatch.kdtree.KDTreeStats;
 import org.dronewatch.mesh.io.LoadedModel;
@@ -137,7 +137,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     private void measure(KernelBench bench, RaySet set) {
-        Measurement measured;
+        TracingSpeed measured;
         try (ProgressBar bar = Progress.barOf(set.name(), 1 + passes)) {
             measured = bench.measure(set, passes, name -> {
                 if (bar != null) {

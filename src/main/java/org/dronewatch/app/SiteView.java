@@ -15,7 +15,7 @@ import org.dronewatch.render.Fineness;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.render.RayCollector;
 import org.dronewatch.render.RayFilter;
-import org.dronewatch.render.RaySet;
+import org.dronewatch.render.RecordedRays;
 import org.dronewatch.render.RunHistory;
 import org.dronewatch.render.SitePicture;
 import org.dronewatch.render.SiteStyle;
@@ -191,7 +191,7 @@ final class SiteView {
         Orbit orbit = orbit(picture.frame(), settings, stage.dronesAt(first), from, aspect);
         Backdrop backdrop = picture.backdrop(orbit, pixels[0], pixels[1], taken, Fineness.FINE, () -> false);
         RayFilter filter = new RayFilter(0, maxOrder == null ? Integer.MAX_VALUE : maxOrder, heardOnly);
-        Optional<RaySet> traced = traced(settings, stage, first);
+        Optional<RecordedRays> traced = traced(settings, stage, first);
         SiteStyle style = SiteStyle.DEFAULT.withScale(scale).withFilter(filter);
         return time -> picture.draw(
                 backdrop,
@@ -229,7 +229,7 @@ final class SiteView {
         return orbit.at(place).showing(Math.max(4.0, 0.25 * box.diagonal()));
     }
 
-    private Optional<RaySet> traced(SceneSettings settings, Stage stage, double time) {
+    private Optional<RecordedRays> traced(SceneSettings settings, Stage stage, double time) {
         if (!rays) {
             return Optional.empty();
         }

@@ -55,7 +55,7 @@ public final class KernelBench {
      * @param progress is told when the warm-up is over, and after each pass that counts
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; it stays so
      */
-    public Measurement measure(RaySet set, int passes, Consumer<String> progress) {
+    public TracingSpeed measure(RaySet set, int passes, Consumer<String> progress) {
         distances = new float[set.count()];
         triangles = new int[set.count()];
         double[] rates = new double[passes];
@@ -73,7 +73,7 @@ public final class KernelBench {
         Arrays.sort(rates);
         int hits =
                 (int) Arrays.stream(triangles).filter(triangle -> triangle >= 0).count();
-        return new Measurement(
+        return new TracingSpeed(
                 set.name(), kind.of(set).toString(), set.count(), hits, rates[passes / 2], rates[0], rates[passes - 1]);
     }
 

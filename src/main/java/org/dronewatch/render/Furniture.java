@@ -187,7 +187,7 @@ final class Furniture {
      *
      * @param now time of the picture, s
      */
-    void levels(RaySet rays, RayFilter filter, double now) {
+    void levels(RecordedRays rays, RayFilter filter, double now) {
         LevelScale levels = rays.scale();
         g.setFont(font(Font.PLAIN, 12));
         FontMetrics metrics = g.getFontMetrics();

@@ -17,7 +17,7 @@ public final class RayCollector implements RayRecorder {
     private final String sensor;
     private final String drone;
     private final double time;
-    private float[] ends = new float[RaySet.ENDS * FIRST];
+    private float[] ends = new float[RecordedRays.ENDS * FIRST];
     private float[] levels = new float[FIRST];
     private int[] orders = new int[FIRST];
     private final BitSet received = new BitSet();
@@ -52,11 +52,11 @@ public final class RayCollector implements RayRecorder {
         }
         if (count == levels.length) {
             int size = Math.min(MOST, 2 * count);
-            ends = Arrays.copyOf(ends, RaySet.ENDS * size);
+            ends = Arrays.copyOf(ends, RecordedRays.ENDS * size);
             levels = Arrays.copyOf(levels, size);
             orders = Arrays.copyOf(orders, size);
         }
-        int at = RaySet.ENDS * count;
+        int at = RecordedRays.ENDS * count;
         ends[at] = (float) fromX;
         ends[at + 1] = (float) fromY;
         ends[at + 2] = (float) fromZ;
@@ -70,12 +70,12 @@ public final class RayCollector implements RayRecorder {
     }
 
     /** What has been collected. */
-    public RaySet toRays() {
-        return new RaySet(
+    public RecordedRays toRays() {
+        return new RecordedRays(
                 sensor,
                 drone,
                 time,
-                Arrays.copyOf(ends, RaySet.ENDS * count),
+                Arrays.copyOf(ends, RecordedRays.ENDS * count),
                 Arrays.copyOf(levels, count),
                 Arrays.copyOf(orders, count),
                 received,

@@ -14,13 +14,13 @@ public record RayFilter(int fewest, int most, boolean heardOnly) {
     public static final RayFilter ALL = new RayFilter(0, Integer.MAX_VALUE, false);
 
     /** Whether a piece is drawn. */
-    public boolean shows(RaySet rays, int piece) {
+    public boolean shows(RecordedRays rays, int piece) {
         int order = rays.order(piece);
         return order >= fewest && order <= most && (!heardOnly || rays.isHeard(piece));
     }
 
     /** The numbers of the pieces that are drawn; where those are more than a number, evenly chosen ones. */
-    int[] pieces(RaySet rays, int most) {
+    int[] pieces(RecordedRays rays, int most) {
         int[] all = IntStream.range(0, rays.count())
                 .filter(piece -> shows(rays, piece))
                 .toArray();
@@ -33,7 +33,7 @@ public record RayFilter(int fewest, int most, boolean heardOnly) {
     }
 
     /** How many pieces are drawn. */
-    public int count(RaySet rays) {
+    public int count(RecordedRays rays) {
         int shown = 0;
         for (int i = 0; i < rays.count(); i++) {
             shown += shows(rays, i) ? 1 : 0;

@@ -80,7 +80,7 @@ public final class SitePicture {
             BiPredicate<String, String> detects,
             Function<String, Optional<Pointing>> pointing,
             Optional<String> selected,
-            Optional<RaySet> rays) {
+            Optional<RecordedRays> rays) {
         Set<String> sensors = settings.enabledSensors().keySet();
         List<SensorMark> sensorMarks = new ArrayList<>();
         settings.enabledSensors()
@@ -239,13 +239,13 @@ public final class SitePicture {
     }
 
     /** A backdrop with rays, kept until others are asked for: rays stay as they are while time goes on. */
-    private record Rayed(Backdrop backdrop, RaySet rays, RayFilter filter, double pixel, Canvas canvas) {
-        boolean is(Backdrop other, RaySet otherRays, RayFilter otherFilter, double otherPixel) {
+    private record Rayed(Backdrop backdrop, RecordedRays rays, RayFilter filter, double pixel, Canvas canvas) {
+        boolean is(Backdrop other, RecordedRays otherRays, RayFilter otherFilter, double otherPixel) {
             return backdrop == other && rays == otherRays && filter.equals(otherFilter) && pixel == otherPixel;
         }
     }
 
-    private Canvas withRays(Backdrop backdrop, RaySet rays, RayFilter filter, double pixel) {
+    private Canvas withRays(Backdrop backdrop, RecordedRays rays, RayFilter filter, double pixel) {
         Rayed known = rayed;
         if (known == null || !known.is(backdrop, rays, filter, pixel)) {
             Canvas canvas = backdrop.canvas().copy();
@@ -259,7 +259,7 @@ public final class SitePicture {
 
     /** The more rays there are, the paler each is drawn; those that are heard last, over the others. */
     private static void drawRays(
-            CameraObject camera, Cut cut, Canvas canvas, RaySet rays, RayFilter filter, double pixel, int most) {
+            CameraObject camera, Cut cut, Canvas canvas, RecordedRays rays, RayFilter filter, double pixel, int most) {
         int[] shown = filter.pieces(rays, most);
         double share = shown.length > 20_000 ? 0.35 : shown.length > 2_000 ? 0.55 : 0.85;
         int bands = Math.min(canvas.height, Workers.available());

@@ -19,7 +19,7 @@ public record SiteState(
         List<SensorMark> sensors,
         List<DroneMark> drones,
         Optional<String> selected,
-        Optional<RaySet> rays) {
+        Optional<RecordedRays> rays) {
     /** Keeps its own lists. */
     public SiteState {
         sensors = List.copyOf(sensors);

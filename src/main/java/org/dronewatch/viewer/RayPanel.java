@@ -18,7 +18,7 @@ import javax.swing.SpinnerNumberModel;
 import javax.swing.SwingUtilities;
 import org.dronewatch.render.RayCollector;
 import org.dronewatch.render.RayFilter;
-import org.dronewatch.render.RaySet;
+import org.dronewatch.render.RecordedRays;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
@@ -38,9 +38,9 @@ final class RayPanel extends JPanel {
     private final transient Latest tracing;
     private final transient Playback playback;
     private final transient Consumer<RayFilter> filtered;
-    private transient Consumer<Optional<RaySet>> traced = rays -> {};
+    private transient Consumer<Optional<RecordedRays>> traced = rays -> {};
     private transient Stage stage;
-    private transient RaySet rays;
+    private transient RecordedRays rays;
     private int drawn;
 
     /**
@@ -78,7 +78,7 @@ final class RayPanel extends JPanel {
     }
 
     /** Is given the rays to draw. */
-    void onTraced(Consumer<Optional<RaySet>> target) {
+    void onTraced(Consumer<Optional<RecordedRays>> target) {
         traced = target;
     }
 
@@ -106,12 +106,12 @@ final class RayPanel extends JPanel {
         tracing.ask(outdated -> {
             RayCollector collector = new RayCollector(sensor, drone, time);
             tracedStage.traceRays(time, sensor, drone, collector);
-            RaySet set = collector.toRays();
+            RecordedRays set = collector.toRays();
             SwingUtilities.invokeLater(() -> take(set));
         });
     }
 
-    private void take(RaySet set) {
+    private void take(RecordedRays set) {
         rays = set;
         if (set == null) {
             count.setText("No rays are drawn.");

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.render.RaySet;
+import org.dronewatch.render.RecordedRays;
 import org.dronewatch.render.SitePicture;
 import org.dronewatch.render.SiteState;
 import org.dronewatch.run.Stage;
@@ -42,7 +42,7 @@ final class ViewedRun {
     }
 
     /** What is in the site at a time. */
-    SiteState state(double time, Optional<String> selected, Optional<RaySet> rays) {
+    SiteState state(double time, Optional<String> selected, Optional<RecordedRays> rays) {
         return picture.state(
                 title,
                 time,

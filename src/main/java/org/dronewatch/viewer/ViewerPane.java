@@ -13,7 +13,7 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
 import org.dronewatch.render.Cut;
-import org.dronewatch.render.RaySet;
+import org.dronewatch.render.RecordedRays;
 import org.dronewatch.render.SiteState;
 import org.dronewatch.setting.InputException;
 
@@ -35,7 +35,7 @@ final class ViewerPane extends JPanel {
     private final SiteSection site;
     private final CameraPanel cameras;
     private final TimeLine timeLine = new TimeLine(playback);
-    private final transient RunTables tables = new RunTables(this::select);
+    private final transient RunTablesPanel tables = new RunTablesPanel(this::select);
     private final RayPanel rayPanel;
     private final LogPanel log = new LogPanel();
     private final ControlBar controls;
@@ -48,7 +48,7 @@ final class ViewerPane extends JPanel {
     private transient ViewedRun viewed;
     private transient RecordedRun awaited;
     private String selected;
-    private transient RaySet rays;
+    private transient RecordedRays rays;
     private boolean changed = true;
     private double sinceTables;
     private double shownTime = Double.NaN;
@@ -292,7 +292,7 @@ final class ViewerPane extends JPanel {
         return Optional.ofNullable(selected);
     }
 
-    Optional<RaySet> rays() {
+    Optional<RecordedRays> rays() {
         return Optional.ofNullable(rays);
     }
 

@@ -125,13 +125,13 @@ class ShippedModelsTest {
     void theFiguresOfTheReadmeAreTrue() throws IOException {
         String readme = Files.readString(SHIPPED.resolve("README.md"));
         Mesh quadrotor = QuadrotorModel.mesh();
-        for (Silhouette.View view : Silhouette.View.values()) {
+        for (ProjectedArea.View view : ProjectedArea.View.values()) {
             assertThat(readme)
                     .contains(String.format(
                             Locale.ROOT,
                             "| %s | %.4f |",
                             view.name().toLowerCase(Locale.ROOT),
-                            Silhouette.area(quadrotor, view)));
+                            ProjectedArea.area(quadrotor, view)));
         }
         for (ModelCatalogue model : ModelCatalogue.all()) {
             Mesh mesh = model.mesh();

@@ -59,7 +59,7 @@ class SitePictureTest {
         return pictures.backdrop(orbit, WIDTH, HEIGHT, cut, fineness, () -> false);
     }
 
-    private SiteState state(List<DroneMark> drones, RaySet rays) {
+    private SiteState state(List<DroneMark> drones, RecordedRays rays) {
         return new SiteState("yard", 0.0, List.of(), drones, Optional.empty(), Optional.ofNullable(rays));
     }
 
@@ -242,7 +242,7 @@ class SitePictureTest {
         Position to = new Position(8, -6, 6);
         collector.record(from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), 42.0, 0, true);
         collector.record(-8, -6, 6, 8, -6, 1, 31.0, 1, false);
-        RaySet rays = collector.toRays();
+        RecordedRays rays = collector.toRays();
         LevelScale levels = rays.scale();
         BufferedImage image =
                 pictures.draw(backdrop(SOUTH, Optional.empty(), Fineness.FINE).flat(), state(List.of(), rays), BARE);

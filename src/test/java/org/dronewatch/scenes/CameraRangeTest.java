@@ -12,7 +12,7 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.models.Mesh;
 import org.dronewatch.models.ModelCatalogue;
 import org.dronewatch.models.Point;
-import org.dronewatch.models.Silhouette;
+import org.dronewatch.models.ProjectedArea;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
@@ -32,7 +32,7 @@ class CameraRangeTest {
     /** Ranges of first detection when the scene was made, m: they change only with the model or the scene. */
     private static final double[] RANGES = {145.0, 119.5, 93.5, 67.0, 38.5};
 
-    private static final double FRONT = Silhouette.area(ModelCatalogue.QUADROTOR.mesh(), Silhouette.View.FRONT);
+    private static final double FRONT = ProjectedArea.area(ModelCatalogue.QUADROTOR.mesh(), ProjectedArea.View.FRONT);
 
     private final SceneRunner runner = new SceneRunner(new CameraRange());
 
@@ -123,7 +123,7 @@ class CameraRangeTest {
         List<Point> projected = mesh.vertices().stream()
                 .map(p -> new Point(p.x() * distance / (distance + p.z()), p.y() * distance / (distance + p.z()), 0))
                 .toList();
-        return Silhouette.area(new Mesh("projected", 6, projected, mesh.parts()), Silhouette.View.FRONT);
+        return ProjectedArea.area(new Mesh("projected", 6, projected, mesh.parts()), ProjectedArea.View.FRONT);
     }
 
     /** The whole flight in a smaller picture, and the frames that decide in the full one. */

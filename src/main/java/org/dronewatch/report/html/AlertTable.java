@@ -1,8 +1,8 @@
 package org.dronewatch.report.html;
 
-import static org.dronewatch.report.html.Numbers.NONE;
-import static org.dronewatch.report.html.Numbers.format;
-import static org.dronewatch.report.html.Numbers.orElse;
+import static org.dronewatch.report.html.ReadableNumbers.NONE;
+import static org.dronewatch.report.html.ReadableNumbers.format;
+import static org.dronewatch.report.html.ReadableNumbers.orElse;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -81,7 +81,7 @@ final class AlertTable {
                 swarm.label(),
                 counted(alerts, AlertResult::firstSight, views() ? "never" : NONE),
                 counted(alerts, AlertResult::time, "never"),
-                Numbers.range(values(alerts, AlertTable.this::delay)),
+                ReadableNumbers.range(values(alerts, AlertTable.this::delay)),
                 sensors.isEmpty() ? NONE : more > 0 ? names + " and " + more + " more" : names));
         if (zone) {
             long asked =
@@ -90,7 +90,7 @@ final class AlertTable {
                     .filter(alert -> alert.inTime().orElse(false))
                     .count();
             row.addAll(List.of(
-                    Numbers.range(values(alerts, AlertResult::zoneDistance)),
+                    ReadableNumbers.range(values(alerts, AlertResult::zoneDistance)),
                     counted(alerts, AlertResult::warning, "none"),
                     counted(alerts, AlertResult::entered, "not in this run"),
                     asked == 0 ? "not asked" : inTime + " of " + alerts.size()));
@@ -101,7 +101,7 @@ final class AlertTable {
     /** How many of them have a value, and from where to where it goes. */
     private static String counted(List<AlertResult> alerts, Function<AlertResult, OptionalDouble> value, String none) {
         long count = values(alerts, value).count();
-        String range = Numbers.range(values(alerts, value));
+        String range = ReadableNumbers.range(values(alerts, value));
         return count == 0 ? none : count == alerts.size() ? range : format("%d of %d: %s", count, alerts.size(), range);
     }
 

@@ -28,10 +28,10 @@ final class DroneRows {
                             ? group.name() + " (swarm of " + group.members().size() + ")"
                             : group.name(),
                     drone.model().file(),
-                    Numbers.number(drone.speed()) + " m/s",
+                    ReadableNumbers.number(drone.speed()) + " m/s",
                     sound(drone),
                     drone.radar().crossSection() + " m\u00b2",
-                    Numbers.number(drone.heat().excess()) + " K",
+                    ReadableNumbers.number(drone.heat().excess()) + " K",
                     drone.radio().control().toString().toLowerCase(Locale.ROOT),
                     label(drone.label())));
         }
@@ -39,8 +39,8 @@ final class DroneRows {
     }
 
     private static String sound(DroneSettings drone) {
-        return Numbers.number(drone.soundPowerLevel()) + " dB(A) sound power; " + Numbers.number(drone.soundLevel())
-                + " dB in the level model";
+        return ReadableNumbers.number(drone.soundPowerLevel()) + " dB(A) sound power; "
+                + ReadableNumbers.number(drone.soundLevel()) + " dB in the level model";
     }
 
     /** What is known of it: {@code attack, strike, fixed-wing}. */

@@ -1,6 +1,6 @@
 package org.dronewatch.report.html;
 
-import static org.dronewatch.report.html.Numbers.format;
+import static org.dronewatch.report.html.ReadableNumbers.format;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -52,7 +52,7 @@ final class Misses {
                 if (members.isEmpty()) {
                     continue;
                 }
-                if (rows.size() < RunTables.MOST_ROWS) {
+                if (rows.size() < DetectionTables.MOST_ROWS) {
                     rows.add(row(sensor.getKey(), group, members, why(sensor.getKey(), members)));
                 } else {
                     left++;
@@ -62,7 +62,7 @@ final class Misses {
         return rows.isEmpty()
                 ? Html.plain("p", "Nothing: every sensor detects every drone.")
                 : Html.table(List.of("sensor", "kind", "drone", "why it was never detected"), rows)
-                        + RunTables.notShown(left);
+                        + DetectionTables.notShown(left);
     }
 
     private String why(String sensor, List<String> members) {
@@ -94,7 +94,7 @@ final class Misses {
                 if (of.isEmpty()) {
                     continue;
                 }
-                if (rows.size() < RunTables.MOST_ROWS) {
+                if (rows.size() < DetectionTables.MOST_ROWS) {
                     rows.add(lostRow(sensor, group, of));
                 } else {
                     left++;
@@ -106,15 +106,15 @@ final class Misses {
                 : Html.table(
                                 List.of("sensor", "kind", "drone", "lost at [s]", "range then [m]", "why from then on"),
                                 rows)
-                        + RunTables.notShown(left);
+                        + DetectionTables.notShown(left);
     }
 
     private List<String> lostRow(String sensor, DroneGroup group, List<Observation> lost) {
         List<String> members = lost.stream().map(Observation::drone).toList();
         double last = lost.stream().mapToDouble(Observation::arrival).max().orElseThrow();
         List<String> row = new ArrayList<>(row(sensor, group, members, reasons.afterLoss(sensor, some(members), last)));
-        row.add(3, Numbers.range(lost.stream().mapToDouble(Observation::arrival)));
-        row.add(4, Numbers.range(lost.stream().mapToDouble(Observation::range)));
+        row.add(3, ReadableNumbers.range(lost.stream().mapToDouble(Observation::arrival)));
+        row.add(4, ReadableNumbers.range(lost.stream().mapToDouble(Observation::range)));
         return row;
     }
 

@@ -161,12 +161,14 @@ final class Reasons {
                 + best.filter(Reasons::isReading)
                         .map(look -> format(
                                 ": at best %s (needs %s), %.0f m away",
-                                Numbers.measured(look.value(), look.unit()), threshold(look), look.range()))
+                                ReadableNumbers.measured(look.value(), look.unit()), threshold(look), look.range()))
                         .orElse(" for any reading");
     }
 
     private static String threshold(Look look) {
-        return look.unit().isEmpty() ? Numbers.measured(look.threshold(), "") : Numbers.number(look.threshold());
+        return look.unit().isEmpty()
+                ? ReadableNumbers.measured(look.threshold(), "")
+                : ReadableNumbers.number(look.threshold());
     }
 
     private static String share(int count, int of) {
@@ -175,6 +177,6 @@ final class Reasons {
     }
 
     private static String format(String pattern, Object... values) {
-        return Numbers.format(pattern, values);
+        return ReadableNumbers.format(pattern, values);
     }
 }

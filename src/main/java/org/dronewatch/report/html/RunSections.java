@@ -32,7 +32,7 @@ final class RunSections {
         Reasons reasons = new Reasons(run.settings(), view.stage(), looks.pointings(), run.simulated());
         return pictures()
                 + section("Alert", new AlertTable(run).html())
-                + section("Who detects what", new RunTables(run, looks).detections())
+                + section("Who detects what", new DetectionTables(run, looks).detections())
                 + section(
                         "Detections over time",
                         Html.plain("p", "A bar shows when a sensor detects any drone.") + new TimelineSvg(run).draw())

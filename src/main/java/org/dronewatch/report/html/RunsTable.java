@@ -1,8 +1,8 @@
 package org.dronewatch.report.html;
 
-import static org.dronewatch.report.html.Numbers.NONE;
-import static org.dronewatch.report.html.Numbers.format;
-import static org.dronewatch.report.html.Numbers.orElse;
+import static org.dronewatch.report.html.ReadableNumbers.NONE;
+import static org.dronewatch.report.html.ReadableNumbers.format;
+import static org.dronewatch.report.html.ReadableNumbers.orElse;
 
 import java.util.ArrayList;
 import java.util.Comparator;

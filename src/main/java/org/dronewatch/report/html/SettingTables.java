@@ -1,7 +1,7 @@
 package org.dronewatch.report.html;
 
-import static org.dronewatch.report.html.Numbers.format;
-import static org.dronewatch.report.html.Numbers.number;
+import static org.dronewatch.report.html.ReadableNumbers.format;
+import static org.dronewatch.report.html.ReadableNumbers.number;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -166,7 +166,7 @@ final class SettingTables {
             return format(
                     "as soon as the looks of the last %s s together make detection %s likely, if the sensors miss"
                             + " independently of one another",
-                    number(union.within()), Numbers.measured(union.probability(), ""));
+                    number(union.within()), ReadableNumbers.measured(union.probability(), ""));
         }
         return "as soon as any sensor detects a drone" + confirmed;
     }

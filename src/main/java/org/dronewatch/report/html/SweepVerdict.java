@@ -1,7 +1,7 @@
 package org.dronewatch.report.html;
 
-import static org.dronewatch.report.html.Numbers.format;
-import static org.dronewatch.report.html.Numbers.number;
+import static org.dronewatch.report.html.ReadableNumbers.format;
+import static org.dronewatch.report.html.ReadableNumbers.number;
 
 import java.util.ArrayList;
 import java.util.List;

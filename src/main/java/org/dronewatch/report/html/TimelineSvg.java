@@ -92,7 +92,7 @@ final class TimelineSvg {
             svg.append(format(
                     "<line x1=\"%.1f\" y1=\"%d\" x2=\"%.1f\" y2=\"%d\" stroke=\"#667\"/>"
                             + "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%s s</text>%n",
-                    x, top, x, top + 5, x, top + 20, Numbers.number(i * step)));
+                    x, top, x, top + 5, x, top + 20, ReadableNumbers.number(i * step)));
         }
     }
 

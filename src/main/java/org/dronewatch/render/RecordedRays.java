@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 
 /** The straight pieces of the rays of sound that one sensor followed from one drone. Immutable. */
-public final class RaySet {
+public final class RecordedRays {
     /** Coordinates of the two ends of a piece. */
     static final int ENDS = 6;
 
@@ -26,7 +26,7 @@ public final class RaySet {
     private final LevelScale scale;
 
     /** From arrays that are handed over. */
-    RaySet(
+    RecordedRays(
             String sensor,
             String drone,
             double time,

@@ -11,5 +11,5 @@ package org.dronewatch.bench;
  * @param slowest the slowest pass
  * @param fastest the fastest pass
  */
-public record Measurement(
+public record TracingSpeed(
         String set, String traversal, int rays, int hits, double median, double slowest, double fastest) {}

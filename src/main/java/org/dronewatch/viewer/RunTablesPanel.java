@@ -7,7 +7,7 @@ import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 
 /** The tables of a run: each sensor with each drone, and the drones. A click selects. */
-final class RunTables {
+final class RunTablesPanel {
     private static final int[] PAIR_COLUMNS = {100, 57, 79, 60, 58, 72, 70};
 
     private final PairTable pairs = new PairTable();
@@ -15,7 +15,7 @@ final class RunTables {
     private final Consumer<String> selection;
 
     /** Empty tables that report which sensor or drone was clicked on. */
-    RunTables(Consumer<String> selection) {
+    RunTablesPanel(Consumer<String> selection) {
         this.selection = selection;
     }
 

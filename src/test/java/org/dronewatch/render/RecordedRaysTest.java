@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class RaySetTest {
+class RecordedRaysTest {
     @TempDir
     private Path directory;
 
@@ -19,7 +19,7 @@ class RaySetTest {
         collector.record(10, 0, 0, 20, 10, 0, 44, 1, false);
         collector.record(10, 10, 0, 0, 20, 0, 40, 2, true);
         collector.record(0, 0, 0, 0, 20, 0, 48, 0, true);
-        RaySet rays = collector.toRays();
+        RecordedRays rays = collector.toRays();
 
         boolean[] heard = new boolean[rays.count()];
         for (int i = 0; i < heard.length; i++) {
@@ -42,7 +42,7 @@ class RaySetTest {
         assertThat(stage.traceRays(8.0, "microphone", "quadrotor", collector)).isTrue();
         assertThat(stage.traceRays(8.0, "camera", "quadrotor", collector)).isFalse();
         assertThat(stage.traceRays(8.0, "microphone", "nobody", collector)).isFalse();
-        RaySet rays = collector.toRays();
+        RecordedRays rays = collector.toRays();
 
         int heardOfOrderZero = 0;
         int heardLater = 0;
@@ -65,7 +65,7 @@ class RaySetTest {
         for (int i = 0; i < RayCollector.MOST + 5; i++) {
             collector.record(0, 0, 0, 1, 1, i, 50, 0, false);
         }
-        RaySet rays = collector.toRays();
+        RecordedRays rays = collector.toRays();
         assertThat(rays.count()).isEqualTo(RayCollector.MOST);
         assertThat(rays.leftOut()).isEqualTo(5);
     }

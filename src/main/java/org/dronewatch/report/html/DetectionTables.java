@@ -1,8 +1,8 @@
 package org.dronewatch.report.html;
 
-import static org.dronewatch.report.html.Numbers.NONE;
-import static org.dronewatch.report.html.Numbers.format;
-import static org.dronewatch.report.html.Numbers.orElse;
+import static org.dronewatch.report.html.ReadableNumbers.NONE;
+import static org.dronewatch.report.html.ReadableNumbers.format;
+import static org.dronewatch.report.html.ReadableNumbers.orElse;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -17,7 +17,7 @@ import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;
 
 /** Which sensor of a run detects which drone: a row for each sensor with each drone or swarm, a fold with each swarm's drones. */
-final class RunTables {
+final class DetectionTables {
     /** Most rows of a table. */
     static final int MOST_ROWS = 60;
 
@@ -39,7 +39,7 @@ final class RunTables {
     private final List<DroneGroup> groups;
     private final Map<List<String>, DetectionEvent> lastEvents = new LinkedHashMap<>();
 
-    RunTables(RunResult run, RunLooks looks) {
+    DetectionTables(RunResult run, RunLooks looks) {
         this.run = run;
         this.looks = looks;
         this.groups = DroneGroup.of(run.settings());
@@ -120,8 +120,10 @@ final class RunTables {
                 ? "never"
                 : format(
                         "%d of %d: %s",
-                        detected.size(), pairs.size(), Numbers.range(values(detected, pair -> pair.firstDetected()
-                                .getAsDouble())));
+                        detected.size(),
+                        pairs.size(),
+                        ReadableNumbers.range(
+                                values(detected, pair -> pair.firstDetected().getAsDouble())));
         double[] fractions = pairs.stream()
                 .mapToDouble(pair -> looks.detecting(pair.sensor(), pair.drone()))
                 .sorted()
@@ -133,9 +135,9 @@ final class RunTables {
                 pairs.get(0).kind(),
                 swarm.label(),
                 first,
-                Numbers.range(values(detected, pair -> pair.range().getAsDouble())),
+                ReadableNumbers.range(values(detected, pair -> pair.range().getAsDouble())),
                 lastOf(detected),
-                Numbers.range(values(detected, pair -> pair.maxRange().getAsDouble())),
+                ReadableNumbers.range(values(detected, pair -> pair.maxRange().getAsDouble())),
                 least.equals(most) ? least : least + " to " + most);
     }
 

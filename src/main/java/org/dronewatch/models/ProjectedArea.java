@@ -7,7 +7,7 @@ import java.util.List;
  * Area that a mesh covers when seen from far away along an axis. The outline is cut into thin strips; in each strip the
  * exact spans of all triangles along its middle line are joined, so that overlapping parts count once.
  */
-public final class Silhouette {
+public final class ProjectedArea {
     /** A direction of view along one of the model's axes. */
     public enum View {
         /** Along z: from the nose. */
@@ -20,7 +20,7 @@ public final class Silhouette {
 
     private static final int STRIPS = 20_000;
 
-    private Silhouette() {}
+    private ProjectedArea() {}
 
     /** Area in square metres; the same from the opposite direction. */
     public static double area(Mesh mesh, View view) {

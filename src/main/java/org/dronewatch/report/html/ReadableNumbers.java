@@ -5,12 +5,12 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 
-/** Numbers for people. */
-final class Numbers {
+/** ReadableNumbers for people. */
+final class ReadableNumbers {
     /** What tables show where there is no value. */
     static final String NONE = "-";
 
-    private Numbers() {}
+    private ReadableNumbers() {}
 
     /** Three digits at most, or all before the point. */
     static String number(double value) {

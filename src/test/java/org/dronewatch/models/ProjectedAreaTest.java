@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronewatch.models.Silhouette.View;
+import org.dronewatch.models.ProjectedArea.View;
 import org.junit.jupiter.api.Test;
 
-class SilhouetteTest {
+class ProjectedAreaTest {
     private static final Material ANY = new Material("any", 0.5, 0.5, 0.5);
 
     private static Mesh mesh(Solid... solids) {
@@ -23,9 +23,9 @@ class SilhouetteTest {
     void aBoxCoversItsFaces() {
         Mesh box = mesh(Solids.box(ANY, new Point(0, 0, 0), new Point(2, 3, 5)));
 
-        assertThat(Silhouette.area(box, View.FRONT)).isCloseTo(6.0, within(1e-3));
-        assertThat(Silhouette.area(box, View.SIDE)).isCloseTo(15.0, within(1e-3));
-        assertThat(Silhouette.area(box, View.TOP)).isCloseTo(10.0, within(1e-3));
+        assertThat(ProjectedArea.area(box, View.FRONT)).isCloseTo(6.0, within(1e-3));
+        assertThat(ProjectedArea.area(box, View.SIDE)).isCloseTo(15.0, within(1e-3));
+        assertThat(ProjectedArea.area(box, View.TOP)).isCloseTo(10.0, within(1e-3));
     }
 
     @Test
@@ -34,7 +34,7 @@ class SilhouetteTest {
                 Solids.box(ANY, new Point(0, 0, 0), new Point(2, 2, 1)),
                 Solids.box(ANY, new Point(1, 1, 5), new Point(3, 3, 6)));
 
-        assertThat(Silhouette.area(two, View.FRONT)).isCloseTo(4 + 4 - 1, within(1e-3));
+        assertThat(ProjectedArea.area(two, View.FRONT)).isCloseTo(4 + 4 - 1, within(1e-3));
     }
 
     @Test
@@ -43,7 +43,7 @@ class SilhouetteTest {
                 Solids.box(ANY, new Point(0, 0, 0), new Point(1, 1, 1)),
                 Solids.box(ANY, new Point(5, 0, 0), new Point(6, 1, 1)));
 
-        assertThat(Silhouette.area(two, View.FRONT)).isCloseTo(2.0, within(1e-3));
+        assertThat(ProjectedArea.area(two, View.FRONT)).isCloseTo(2.0, within(1e-3));
     }
 
     /** A regular polygon of n corners on a circle of radius r covers n/2 r^2 sin(2 pi / n). */
@@ -52,7 +52,7 @@ class SilhouetteTest {
         Mesh cylinder = mesh(Solids.cylinder(ANY, new Point(0, 0, 0), 0.5, 2, 40));
 
         double polygon = 20 * 0.25 * StrictMath.sin(2 * StrictMath.PI / 40);
-        assertThat(Silhouette.area(cylinder, View.TOP)).isCloseTo(polygon, within(1e-5));
+        assertThat(ProjectedArea.area(cylinder, View.TOP)).isCloseTo(polygon, within(1e-5));
     }
 
     @Test
@@ -65,7 +65,7 @@ class SilhouetteTest {
         Mesh ball = mesh(Solids.turned(ANY, new Point(0, 0, 0), profile.toArray(new double[0][]), 200));
 
         for (View view : View.values()) {
-            assertThat(Silhouette.area(ball, view)).isCloseTo(StrictMath.PI, within(2e-3));
+            assertThat(ProjectedArea.area(ball, view)).isCloseTo(StrictMath.PI, within(2e-3));
         }
     }
 }
