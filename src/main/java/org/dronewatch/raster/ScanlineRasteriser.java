@@ -1,13 +1,13 @@
 package org.dronewatch.raster;
 
 /**
- * Paints triangles into a tile line by line, from their functions: the inverse of the ray parameter on the triangle's plane,
+ * Rasterises triangles into a tile line by line, from their functions: the inverse of the ray parameter on the triangle's plane,
  * and three edge functions that are zero or more inside. Each is linear in column and row: its value at the tile's corner,
- * what a column adds, what a row adds. A line of pixels is then an interval between the edges. Lines run the longer way
- * through the rectangle that holds the triangle, along rows or along columns: so there are few of them.
+ * what a column adds, what a row adds. A line of pixels is then an interval between the edges. Lines run along the longer
+ * side of the rectangle that holds the triangle, along rows or along columns: so there are few of them.
  */
 class ScanlineRasteriser {
-    /** How near to a pixel's centre, in pixels, an edge must pass to be looked at once more. */
+    /** How near to a pixel's centre, in pixels, an edge must pass to be tested again. */
     private static final double NEAR_EDGE = 1e-6;
 
     final TileBuffer pixels;
@@ -77,13 +77,13 @@ class ScanlineRasteriser {
         return toRow - fromRow > toColumn - fromColumn;
     }
 
-    /** Paints the triangle. */
-    void paint(int triangle) {
+    /** Rasterises the triangle. */
+    void rasterise(int triangle) {
         boolean upright = isUpright();
         int firstLine = upright ? fromColumn : fromRow;
         int lastLine = upright ? toColumn : toRow;
-        int firstPlace = upright ? fromRow : fromColumn;
-        int lastPlace = upright ? toRow : toColumn;
+        int firstPixel = upright ? fromRow : fromColumn;
+        int lastPixel = upright ? toRow : toColumn;
         // What the next line adds, and what the next pixel of a line.
         double rAcross = upright ? rOfColumn : rOfRow;
         double rAlong = upright ? rOfRow : rOfColumn;
@@ -97,12 +97,12 @@ class ScanlineRasteriser {
         double atF = -1.0 / fAlong;
         double atG = -1.0 / gAlong;
         for (int line = firstLine; line <= lastLine; line++) {
-            // The places between the edges; a rising edge function bounds them from below.
+            // The pixels between the edges; a rising edge function bounds them from below.
             double eLine = e + line * eAcross;
             double fLine = f + line * fAcross;
             double gLine = g + line * gAcross;
-            double from = firstPlace;
-            double to = lastPlace;
+            double from = firstPixel;
+            double to = lastPixel;
             double at = eLine * atE;
             if (atE < 0.0) {
                 from = at > from ? at : from;
@@ -139,20 +139,20 @@ class ScanlineRasteriser {
             }
             double inverse = r + line * rAcross;
             if (upright) {
-                pixels.paintColumn(line, first, last, inverse, rAlong, triangle);
+                pixels.fillColumn(line, first, last, inverse, rAlong, triangle);
             } else {
-                pixels.paintRow(line, first, last, inverse, rAlong, triangle);
+                pixels.fillRow(line, first, last, inverse, rAlong, triangle);
             }
         }
     }
 
-    /** The first pixel at or after a place of zero or more. */
-    static int atOrAfter(double place) {
-        return (int) (place + (1.0 - NEAR_EDGE));
+    /** The first pixel at or after a coordinate of zero or more. */
+    static int atOrAfter(double coordinate) {
+        return (int) (coordinate + (1.0 - NEAR_EDGE));
     }
 
-    /** The last pixel at or before a place; -1 for all places before the first pixel, however far. */
-    static int atOrBefore(double place) {
-        return place > -NEAR_EDGE ? (int) (place + NEAR_EDGE) : -1;
+    /** The last pixel at or before a coordinate; -1 for all coordinates before the first pixel, however far. */
+    static int atOrBefore(double coordinate) {
+        return coordinate > -NEAR_EDGE ? (int) (coordinate + NEAR_EDGE) : -1;
     }
 }

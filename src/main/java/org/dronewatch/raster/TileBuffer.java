@@ -6,7 +6,7 @@ import java.util.Arrays;
 final class TileBuffer {
     /** Columns and rows of a block, a power of two. */
     private static final int BLOCK = 4;
-    /** Pixels of a vector. One may begin at the last pixel: what lies beyond is read, and written as it was. */
+    /** Pixels of a vector. One may begin at the last pixel: what lies beyond it is read, and written back unchanged. */
     static final int LANES = 4;
 
     private final PixelGrid grid;
@@ -20,14 +20,14 @@ final class TileBuffer {
     final double[] nearest;
 
     /**
-     * Which triangle that is, as wide as what tells whether it is nearer: vectors of ints turned into doubles and back
+     * Which triangle that is, in lanes as wide as those that compare distances: vectors of ints converted to doubles and back
      * make {@code BvhTraversal} a third slower in the same virtual machine, whose compiler then inlines less of either.
      */
     final double[] triangles;
 
     /**
-     * An inverse ray parameter for each block of pixels that none of it is below: that of its farthest pixel when somebody
-     * last looked. Pixels only come nearer, so it stays true.
+     * A lower bound of the inverse ray parameters of each block of pixels: that of its farthest pixel when it was last
+     * computed. Pixels only come nearer, so it stays a bound.
      */
     private final double[] leastOfBlock;
 
@@ -38,7 +38,7 @@ final class TileBuffer {
 
     private final double[] rowOfDistances;
 
-    /** The pixel that was the farthest when somebody last looked, or the first one that sees nothing; and its inverse. */
+    /** The pixel that was the farthest when last computed, or the first one that sees nothing; and its inverse. */
     private int farthestPixel;
 
     private double leastInverse;
@@ -46,7 +46,7 @@ final class TileBuffer {
     /**
      * Pixels of tiles.
      *
-     * @param grid where they look; may be set anew between tiles
+     * @param grid where they look; may be set again between tiles
      * @param mostColumns of a tile
      * @param mostRows of a tile
      */
@@ -111,7 +111,7 @@ final class TileBuffer {
     private void findFarthest() {
         int all = width * height;
         if (leastInverse == 0.0) {
-            // Those before it see something, and will for ever.
+            // Those before it see something, and always will.
             while (farthestPixel < all && nearest[farthestPixel] > 0.0) {
                 farthestPixel++;
             }
@@ -171,12 +171,12 @@ final class TileBuffer {
     }
 
     /**
-     * Lets the pixels of a row from one column to another see a triangle where it is the nearest.
+     * Fills the pixels of a row from one column to another with a triangle where it is the nearest.
      *
      * @param inverse inverse ray parameter of the triangle in the tile's left column
      * @param step what a column adds to it
      */
-    void paintRow(int row, int first, int last, double inverse, double step, int triangle) {
+    void fillRow(int row, int first, int last, double inverse, double step, int triangle) {
         // What the loop changes is kept in locals: fields would be written back for each pixel.
         double[] nearestNow = nearest;
         double[] seen = triangles;
@@ -191,13 +191,13 @@ final class TileBuffer {
     }
 
     /**
-     * Lets the pixels of a column from one row to another see a triangle where it is the nearest. Apart from rows, since the
-     * compiler makes more of a loop over neighbours.
+     * Fills the pixels of a column from one row to another with a triangle where it is the nearest. Separate from rows, since
+     * the compiler makes more of a loop over neighbours.
      *
      * @param inverse inverse ray parameter of the triangle in the tile's top row
      * @param step what a row adds to it
      */
-    void paintColumn(int column, int first, int last, double inverse, double step, int triangle) {
+    void fillColumn(int column, int first, int last, double inverse, double step, int triangle) {
         double[] nearestNow = nearest;
         double[] seen = triangles;
         int pixel = first * width + column;

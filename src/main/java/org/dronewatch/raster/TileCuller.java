@@ -1,14 +1,14 @@
 package org.dronewatch.raster;
 
 /**
- * Tells which boxes a tile can still see something in. Where the ground is seen from the side, ten and more triangles lie
- * behind each pixel, and most cells of the tree behind the first hills are hidden, or lie between the pixels' centres: this
- * spares their triangles. One per thread.
+ * Decides in which boxes a tile can still see something. Where the ground is seen from the side, ten and more triangles lie
+ * behind each pixel, and most cells of the tree behind the first hills are hidden, or lie between the pixels' centres: their
+ * triangles are culled. One per thread.
  */
 final class TileCuller {
-    /** How far a box's shadow on the tile is widened, in pixels: more than the painter widens edges. */
+    /** How far a box's projection onto the tile is widened, in pixels: more than the rasteriser widens edges. */
     private static final double MARGIN = 1e-5;
-    /** Relative size of the roundings of a box's place and reach, generously. */
+    /** An upper bound of the relative rounding errors of a box's position and reach. */
     private static final double ROUNDING = 1e-14;
 
     private final PixelGrid grid;
@@ -33,10 +33,10 @@ final class TileCuller {
     }
 
     /**
-     * Whether a pixel may see something in a box: its ray meets it, before what the pixel sees already.
+     * Whether a pixel may see something in a box: its ray meets it, in front of what the pixel sees already.
      *
      * @param boxes minimum on three axes, then maximum
-     * @param at where in there the box begins
+     * @param at index of the box's first number
      */
     boolean reaches(double[] boxes, int at) {
         double[] m = toTile;
@@ -58,7 +58,7 @@ final class TileCuller {
         double y = m[6] * middleX + m[7] * middleY + m[8] * middleZ;
         double yReach = Math.abs(m[6]) * halfX + Math.abs(m[7]) * halfY + Math.abs(m[8]) * halfZ;
 
-        // The shadow's borders: those beyond the tile's corner are farthest from it at the near end of the box.
+        // The projection's borders: those beyond the tile's corner are farthest from it at the near end of the box.
         double ofNear = 1.0 / near;
         double ofFar = 1.0 / (depth + depthReach);
         double across = MARGIN + ROUNDING * (Math.abs(x) + xReach) * ofNear;

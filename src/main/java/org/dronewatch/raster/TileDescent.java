@@ -4,21 +4,21 @@ import org.dronewatch.kdtree.KDNode;
 import org.dronewatch.kdtree.KDTree;
 
 /**
- * Descends a tree for all rays of a tile at once, nearer cells first, and has painted what the cells hold that the tile may
- * see something in. One per thread.
+ * Descends a tree for all rays of a tile at once, nearer cells first, and has the triangles rasterised of those cells in which
+ * the tile may see something. One per thread.
  */
 final class TileDescent {
-    /** Numbers that make a box. */
+    /** Numbers of a box. */
     private static final int BOX = 6;
-    /** Widens the interval of a cell by more than the roundings of its bounds. */
+    /** Widens the interval of a cell by more than the rounding errors of its bounds. */
     private static final double WIDER = 1e-12;
 
     private final KDTree tree;
     private final PixelGrid grid;
     private final TileBuffer pixels;
-    private final TileCuller sight;
+    private final TileCuller culler;
     private final LeafRasteriser leaves;
-    private final int nodesPaintedWhole;
+    private final int nodesAtOnce;
 
     /** The ray parameter beyond which the tile sees nothing any more. */
     private double farthest;
@@ -31,14 +31,14 @@ final class TileDescent {
 
     private final double[] last = new double[6];
 
-    /** The parts of the tree that wait: the first of their nodes, the one after the last, and their intervals. */
+    /** The subtrees still to be visited: the first of their nodes, the one after the last, and their intervals. */
     private final int[] stackNode;
 
     private final int[] stackEnd;
     private final double[] stackEntry;
     private final double[] stackExit;
 
-    /** The box of the cell that is walked, and of those on the stack: minimum on three axes, then maximum. */
+    /** The box of the current cell, and of those on the stack: minimum on three axes, then maximum. */
     private final double[] cell = new double[BOX];
 
     private final double[] stackCells;
@@ -49,16 +49,16 @@ final class TileDescent {
      * @param tree what to descend
      * @param grid where the pixels look
      * @param pixels of the tile
-     * @param leaves paints what leaves hold
-     * @param nodesPaintedWhole parts of the tree that have no more nodes are painted whole, 1 for leaves
+     * @param leaves rasterises what leaves hold
+     * @param nodesAtOnce subtrees with no more nodes are rasterised as a whole, 1 for leaves
      */
-    TileDescent(KDTree tree, PixelGrid grid, TileBuffer pixels, LeafRasteriser leaves, int nodesPaintedWhole) {
+    TileDescent(KDTree tree, PixelGrid grid, TileBuffer pixels, LeafRasteriser leaves, int nodesAtOnce) {
         this.tree = tree;
         this.grid = grid;
         this.pixels = pixels;
-        this.sight = new TileCuller(grid, pixels);
+        this.culler = new TileCuller(grid, pixels);
         this.leaves = leaves;
-        this.nodesPaintedWhole = nodesPaintedWhole;
+        this.nodesAtOnce = nodesAtOnce;
         int size = tree.depth() + 1;
         this.stackNode = new int[size];
         this.stackEnd = new int[size];
@@ -68,7 +68,7 @@ final class TileDescent {
     }
 
     private void begin() {
-        sight.begin();
+        culler.begin();
         leaves.begin();
         farthest = Double.POSITIVE_INFINITY;
         setDirections();
@@ -90,13 +90,13 @@ final class TileDescent {
     }
 
     /**
-     * Paints what the tile that the pixels have begun can see, nearer cells first. The interval of a cell holds every ray
+     * Rasterises what the tile that the pixels have begun can see, nearer cells first. The interval of a cell holds every ray
      * parameter at which any ray of the tile is inside.
      *
-     * @param limit how many triangles are worth painting
-     * @return false when there are more, or one that cannot be painted
+     * @param limit how many triangles are worth rasterising
+     * @return false when there are more, or one that cannot be rasterised
      */
-    boolean paint(int limit) {
+    boolean rasterise(int limit) {
         begin();
         double entry = 0.0;
         double exit = Double.POSITIVE_INFINITY;
@@ -124,7 +124,7 @@ final class TileDescent {
         int index = 0;
         int end = nodes.length;
         while (true) {
-            while (end - index > nodesPaintedWhole) {
+            while (end - index > nodesAtOnce) {
                 long node = nodes[index];
                 int axis = KDNode.kind(node);
                 // The origin's side is the nearer one. Where a parameter is not a number the origin lies in the plane:
@@ -172,8 +172,8 @@ final class TileDescent {
                 }
             }
 
-            paintPart(index, end);
-            if (leaves.met() > limit || leaves.isLost()) {
+            rasteriseSubtree(index, end);
+            if (leaves.met() > limit || leaves.isUnable()) {
                 return false;
             }
             do {
@@ -181,7 +181,7 @@ final class TileDescent {
                     return true;
                 }
                 stacked--;
-            } while (!isWorthWhile(stacked));
+            } while (!isWorthwhile(stacked));
             System.arraycopy(stackCells, BOX * stacked, cell, 0, BOX);
             index = stackNode[stacked];
             end = stackEnd[stacked];
@@ -190,16 +190,16 @@ final class TileDescent {
         }
     }
 
-    /** Whether the tile may see something in a cell on the stack; what is painted whole is asked when its turn has come. */
-    private boolean isWorthWhile(int stacked) {
+    /** Whether the tile may see something in a cell on the stack; what is rasterised as a whole is asked when its turn comes. */
+    private boolean isWorthwhile(int stacked) {
         if (stackEntry[stacked] > farthest) {
             return false;
         }
-        return stackEnd[stacked] - stackNode[stacked] <= nodesPaintedWhole || sight.reaches(stackCells, BOX * stacked);
+        return stackEnd[stacked] - stackNode[stacked] <= nodesAtOnce || culler.reaches(stackCells, BOX * stacked);
     }
 
-    /** Paints a part of the tree, if the tile may see something in it. Its leaves lie in a row, as its nodes do. */
-    private void paintPart(int index, int end) {
+    /** Rasterises a subtree, if the tile may see something in it. Its leaves are contiguous, as its nodes are. */
+    private void rasteriseSubtree(int index, int end) {
         long[] nodes = tree.nodes();
         int firstLeaf = index;
         while (KDNode.kind(nodes[firstLeaf]) != KDNode.LEAF) {
@@ -208,8 +208,8 @@ final class TileDescent {
         long lastLeaf = nodes[end - 1];
         int from = KDNode.first(nodes[firstLeaf]);
         int to = KDNode.first(lastLeaf) + KDNode.count(lastLeaf);
-        if (to > from && sight.reaches(cell, 0)) {
-            leaves.paint(from, to);
+        if (to > from && culler.reaches(cell, 0)) {
+            leaves.rasterise(from, to);
             farthest = pixels.farthest() * (1.0 + WIDER);
         }
     }

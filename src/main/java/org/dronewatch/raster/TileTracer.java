@@ -8,17 +8,17 @@ import org.dronewatch.parallel.VectorInstructions;
 /**
  * Finds what the pixels of a tile of a picture see. All rays of a tile share their origin, and their directions lie on a
  * regular grid: so the tree is descended once for the whole tile, with the interval of ray parameters in which any of its
- * rays is inside a cell, and each triangle on the way is painted into the tile, nearest surface wins. One per thread.
+ * rays is inside a cell, and each triangle on the path is rasterised into the tile; the nearest surface wins. One per thread.
  *
- * <p>What it buys: a ray of its own costs a descent and a handful of triangle tests, a pixel of a tile a few additions.
+ * <p>What it gains: a separate ray costs a descent and a handful of triangle tests, a pixel of a tile a few additions.
  * The benchmark {@code PictureTracing} shows the ratio. It pays while triangles are not much smaller than pixels; a tile
  * that has met {@link #TRIANGLES_PER_PIXEL} times as many triangles as it has pixels is traced ray by ray instead. Cells
- * that lie between or behind all that the pixels see are left out ({@link TileCuller}).
+ * that lie between or behind all that the pixels see are skipped ({@link TileCuller}).
  */
 public final class TileTracer {
-    /** The most pixels of a tile in a row. */
+    /** The largest number of columns of a tile. */
     public static final int WIDTH = 128;
-    /** The most rows of a tile. */
+    /** The largest number of rows of a tile. */
     public static final int HEIGHT = 64;
     /** How many triangles a tile may meet for each of its pixels before single rays are cheaper. */
     static final double TRIANGLES_PER_PIXEL = 8.0;
@@ -27,17 +27,17 @@ public final class TileTracer {
     private final RayTracer single;
     private final PixelGrid grid = new PixelGrid();
     private final TileBuffer pixels = new TileBuffer(grid, WIDTH, HEIGHT);
-    private RasterMode painting;
+    private RasterMode mode;
     private TileDescent descent;
     private final RasterWarmup warmup;
 
-    /** A traversal of a tree for the use of one thread, with the warm-up of the process. */
+    /** A tracer of a tree for the use of one thread, with the warm-up of the process. */
     public TileTracer(KDTree tree) {
         this(tree, RasterWarmup.ofProcess());
     }
 
     /**
-     * A traversal of a tree for the use of one thread.
+     * A tracer of a tree for the use of one thread.
      *
      * @param warmup counts pixels of large models; once it is over, vectors take over
      */
@@ -46,27 +46,26 @@ public final class TileTracer {
     }
 
     /**
-     * A traversal that paints in a way that need not suit the tree.
+     * A tracer in a mode that need not suit the tree.
      *
      * @param warmup counts pixels of many triangles; once it is over, vectors take over
      */
-    TileTracer(KDTree tree, RasterMode painting, RasterWarmup warmup) {
+    TileTracer(KDTree tree, RasterMode mode, RasterWarmup warmup) {
         this.tree = tree;
         this.warmup = warmup;
         this.single = new StackTraversal(tree);
-        use(painting);
+        use(mode);
     }
 
-    /** How it paints now. */
-    RasterMode painting() {
-        return painting;
+    /** How it rasterises now. */
+    RasterMode mode() {
+        return mode;
     }
 
     private void use(RasterMode chosen) {
-        painting = chosen;
-        LeafRasteriser leaves =
-                new LeafRasteriser(tree.leafTriangles(), painting.painter(tree.triangles(), grid, pixels));
-        descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
+        mode = chosen;
+        LeafRasteriser leaves = new LeafRasteriser(tree.leafTriangles(), mode.setup(tree.triangles(), grid, pixels));
+        descent = new TileDescent(tree, grid, pixels, leaves, mode.nodesAtOnce());
     }
 
     /**
@@ -93,11 +92,11 @@ public final class TileTracer {
      */
     public void trace(int firstColumn, int firstRow, int columns, int rows) {
         pixels.begin(firstColumn, firstRow, columns, rows);
-        if (painting == RasterMode.MANY && warmup.add((long) columns * rows) && VectorInstructions.areAvailable()) {
+        if (mode == RasterMode.MANY && warmup.add((long) columns * rows) && VectorInstructions.areAvailable()) {
             use(RasterMode.MANY_BY_VECTORS);
         }
         int limit = (int) (TRIANGLES_PER_PIXEL * columns * rows) + 1;
-        if (!descent.paint(limit)) {
+        if (!descent.rasterise(limit)) {
             traceSingly(firstColumn, firstRow, columns, rows);
         }
     }
@@ -122,7 +121,7 @@ public final class TileTracer {
      * metres in the frame of the grid. Infinity for nothing.
      *
      * @param target where to
-     * @param first place of the tile's first pixel in it
+     * @param first index of the tile's first pixel in it
      * @param rowLength from one row to the next
      */
     public void copyDistances(float[] target, int first, int rowLength) {

@@ -3,17 +3,18 @@ package org.dronewatch.raster;
 import org.dronewatch.kdtree.LeafOrderTriangles;
 
 /**
- * Paints triangles into the pixels of a tile, nearest surface wins. One per thread.
+ * Sets triangles up for the rasteriser: projects their corners onto the tile, culls those without a pixel, and computes
+ * their edge functions and the inverse of the ray parameter. One per thread.
  *
  * <p>In the frame of the {@link PixelGrid} the ray of pixel (x, y) has the direction (x, y, 1). The three edge functions of
- * a triangle, whose signs tell inside from outside, and the inverse of the ray parameter are linear in x and y there. Each
- * line of pixels is then an interval between the edges. An edge that two triangles share has opposite functions in them,
- * and zero counts as inside: no pixel slips through an edge. That holds where one is painted by rows and the other by
- * columns, too: the two orders of adding round differently, but never across zero. Where corners lie some 1e-5 of a pixel
- * from each other, and from a pixel's centre, the roundings of different edges may leave it to none of them.
+ * a triangle, whose signs separate inside from outside, and the inverse of the ray parameter are linear in x and y there. Each
+ * line of pixels is then an interval between the edges. A common edge of two triangles has opposite functions in them,
+ * and zero counts as inside: no pixel slips through an edge. That also holds where one is rasterised by rows and the other by
+ * columns: the two orders of adding round differently, but never across zero. Where corners lie some 1e-5 of a pixel
+ * from each other, and from a pixel's centre, the rounding errors of different edges may leave it to none of them.
  */
 class TriangleSetup {
-    /** Relative size of the roundings of the volume between the origin and a triangle. */
+    /** Relative size of the rounding errors of the volume between the origin and a triangle. */
     static final double IN_PLANE = 1e-12;
     /** The most triangles at a time. */
     static final int MOST = 128;
@@ -23,15 +24,15 @@ class TriangleSetup {
     final PixelGrid grid;
     final TileBuffer pixels;
     final ScanlineRasteriser lines;
-    private boolean lost;
+    private boolean unable;
 
     /**
-     * A painter.
+     * A setup.
      *
-     * @param triangles what there is to paint
+     * @param triangles what there is to rasterise
      * @param grid where the pixels look
-     * @param pixels what it paints
-     * @param lines paint lines of the same pixels
+     * @param pixels what they are rasterised into
+     * @param lines rasterise them, into the same pixels
      */
     TriangleSetup(LeafOrderTriangles triangles, PixelGrid grid, TileBuffer pixels, ScanlineRasteriser lines) {
         this.corners = triangles.corners();
@@ -43,34 +44,34 @@ class TriangleSetup {
 
     /** Begins a tile, after its pixels have. */
     void begin() {
-        lost = false;
+        unable = false;
     }
 
-    /** Whether a triangle came that cannot be painted, since the origin lies in it. */
-    boolean isLost() {
-        return lost;
+    /** Whether there was a triangle that cannot be rasterised because the origin lies in it. */
+    boolean isUnable() {
+        return unable;
     }
 
     /**
-     * Paints triangles into the tile.
+     * Rasterises triangles into the tile.
      *
-     * @param places where they are
+     * @param indices of the triangles in leaf order
      * @param count how many, up to {@link #MOST}
      */
-    void paint(int[] places, int count) {
+    void rasterise(int[] indices, int count) {
         for (int i = 0; i < count; i++) {
-            paint(places[i]);
+            rasterise(indices[i]);
         }
     }
 
-    /** Paints the triangle at a place into the tile. */
-    final void paint(int place) {
+    /** Rasterises the triangle at an index into the tile. */
+    final void rasterise(int index) {
         // The corners in grid coordinates, from the tile's own corner.
         float[] c = corners;
         double[] m = grid.toGrid;
         int left = pixels.left();
         int top = pixels.top();
-        int base = 9 * place;
+        int base = 9 * index;
         double x = c[base] - grid.origin[0];
         double y = c[base + 1] - grid.origin[1];
         double z = c[base + 2] - grid.origin[2];
@@ -123,29 +124,29 @@ class TriangleSetup {
         double nz = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
         double volume = ax * nx + ay * ny + az * nz;
         if (Math.abs(volume) <= IN_PLANE * (Math.abs(ax * nx) + Math.abs(ay * ny) + Math.abs(az * nz))
-                && mayHoldOrigin(place)) {
-            // Every pixel sees it at no distance, and the edge functions say nothing: single rays know.
-            lost = true;
+                && mayHoldOrigin(index)) {
+            // Every pixel sees it at distance 0, and the edge functions decide nothing: single rays do.
+            unable = true;
             return;
         }
         lines.setRectangle(fromColumn, toColumn, fromRow, toRow);
         double inverse = 1.0 / volume;
         lines.setInverse(nz * inverse, nx * inverse, ny * inverse);
 
-        // Edge functions, turned so that inside is above zero for what lies before the origin.
-        double turn = volume < 0.0 ? -1.0 : 1.0;
-        lines.setFirstEdge(turn * (bx * cy - by * cx), turn * (by * cz - bz * cy), turn * (bz * cx - bx * cz));
-        lines.setSecondEdge(turn * (cx * ay - cy * ax), turn * (cy * az - cz * ay), turn * (cz * ax - cx * az));
-        lines.setThirdEdge(turn * (ax * by - ay * bx), turn * (ay * bz - az * by), turn * (az * bx - ax * bz));
-        lines.paint(numbers[place]);
+        // Edge functions, with the sign that makes inside positive for what lies in front of the origin.
+        double sign = volume < 0.0 ? -1.0 : 1.0;
+        lines.setFirstEdge(sign * (bx * cy - by * cx), sign * (by * cz - bz * cy), sign * (bz * cx - bx * cz));
+        lines.setSecondEdge(sign * (cx * ay - cy * ax), sign * (cy * az - cz * ay), sign * (cz * ax - cx * az));
+        lines.setThirdEdge(sign * (ax * by - ay * bx), sign * (ay * bz - az * by), sign * (az * bx - ax * bz));
+        lines.rasterise(numbers[index]);
     }
 
-    private boolean mayHoldOrigin(int place) {
+    private boolean mayHoldOrigin(int index) {
         boolean inside = true;
         for (int axis = 0; axis < 3; axis++) {
-            float a = corners[9 * place + axis];
-            float b = corners[9 * place + 3 + axis];
-            float c = corners[9 * place + 6 + axis];
+            float a = corners[9 * index + axis];
+            float b = corners[9 * index + 3 + axis];
+            float c = corners[9 * index + 6 + axis];
             inside &= grid.origin[axis] >= Math.min(a, Math.min(b, c))
                     && grid.origin[axis] <= Math.max(a, Math.max(b, c));
         }

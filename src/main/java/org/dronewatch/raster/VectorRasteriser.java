@@ -6,17 +6,17 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * Paints triangles of few columns four pixels at a time, by vector instructions; others as {@link ScanlineRasteriser} does. All
- * pixels of its rectangle are looked at, without a branch for any: where triangles are small most of them are inside.
+ * Rasterises triangles of few columns four pixels at a time, by vector instructions; others as {@link ScanlineRasteriser} does. All
+ * pixels of its rectangle are tested, without a branch for any: where triangles are small most of them are inside.
  *
- * <p>What it buys: with {@link VectorTriangleSetup}, pictures of two million triangles are 1.5 to 2 times as fast, once the
+ * <p>What it gains: with {@link VectorTriangleSetup}, pictures of two million triangles are 1.5 to 2 times as fast, once the
  * just-in-time compiler is done with it ({@code PictureTracing}). Each sum is made in the order in which lines make it, so
  * that the pixels are the same, bit for bit.
  */
 final class VectorRasteriser extends ScanlineRasteriser {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
     private static final int LANES = TileBuffer.LANES;
-    /** Triangles that may have more columns are painted by lines. */
+    /** Triangles that may have more columns are rasterised by lines. */
     private static final int MOST_COLUMNS = 24;
 
     VectorRasteriser(TileBuffer pixels) {
@@ -24,16 +24,16 @@ final class VectorRasteriser extends ScanlineRasteriser {
     }
 
     @Override
-    void paint(int triangle) {
+    void rasterise(int triangle) {
         if (toColumn - fromColumn >= MOST_COLUMNS) {
-            super.paint(triangle);
+            super.rasterise(triangle);
             return;
         }
         double[] nearest = pixels.nearest;
         double[] seen = pixels.triangles;
         int width = pixels.width();
-        // Each sum in the order of lines: first the value at the corner and the line's share, then the pixel's. What is
-        // added to the other part makes +0 of a -0: so no sum is -0, and its sign tells inside from outside.
+        // Each sum in the order of lines: first the value at the corner and the line's part, then the pixel's. What is
+        // added to the other part turns -0 into +0: so no sum is -0, and its sign separates inside from outside.
         boolean upright = isUpright();
         double rToRows = upright ? 0.0 : r;
         double eToRows = upright ? 0.0 : e;

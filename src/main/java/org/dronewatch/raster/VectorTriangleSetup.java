@@ -5,20 +5,19 @@ import jdk.incubator.vector.VectorSpecies;
 import org.dronewatch.kdtree.LeafOrderTriangles;
 
 /**
- * Paints triangles as {@link TriangleSetup} does, but works out for four at a time, by vector instructions, where they lie in
- * the tile and what their functions are. Those without a pixel's centre in the rectangle about them, up to a half where
- * triangles are small, are left out without a branch. Each sum is made in the order in which {@link TriangleSetup} makes it, so
- * that the pixels are the same, bit for bit. What it buys: see {@link VectorRasteriser}.
+ * Sets triangles up as {@link TriangleSetup} does, but four at a time, by vector instructions. Those without a pixel's centre
+ * in the rectangle around them, up to half of them where triangles are small, are culled without a branch. Each sum is made in the order in which {@link TriangleSetup} makes it, so
+ * that the pixels are the same, bit for bit. What it gains: see {@link VectorRasteriser}.
  */
 final class VectorTriangleSetup extends TriangleSetup {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
-    /** Triangles worked out at once. */
+    /** Triangles set up at once. */
     private static final int LANES = 4;
 
-    // Methods are short, and loads and stores written out: the compiler inlines only so much, and what it does
-    // not inline moves vectors through the heap, slower than no vectors at all.
+    // Methods are short, and loads and stores written out: the compiler's inlining is limited, and what it does
+    // not inline moves vectors through the heap, which is slower than no vectors at all.
 
-    // Where the values of a triangle are. Corners: in the world first, then in the tile's frame. Functions: three
+    // Offsets of the values of a triangle. Corners: in the world first, then in the tile's frame. Functions: three
     // values each, as lines take them.
     private static final int CORNER_A = 0;
     private static final int CORNER_B = 3 * LANES;
@@ -32,26 +31,27 @@ final class VectorTriangleSetup extends TriangleSetup {
     private static final int UPPER = 23 * LANES;
     private static final int LOWER = 24 * LANES;
     /** Below zero when no pixel's centre lies in the rectangle. */
-    private static final int ROOM = 25 * LANES;
-    /** Above zero when the functions can be trusted: the corners lie before the origin, which is not in their plane. */
-    private static final int SOUND = 26 * LANES;
-    /** -1 where the edge functions have to be turned, or 1. */
-    private static final int TURN = 27 * LANES;
+    private static final int EXTENT = 25 * LANES;
+    /** Above zero when the functions are valid: the corners lie in front of the origin, which is not in their plane. */
+    private static final int VALID = 26 * LANES;
+    /** The sign of the edge functions, -1 or 1. */
+    private static final int SIGN = 27 * LANES;
 
     private static final int VALUES = 28;
 
     /** Adding and subtracting it rounds to the nearest whole number. */
     private static final double WHOLE = 0x1.8p52;
-    /** How generously rectangles are asked for pixels: more than lines look beside an edge. */
-    private static final double GENEROUS = 3e-6;
+    /** How far rectangles are widened before they are tested for pixels: more than lines look beside an edge. */
+    private static final double SLACK = 3e-6;
 
     /** Four triangles side by side: their first values, their second values, and so on; then the next four. */
     private final double[] values = new double[VALUES * MOST];
 
     /** Which of the triangles may hold a pixel's centre. */
-    private final int[] roomy = new int[MOST];
+    private final int[] candidates = new int[MOST];
 
-    // The origin, and the way from the world to the grid. Not in arrays, which the compiler would read anew after each
+    // The origin, and the matrix from the world to the grid. Not in arrays, which the compiler would read again after
+    // each
     // store into the values.
     private double originX;
     private double originY;
@@ -89,37 +89,37 @@ final class VectorTriangleSetup extends TriangleSetup {
     }
 
     @Override
-    void paint(int[] places, int count) {
-        gather(places, count);
+    void rasterise(int[] indices, int count) {
+        gather(indices, count);
         project(count);
         findPlanes(count);
         findEdges(count);
         int left = 0;
         for (int i = 0; i < count; i++) {
-            roomy[left] = i;
-            // What is not a number is kept: a corner lies beside the origin.
-            left += values[valuesOf(i) + ROOM] < 0.0 ? 0 : 1;
+            candidates[left] = i;
+            // NaN is kept: a corner lies beside the origin.
+            left += values[valuesOf(i) + EXTENT] < 0.0 ? 0 : 1;
         }
         for (int i = 0; i < left; i++) {
-            paintGathered(roomy[i], places[roomy[i]]);
+            rasteriseGathered(candidates[i], indices[candidates[i]]);
         }
     }
 
-    /** Takes the corners of four triangles at a time; the last one again where there are less. */
-    private void gather(int[] places, int count) {
+    /** Gathers the corners of four triangles at a time, repeating the last one where there are fewer. */
+    private void gather(int[] indices, int count) {
         int last = count - 1;
         for (int at = 0, i = 0; i < count; i += LANES, at += VALUES * LANES) {
-            gather(places[i], at);
-            gather(places[Math.min(i + 1, last)], at + 1);
-            gather(places[Math.min(i + 2, last)], at + 2);
-            gather(places[Math.min(i + 3, last)], at + 3);
+            gather(indices[i], at);
+            gather(indices[Math.min(i + 1, last)], at + 1);
+            gather(indices[Math.min(i + 2, last)], at + 2);
+            gather(indices[Math.min(i + 3, last)], at + 3);
         }
     }
 
-    private void gather(int place, int at) {
+    private void gather(int index, int at) {
         float[] c = corners;
         double[] n = values;
-        int base = 9 * place;
+        int base = 9 * index;
         n[at] = c[base];
         n[at + LANES] = c[base + 1];
         n[at + 2 * LANES] = c[base + 2];
@@ -131,11 +131,11 @@ final class VectorTriangleSetup extends TriangleSetup {
         n[at + CORNER_C + 2 * LANES] = c[base + 8];
     }
 
-    private void paintGathered(int i, int place) {
+    private void rasteriseGathered(int i, int index) {
         double[] n = values;
         int at = valuesOf(i);
-        if (!(n[at + SOUND] > 0.0)) {
-            super.paint(place);
+        if (!(n[at + VALID] > 0.0)) {
+            super.rasterise(index);
             return;
         }
         int fromColumn = ScanlineRasteriser.atOrAfter(n[at + LEFT]);
@@ -154,14 +154,14 @@ final class VectorTriangleSetup extends TriangleSetup {
         lines.setSecondEdge(n[f], n[f + LANES], n[f + 2 * LANES]);
         f = at + THIRD_EDGE;
         lines.setThirdEdge(n[f], n[f + LANES], n[f + 2 * LANES]);
-        lines.paint(numbers[place]);
+        lines.rasterise(numbers[index]);
     }
 
     private static int valuesOf(int i) {
         return i / LANES * (VALUES * LANES) + i % LANES;
     }
 
-    /** Takes a corner into the tile's frame. */
+    /** Transforms a corner into the tile's frame. */
     private void moveToTile(int at, int corner) {
         DoubleVector x = DoubleVector.fromArray(DOUBLES, values, at + corner).sub(originX);
         DoubleVector y =
@@ -176,7 +176,7 @@ final class VectorTriangleSetup extends TriangleSetup {
         depth.intoArray(values, at + corner + 2 * LANES);
     }
 
-    /** The corners in the tile's frame, and the rectangles about them. */
+    /** The corners in the tile's frame, and the rectangles around them. */
     private void project(int count) {
         DoubleVector one = DoubleVector.broadcast(DOUBLES, 1.0);
         for (int at = 0, i = 0; i < count; i += LANES, at += VALUES * LANES) {
@@ -210,13 +210,14 @@ final class VectorTriangleSetup extends TriangleSetup {
             upper.intoArray(values, at + UPPER);
             lower.intoArray(values, at + LOWER);
             DoubleVector columns =
-                    high.add(GENEROUS).sub(low.add(0.5 - GENEROUS).add(WHOLE).sub(WHOLE));
+                    high.add(SLACK).sub(low.add(0.5 - SLACK).add(WHOLE).sub(WHOLE));
             DoubleVector rows =
-                    lower.add(GENEROUS).sub(upper.add(0.5 - GENEROUS).add(WHOLE).sub(WHOLE));
-            // The rectangle says nothing when a corner does not lie before the origin: then there is room.
+                    lower.add(SLACK).sub(upper.add(0.5 - SLACK).add(WHOLE).sub(WHOLE));
+            // The rectangle is meaningless when a corner does not lie in front of the origin: the triangle is kept
+            // then.
             DoubleVector before = az.min(bz.min(cz)).sub(Double.MIN_NORMAL);
-            columns.min(rows).max(before.neg()).intoArray(values, at + ROOM);
-            before.intoArray(values, at + SOUND);
+            columns.min(rows).max(before.neg()).intoArray(values, at + EXTENT);
+            before.intoArray(values, at + VALID);
         }
     }
 
@@ -249,8 +250,8 @@ final class VectorTriangleSetup extends TriangleSetup {
             DoubleVector parts = partX.abs().add(partY.abs()).add(partZ.abs());
             volume.abs()
                     .sub(parts.mul(IN_PLANE))
-                    .min(DoubleVector.fromArray(DOUBLES, values, at + SOUND))
-                    .intoArray(values, at + SOUND);
+                    .min(DoubleVector.fromArray(DOUBLES, values, at + VALID))
+                    .intoArray(values, at + VALID);
             DoubleVector inverse = one.div(volume);
             nz.mul(inverse).intoArray(values, at + INVERSE);
             nx.mul(inverse).intoArray(values, at + INVERSE + LANES);
@@ -260,11 +261,11 @@ final class VectorTriangleSetup extends TriangleSetup {
                     .and(Long.MIN_VALUE)
                     .or(one.reinterpretAsLongs())
                     .reinterpretAsDoubles()
-                    .intoArray(values, at + TURN);
+                    .intoArray(values, at + SIGN);
         }
     }
 
-    /** The edge functions, turned so that inside is above zero for what lies before the origin. */
+    /** The edge functions, with the sign that makes inside positive for what lies in front of the origin. */
     private void findEdges(int count) {
         for (int at = 0, i = 0; i < count; i += LANES, at += VALUES * LANES) {
             DoubleVector ax = DoubleVector.fromArray(DOUBLES, values, at + CORNER_A);
@@ -276,16 +277,16 @@ final class VectorTriangleSetup extends TriangleSetup {
             DoubleVector cx = DoubleVector.fromArray(DOUBLES, values, at + CORNER_C);
             DoubleVector cy = DoubleVector.fromArray(DOUBLES, values, at + CORNER_C + LANES);
             DoubleVector cz = DoubleVector.fromArray(DOUBLES, values, at + CORNER_C + 2 * LANES);
-            DoubleVector turn = DoubleVector.fromArray(DOUBLES, values, at + TURN);
-            bx.mul(cy).sub(by.mul(cx)).mul(turn).intoArray(values, at + FIRST_EDGE);
-            by.mul(cz).sub(bz.mul(cy)).mul(turn).intoArray(values, at + FIRST_EDGE + LANES);
-            bz.mul(cx).sub(bx.mul(cz)).mul(turn).intoArray(values, at + FIRST_EDGE + 2 * LANES);
-            cx.mul(ay).sub(cy.mul(ax)).mul(turn).intoArray(values, at + SECOND_EDGE);
-            cy.mul(az).sub(cz.mul(ay)).mul(turn).intoArray(values, at + SECOND_EDGE + LANES);
-            cz.mul(ax).sub(cx.mul(az)).mul(turn).intoArray(values, at + SECOND_EDGE + 2 * LANES);
-            ax.mul(by).sub(ay.mul(bx)).mul(turn).intoArray(values, at + THIRD_EDGE);
-            ay.mul(bz).sub(az.mul(by)).mul(turn).intoArray(values, at + THIRD_EDGE + LANES);
-            az.mul(bx).sub(ax.mul(bz)).mul(turn).intoArray(values, at + THIRD_EDGE + 2 * LANES);
+            DoubleVector sign = DoubleVector.fromArray(DOUBLES, values, at + SIGN);
+            bx.mul(cy).sub(by.mul(cx)).mul(sign).intoArray(values, at + FIRST_EDGE);
+            by.mul(cz).sub(bz.mul(cy)).mul(sign).intoArray(values, at + FIRST_EDGE + LANES);
+            bz.mul(cx).sub(bx.mul(cz)).mul(sign).intoArray(values, at + FIRST_EDGE + 2 * LANES);
+            cx.mul(ay).sub(cy.mul(ax)).mul(sign).intoArray(values, at + SECOND_EDGE);
+            cy.mul(az).sub(cz.mul(ay)).mul(sign).intoArray(values, at + SECOND_EDGE + LANES);
+            cz.mul(ax).sub(cx.mul(az)).mul(sign).intoArray(values, at + SECOND_EDGE + 2 * LANES);
+            ax.mul(by).sub(ay.mul(bx)).mul(sign).intoArray(values, at + THIRD_EDGE);
+            ay.mul(bz).sub(az.mul(by)).mul(sign).intoArray(values, at + THIRD_EDGE + LANES);
+            az.mul(bx).sub(ax.mul(bz)).mul(sign).intoArray(values, at + THIRD_EDGE + 2 * LANES);
         }
     }
 }

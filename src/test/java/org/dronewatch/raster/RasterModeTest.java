@@ -137,15 +137,15 @@ class RasterModeTest {
     void asManyAsCanBe() {
         KDTree tree = squares(8, 1f, -4f, 8f);
         assertThat(tree.triangles().count()).isEqualTo(TriangleSetup.MOST);
-        for (RasterMode painting : RasterMode.values()) {
+        for (RasterMode mode : RasterMode.values()) {
             PixelGrid grid = new PixelGrid();
             grid.set(new double[3], new double[] {-0.64, -0.64, 1}, new double[] {0.01, 0, 0}, new double[] {0, 0.02, 0
             });
             TileBuffer pixels = new TileBuffer(grid, TileTracer.WIDTH, TileTracer.HEIGHT);
             pixels.begin(0, 0, TileTracer.WIDTH, TileTracer.HEIGHT);
-            TriangleSetup painter = painting.painter(tree.triangles(), grid, pixels);
-            painter.begin();
-            painter.paint(IntStream.range(0, TriangleSetup.MOST).toArray(), TriangleSetup.MOST);
+            TriangleSetup setup = mode.setup(tree.triangles(), grid, pixels);
+            setup.begin();
+            setup.rasterise(IntStream.range(0, TriangleSetup.MOST).toArray(), TriangleSetup.MOST);
             Set<Integer> seen = new HashSet<>();
             for (int pixel = 0; pixel < TileTracer.WIDTH * TileTracer.HEIGHT; pixel++) {
                 int column = pixel % TileTracer.WIDTH;
@@ -154,7 +154,7 @@ class RasterModeTest {
                     seen.add(pixels.triangle(column, row));
                 }
             }
-            assertThat(seen).as("%s", painting).hasSize(TriangleSetup.MOST);
+            assertThat(seen).as("%s", mode).hasSize(TriangleSetup.MOST);
         }
     }
 
@@ -171,7 +171,7 @@ class RasterModeTest {
         int size = TileTracer.WIDTH * TileTracer.HEIGHT;
         while (pixels <= RasterWarmup.PIXELS + size) {
             assertThat(warmup.isOver()).isEqualTo(pixels > RasterWarmup.PIXELS);
-            assertThat(tiles.painting() == RasterMode.MANY_BY_VECTORS)
+            assertThat(tiles.mode() == RasterMode.MANY_BY_VECTORS)
                     .as("by vectors after %d pixels", pixels)
                     .isEqualTo(pixels > RasterWarmup.PIXELS);
             tiles.trace(0, 0, TileTracer.WIDTH, TileTracer.HEIGHT);
@@ -180,7 +180,7 @@ class RasterModeTest {
         assertSame(lines, tiles, TileTracer.WIDTH, TileTracer.HEIGHT);
         TileTracer another = painting(tree, view, RasterMode.MANY, warmup);
         another.trace(0, 0, 1, 1);
-        assertThat(another.painting()).isEqualTo(RasterMode.MANY_BY_VECTORS);
+        assertThat(another.mode()).isEqualTo(RasterMode.MANY_BY_VECTORS);
     }
 
     /** A painter has nothing left of the picture before, nor of a triangle that it could not paint. */
@@ -282,12 +282,12 @@ class RasterModeTest {
         return hits;
     }
 
-    private static TileTracer painting(KDTree tree, PinholeView view, RasterMode painting) {
-        return painting(tree, view, painting, new RasterWarmup());
+    private static TileTracer painting(KDTree tree, PinholeView view, RasterMode mode) {
+        return painting(tree, view, mode, new RasterWarmup());
     }
 
-    private static TileTracer painting(KDTree tree, PinholeView view, RasterMode painting, RasterWarmup warmup) {
-        TileTracer tiles = new TileTracer(tree, painting, warmup);
+    private static TileTracer painting(KDTree tree, PinholeView view, RasterMode mode, RasterWarmup warmup) {
+        TileTracer tiles = new TileTracer(tree, mode, warmup);
         tiles.setPicture(view.from, view.corner, view.right, view.down);
         return tiles;
     }

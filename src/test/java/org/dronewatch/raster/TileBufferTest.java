@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** What a tile remembers of its pixels while triangles are painted, against looking at each of them. */
+/** What a tile remembers of its pixels while triangles are rasterised, against looking at each of them. */
 class TileBufferTest {
     private static final int SIZE = 40;
     private static final long SEED = 240;
@@ -24,7 +24,7 @@ class TileBufferTest {
         for (int tile = 0; tile < 300; tile++) {
             begin();
             for (int stroke = 0; stroke < 200; stroke++) {
-                paint();
+                rasterise();
                 int left = random.nextInt(columns);
                 int right = left + random.nextInt(columns - left);
                 int top = random.nextInt(rows);
@@ -61,7 +61,7 @@ class TileBufferTest {
     }
 
     /** Paints a rectangle by rows, in which the inverse grows from the left to the right, or by columns, downwards. */
-    private void paint() {
+    private void rasterise() {
         boolean upright = random.nextBoolean();
         int left = random.nextInt(columns) / 2;
         int right = left + random.nextInt(columns - left);
@@ -76,10 +76,10 @@ class TileBufferTest {
             }
         }
         for (int row = top; !upright && row <= bottom; row++) {
-            pixels.paintRow(row, left, right, inverse, step, 7);
+            pixels.fillRow(row, left, right, inverse, step, 7);
         }
         for (int column = left; upright && column <= right; column++) {
-            pixels.paintColumn(column, top, bottom, inverse, step, 7);
+            pixels.fillColumn(column, top, bottom, inverse, step, 7);
         }
     }
 

@@ -14,14 +14,14 @@ class TileCullerTest {
 
     private final PixelGrid grid = new PixelGrid();
     private final TileBuffer pixels = new TileBuffer(grid, SIZE, SIZE);
-    private final TileCuller sight = new TileCuller(grid, pixels);
+    private final TileCuller culler = new TileCuller(grid, pixels);
 
     /** Looks along +x, columns along +y, rows along -z; a pixel is 0.01 wide at a distance of 1. */
     private void begin() {
         double[] corner = {1.0, -0.01 * (LEFT + SIZE / 2), 0.01 * (TOP + SIZE / 2)};
         grid.set(ORIGIN, corner, new double[] {0.0, 0.01, 0.0}, new double[] {0.0, 0.0, -0.01});
         pixels.begin(LEFT, TOP, SIZE, SIZE);
-        sight.begin();
+        culler.begin();
     }
 
     /** The box spans -0.13 to 0.17 m at 9.85 m: columns 4.7 to 7.7 and rows 4.3 to 7.3, of which (7, 7) is painted last. */
@@ -30,7 +30,7 @@ class TileCullerTest {
         begin();
         double[] ahead = box(10.0, 0.02, 0.02, 0.3);
         for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
-            assertThat(sight.reaches(ahead, 0)).as("pixels painted: %d", pixel).isEqualTo(pixel <= 7 * SIZE + 7);
+            assertThat(culler.reaches(ahead, 0)).as("pixels painted: %d", pixel).isEqualTo(pixel <= 7 * SIZE + 7);
             pixels.set(pixel % SIZE, pixel / SIZE, 9.0, 0);
         }
     }
@@ -38,15 +38,15 @@ class TileCullerTest {
     @Test
     void boxesBesideBehindAndBetweenThePixelsAreNotSeen() {
         begin();
-        assertThat(sight.reaches(box(10.0, 2.0, 0.0, 0.5), 0)).as("beside").isFalse();
-        assertThat(sight.reaches(box(10.0, 0.0, -2.0, 0.5), 0)).as("below").isFalse();
-        assertThat(sight.reaches(box(10.0, 0.05, 0.05, 0.02), 0))
+        assertThat(culler.reaches(box(10.0, 2.0, 0.0, 0.5), 0)).as("beside").isFalse();
+        assertThat(culler.reaches(box(10.0, 0.0, -2.0, 0.5), 0)).as("below").isFalse();
+        assertThat(culler.reaches(box(10.0, 0.05, 0.05, 0.02), 0))
                 .as("between centres")
                 .isFalse();
-        assertThat(sight.reaches(box(10.0, 0.0, 0.0, 0.02), 0))
+        assertThat(culler.reaches(box(10.0, 0.0, 0.0, 0.02), 0))
                 .as("at a centre")
                 .isTrue();
-        assertThat(sight.reaches(box(0.0, 0.0, 0.0, 0.1), 0))
+        assertThat(culler.reaches(box(0.0, 0.0, 0.0, 0.1), 0))
                 .as("around the eye")
                 .isTrue();
     }
@@ -69,7 +69,7 @@ class TileCullerTest {
             int columns = 1 + random.nextInt(SIZE);
             int rows = 1 + random.nextInt(SIZE);
             pixels.begin(left, top, columns, rows);
-            sight.begin();
+            culler.begin();
             for (int pixel = 0; pixel < columns * rows; pixel++) {
                 if (random.nextInt(4) > 0) {
                     pixels.set(pixel % columns, pixel / columns, 0.2 + 2.0 * random.nextDouble(), pixel);
@@ -86,7 +86,7 @@ class TileCullerTest {
                 box[axis + 3] = middle + half * random.nextDouble();
             }
             boolean met = meets(box, left, top, columns, rows);
-            boolean reached = sight.reaches(box, 0);
+            boolean reached = culler.reaches(box, 0);
             assertThat(reached || !met).as("seed %d, box %d", seed, i).isTrue();
             seen += met ? 1 : 0;
             spared += reached ? 0 : 1;

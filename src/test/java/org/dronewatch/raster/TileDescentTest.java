@@ -21,39 +21,41 @@ class TileDescentTest {
     /** Each of these triangles lies in many leaves. */
     @ParameterizedTest
     @EnumSource(RasterMode.class)
-    void meetsATriangleOnce(RasterMode painting) {
+    void meetsATriangleOnce(RasterMode mode) {
         TriangleMesh mesh = Meshes.soup(600, 0.5, 262);
         KDTree tree = KDTree.of(mesh);
         assertThat(tree.leafTriangles().length).as("entries of leaves").isGreaterThan(10 * mesh.triangleCount());
-        LeafRasteriser leaves = leaves(tree, painting);
-        TileDescent descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
+        LeafRasteriser leaves = leaves(tree, mode);
+        TileDescent descent = new TileDescent(tree, grid, pixels, leaves, mode.nodesAtOnce());
         SplittableRandom random = new SplittableRandom(SEED);
         for (int i = 0; i < 20; i++) {
             begin(PinholeView.random(mesh, random, i, TileTracer.WIDTH));
-            assertThat(descent.paint(Integer.MAX_VALUE)).isTrue();
+            assertThat(descent.rasterise(Integer.MAX_VALUE)).isTrue();
             assertThat(leaves.met()).as("view %d, seed %d", i, SEED).isLessThanOrEqualTo(mesh.triangleCount());
         }
     }
 
     @ParameterizedTest
     @EnumSource(RasterMode.class)
-    void givesUpWhereMoreTrianglesThanTheLimitAreMet(RasterMode painting) {
+    void givesUpWhereMoreTrianglesThanTheLimitAreMet(RasterMode mode) {
         TriangleMesh mesh = Meshes.icosphere(4);
         KDTree tree = KDTree.of(mesh);
-        LeafRasteriser leaves = leaves(tree, painting);
-        TileDescent descent = new TileDescent(tree, grid, pixels, leaves, painting.nodesPaintedWhole());
+        LeafRasteriser leaves = leaves(tree, mode);
+        TileDescent descent = new TileDescent(tree, grid, pixels, leaves, mode.nodesAtOnce());
         SplittableRandom random = new SplittableRandom(SEED);
         int views = 0;
         for (int i = 0; i < 20; i++) {
             PinholeView view = PinholeView.random(mesh, random, i, TileTracer.WIDTH);
             begin(view);
-            assertThat(descent.paint(Integer.MAX_VALUE)).isTrue();
+            assertThat(descent.rasterise(Integer.MAX_VALUE)).isTrue();
             int met = leaves.met();
             if (met > 0) {
                 begin(view);
-                assertThat(descent.paint(met)).as("view %d, seed %d", i, SEED).isTrue();
+                assertThat(descent.rasterise(met))
+                        .as("view %d, seed %d", i, SEED)
+                        .isTrue();
                 begin(view);
-                assertThat(descent.paint(met - 1))
+                assertThat(descent.rasterise(met - 1))
                         .as("view %d, seed %d", i, SEED)
                         .isFalse();
                 views++;
@@ -65,20 +67,20 @@ class TileDescentTest {
     /** A triangle in whose plane and box the origin lies, and then, elsewhere, the next tile. */
     @ParameterizedTest
     @EnumSource(RasterMode.class)
-    void givesUpWhereTheOriginLiesInATriangle(RasterMode painting) {
+    void givesUpWhereTheOriginLiesInATriangle(RasterMode mode) {
         KDTree tree = KDTree.of(TriangleMesh.of(new float[] {0, 0, 1, 4, 0, 1, 0, 4, 1}, new int[] {0, 1, 2}));
-        TileDescent descent = new TileDescent(tree, grid, pixels, leaves(tree, painting), painting.nodesPaintedWhole());
+        TileDescent descent = new TileDescent(tree, grid, pixels, leaves(tree, mode), mode.nodesAtOnce());
         double[] right = {0.01, 0, 0};
         double[] down = {0, 0, -0.01};
         begin(new PinholeView(new double[] {1, 1, 1}, new double[] {-0.64, 1, 0.32}, right, down));
-        assertThat(descent.paint(1)).as("from within the triangle").isFalse();
+        assertThat(descent.rasterise(1)).as("from within the triangle").isFalse();
         begin(new PinholeView(new double[] {1, 1, 1.1}, new double[] {-0.64, 1, 0.32}, right, down));
-        assertThat(descent.paint(1)).as("from above it").isTrue();
+        assertThat(descent.rasterise(1)).as("from above it").isTrue();
     }
 
-    private LeafRasteriser leaves(KDTree tree, RasterMode painting) {
-        assumeTrue(painting != RasterMode.MANY_BY_VECTORS || VectorInstructions.areAvailable(), "no vectors");
-        return new LeafRasteriser(tree.leafTriangles(), painting.painter(tree.triangles(), grid, pixels));
+    private LeafRasteriser leaves(KDTree tree, RasterMode mode) {
+        assumeTrue(mode != RasterMode.MANY_BY_VECTORS || VectorInstructions.areAvailable(), "no vectors");
+        return new LeafRasteriser(tree.leafTriangles(), mode.setup(tree.triangles(), grid, pixels));
     }
 
     private void begin(PinholeView view) {
