@@ -1,11 +1,11 @@
 package org.dronewatch.bvh;
 
 /**
- * A tree of boxes with eight children a node over the triangles of a {@link org.dronewatch.kdtree.KDTree}, for rays that have nothing to do with
- * each other: fewer and wider steps than a kd-tree's, each by vector instructions. Immutable, shared by all threads.
+ * A bounding volume hierarchy with eight children per node over the triangles of a {@link org.dronewatch.kdtree.KDTree}, for
+ * incoherent rays: fewer and wider steps than in a kd-tree, each by vector instructions. Immutable, shared by all threads.
  */
 final class Bvh {
-    /** Farther from the origin, the margins of single precision are not known to hold, m. */
+    /** The distance from the origin up to which the margins of single precision are known to hold, m. */
     static final double FARTHEST = 0x1p40;
 
     private final int[] pool;
@@ -15,9 +15,9 @@ final class Bvh {
     /**
      * A finished tree.
      *
-     * @param pool nodes and blocks as {@link BvhNode} says
+     * @param pool nodes and blocks in the layout of {@link BvhNode}
      * @param reach the largest absolute coordinate, m
-     * @param depth the largest number of nodes one in another
+     * @param depth the largest number of nodes on a path from the root
      */
     Bvh(int[] pool, double reach, int depth) {
         this.pool = pool;

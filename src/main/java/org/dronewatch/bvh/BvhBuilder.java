@@ -7,8 +7,8 @@ import org.dronewatch.parallel.Workers;
 
 /**
  * Builds a {@link Bvh}: first a binary tree of boxes, each split where the surface area heuristic finds it cheapest
- * among the borders of bins of the triangles' middles (Wald, "On fast construction of SAH-based bounding volume
- * hierarchies", 2007), then nodes of eight children by opening the largest of them again and again. The tree is the same
+ * among the borders of bins of the triangles' centres (Wald, "On fast construction of SAH-based bounding volume
+ * hierarchies", 2007), then nodes of eight children, by repeatedly opening the largest. The tree is the same
  * for any number of threads.
  */
 final class BvhBuilder {
@@ -18,10 +18,10 @@ final class BvhBuilder {
     /** Cost of a box's test over that of a block's: measured. */
     private static final float STEP = 0.5f;
 
-    /** So many triangles make a leaf at most, where splitting does not pay. */
+    /** The most triangles of a leaf, where splitting does not pay. */
     private static final int MOST_IN_LEAF = 8;
 
-    /** Deeper, parts are halved by number: bounds what degenerate input can do. */
+    /** Below this level, parts are halved by number: bounds the cost of degenerate input. */
     private static final int DEEPEST = 60;
 
     /** Parts of fewer triangles are not worth another thread. */
@@ -31,13 +31,13 @@ final class BvhBuilder {
     private final float[] corners;
     private final int count;
     private final float[] boxes;
-    /** Places of triangles, part by part. */
+    /** Indices of triangles in leaf order, part by part. */
     private final int[] order;
 
     /**
-     * For triangles.
+     * A builder.
      *
-     * @param triangles of a kd-tree: neighbours lie together
+     * @param triangles of a kd-tree, in leaf order: neighbours are stored together
      */
     BvhBuilder(LeafOrderTriangles triangles) {
         this.triangles = triangles;
@@ -61,13 +61,13 @@ final class BvhBuilder {
         return new BvhWriter(triangles, order).write(root, reach);
     }
 
-    private void writeBox(int place) {
+    private void writeBox(int index) {
         for (int axis = 0; axis < 3; axis++) {
-            float a = corners[9 * place + axis];
-            float b = corners[9 * place + 3 + axis];
-            float c = corners[9 * place + 6 + axis];
-            boxes[BOX * place + axis] = Math.min(a, Math.min(b, c));
-            boxes[BOX * place + axis + 3] = Math.max(a, Math.max(b, c));
+            float a = corners[9 * index + axis];
+            float b = corners[9 * index + 3 + axis];
+            float c = corners[9 * index + 6 + axis];
+            boxes[BOX * index + axis] = Math.min(a, Math.min(b, c));
+            boxes[BOX * index + axis + 3] = Math.max(a, Math.max(b, c));
         }
     }
 
@@ -130,7 +130,7 @@ final class BvhBuilder {
         }
     }
 
-    /** The triangles of a part, sorted into bins by their middles, and where to split them. */
+    /** The triangles of a part, sorted into bins by their centres, and where to split them. */
     private final class Bins {
         private final BvhPart part;
         private final int number;
@@ -147,7 +147,7 @@ final class BvhBuilder {
             this.number = Math.min(BINS, 6 + (part.to - part.from) / 2);
         }
 
-        /** Finds the cheapest border between bins; false when all middles fall into one bin. */
+        /** Finds the cheapest border between bins; false when all centres fall into one bin. */
         boolean find() {
             setScale();
             fill();
@@ -159,9 +159,9 @@ final class BvhBuilder {
             return bestCost < Float.POSITIVE_INFINITY;
         }
 
-        /** Twice the middle of a triangle's box. */
-        private float middle(int place, int axis) {
-            return boxes[BOX * place + axis] + boxes[BOX * place + axis + 3];
+        /** Twice the centre of a triangle's box. */
+        private float centre(int index, int axis) {
+            return boxes[BOX * index + axis] + boxes[BOX * index + axis + 3];
         }
 
         private void setScale() {
@@ -169,18 +169,18 @@ final class BvhBuilder {
                 float first = Float.POSITIVE_INFINITY;
                 float last = Float.NEGATIVE_INFINITY;
                 for (int i = part.from; i < part.to; i++) {
-                    first = Math.min(first, middle(order[i], axis));
-                    last = Math.max(last, middle(order[i], axis));
+                    first = Math.min(first, centre(order[i], axis));
+                    last = Math.max(last, centre(order[i], axis));
                 }
                 low[axis] = first;
                 float stretch = number * 0.9999f / (last - first);
-                // 0 when all are at one place, or so near that the quotient is of no use.
+                // 0 when all are at one point, or so near to each other that the quotient is useless.
                 scale[axis] = last > first && stretch < 1e30f ? stretch : 0.0f;
             }
         }
 
-        private int bin(int place, int axis) {
-            return (int) ((middle(place, axis) - low[axis]) * scale[axis]);
+        private int bin(int index, int axis) {
+            return (int) ((centre(index, axis) - low[axis]) * scale[axis]);
         }
 
         private void fill() {
@@ -196,7 +196,7 @@ final class BvhBuilder {
             }
         }
 
-        /** Costs of all borders on an axis: right sides from the end, then left sides from the beginning. */
+        /** Costs of all borders on an axis: right sides from the last bin down, then left sides from the first up. */
         private void sweep(int axis) {
             float[] rightAreas = new float[BINS];
             int[] rightCounts = new int[BINS];
@@ -224,13 +224,13 @@ final class BvhBuilder {
             }
         }
 
-        /** Blocks that triangles fill: whole ones near the leaves, else on average. */
+        /** Blocks that triangles fill: whole blocks near the leaves, else a fraction. */
         private float work(int triangles) {
             boolean many = part.to - part.from > 4 * BvhNode.TRIANGLES;
             return many ? (float) triangles / BvhNode.TRIANGLES : BvhNode.blocks(triangles);
         }
 
-        /** Brings the triangles left of the best border before the others; gives where these begin. */
+        /** Partitions the triangles at the best border; returns the index of the first on its right. */
         int partition() {
             int left = part.from;
             int right = part.to - 1;

@@ -1,14 +1,14 @@
 package org.dronewatch.bvh;
 
 /**
- * The layout of a wide tree in one array of ints; the only file with its offsets. A node holds the boxes of its eight
- * children and where they are; a block holds four triangles. Coordinates are the bits of floats, eight or four side by side,
+ * The layout of the BVH in one array of ints; the only file with its offsets. A node holds the boxes of its eight
+ * children and references to them; a block holds four triangles. Coordinates are the bits of floats, eight or four side by side,
  * so that one vector takes them all.
  *
  * <pre>
  * node,  64 ints: low x, low y, low z, high x, high y, high z of 8 children, 8 references, 8 spare
  * block, 40 ints: x, y, z of the first, second, third corners of 4 triangles, their 4 numbers
- * reference: place of a node; or, with the sign bit, place of the first block and in the 2 lowest bits how many follow it
+ * reference: index of a node; or, with the sign bit, index of the first block, and in the 2 lowest bits how many follow it
  * </pre>
  */
 final class BvhNode {
@@ -27,10 +27,10 @@ final class BvhNode {
     /** Ints of a block. */
     static final int BLOCK = 10 * TRIANGLES;
 
-    /** Blocks of a leaf at most. */
+    /** The most blocks of a leaf. */
     static final int MOST_BLOCKS = 4;
 
-    /** Where the root is: a header of 16 bytes and 48 more put it at the start of a cache line. */
+    /** Index of the root: the array's header of 16 bytes and 48 bytes more put it at the start of a cache line. */
     static final int ROOT = 12;
 
     /** The reference to nothing. */
@@ -79,7 +79,7 @@ final class BvhNode {
     /**
      * A reference to blocks.
      *
-     * @param first where the first of them is
+     * @param first index of the first
      * @param blocks how many, 1 to {@link #MOST_BLOCKS}
      */
     static int leaf(int first, int blocks) {
@@ -93,12 +93,12 @@ final class BvhNode {
         return reference < 0;
     }
 
-    /** Where the first block of a leaf is. */
+    /** Index of the first block of a leaf. */
     static int firstBlock(int leaf) {
         return leaf & ~(LEAF | FOLLOWING);
     }
 
-    /** Where the last block of a leaf is. */
+    /** Index of the last block of a leaf. */
     static int lastBlock(int leaf) {
         return firstBlock(leaf) + (leaf & FOLLOWING) * BLOCK;
     }

@@ -1,6 +1,6 @@
 package org.dronewatch.bvh;
 
-/** A box with two parts in it, or with triangles: what a {@link Bvh} is made from. */
+/** A node while the tree is built, with two parts or with triangles: what a {@link Bvh} is made from. */
 final class BvhPart {
     /** Low x, y, z, high x, y, z. */
     final float[] box;
@@ -8,7 +8,7 @@ final class BvhPart {
     /** The first of its triangles in the builder's order. */
     final int from;
 
-    /** Behind the last. */
+    /** The index after the last. */
     final int to;
 
     BvhPart left;

@@ -14,14 +14,14 @@ import org.dronewatch.kdtree.StackTraversal;
 /**
  * Walks a {@link Bvh}: a step tests the boxes of eight children at once in single precision, widened by more than its
  * roundings; a block tests four triangles at once, in double precision by the arithmetic of {@code TriangleIntersection}.
- * What is hit is what the kd-tree hits; where triangles meet in the very point, it is the nearest by the last bit, then the
- * one of the lowest number.
+ * It hits what the kd-tree hits; where triangles meet in the very point, it reports the nearest by the last bit, then the
+ * one with the lowest number.
  *
- * <p>For rays without coherence: a kd-tree takes many narrow steps, and processors guess each of them wrong half the time.
- * Rays whose numbers single precision cannot bound are left to the kd-tree.
+ * <p>For incoherent rays: in a kd-tree they take many narrow steps, and processors mispredict half of them. Rays whose
+ * numbers single precision cannot bound are left to the kd-tree.
  *
  * <p>The code keeps to what the just-in-time compiler turns into plain vector instructions: no masks, no vectors across
- * calls, the leaf in a method of its own.
+ * calls, the leaf in a separate method.
  */
 final class BvhTraversal extends RayTracer {
     private static final VectorSpecies<Integer> INTS_8 = IntVector.SPECIES_256;
@@ -30,15 +30,15 @@ final class BvhTraversal extends RayTracer {
     private static final VectorSpecies<Double> DOUBLES_4 = DoubleVector.SPECIES_256;
 
     /**
-     * What a box's planes are moved outwards by, as a share of the coordinates' size: four roundings of single precision,
+     * How far a box's planes are moved outwards, as a fraction of the coordinates' size: four roundings of single precision,
      * of the inverse direction, of the origin's product with it, of the fused product and sum, and one to spare.
      */
     private static final double MARGIN = 0x1p-22;
 
-    /** Components of a direction below this are taken for it: within the margin until the ray has left the tree. */
+    /** Smaller components of a direction are replaced by this: within the margin until the ray has left the tree. */
     private static final double SMALLEST = 0x1p-60;
 
-    /** Directions whose largest component is smaller, or larger than the inverse, are left to the kd-tree. */
+    /** Directions whose largest component is smaller than this, or larger than its inverse, are left to the kd-tree. */
     private static final double SHORTEST = 0x1p-20;
 
     private final int[] pool;
@@ -51,7 +51,7 @@ final class BvhTraversal extends RayTracer {
     /** Entry parameter as the bits of a float above, reference below: ordered as their parameters are. */
     private final long[] stack;
 
-    // The ray as the triangle test wants it, and the best hit so far.
+    // The ray in the form of the triangle test, and the best hit so far.
     private int offsetX;
     private int offsetY;
     private int offsetZ;
@@ -64,7 +64,7 @@ final class BvhTraversal extends RayTracer {
     private double first;
     private double nearest;
     private int winner;
-    private int winnerPlace;
+    private int winnerIndex;
 
     BvhTraversal(KDTree tree, Bvh wide) {
         super(tree.triangles());
@@ -99,7 +99,7 @@ final class BvhTraversal extends RayTracer {
         }
     }
 
-    /** Tells the hit with its place in the triangle; the block was just read, the mesh's own corners are far away. */
+    /** Keeps the hit with its barycentrics, from the block: it is in the cache, the mesh's own corners are not. */
     private void keepWinner() {
         double az = corner(0, offsetZ) - originZ;
         double bz = corner(1, offsetZ) - originZ;
@@ -118,7 +118,7 @@ final class BvhTraversal extends RayTracer {
     }
 
     private float corner(int corner, int offset) {
-        return Float.intBitsToFloat(pool[winnerPlace + corner * BvhNode.CORNER + offset]);
+        return Float.intBitsToFloat(pool[winnerIndex + corner * BvhNode.CORNER + offset]);
     }
 
     private void setTriangleRay() {
@@ -153,7 +153,8 @@ final class BvhTraversal extends RayTracer {
         long[] waiting = stack;
         int[] keys = entries;
 
-        // A plane's parameter is plane * inverse + shift; the margins are folded into the shifts, apart for both sides.
+        // A plane's parameter is plane * inverse + shift; the margins are folded into the shifts, separately for both
+        // sides.
         double ix = bounded(0);
         double iy = bounded(1);
         double iz = bounded(2);
@@ -240,12 +241,12 @@ final class BvhTraversal extends RayTracer {
                                 (long) keys[child] << 32 | BvhNode.reference(nodes, reference, child) & 0xffffffffL;
                         long farther = Math.max(next, found);
                         next = Math.min(next, found);
-                        int place = stacked++;
-                        while (place > bottom && waiting[place - 1] < farther) {
-                            waiting[place] = waiting[place - 1];
-                            place--;
+                        int slot = stacked++;
+                        while (slot > bottom && waiting[slot - 1] < farther) {
+                            waiting[slot] = waiting[slot - 1];
+                            slot--;
                         }
-                        waiting[place] = farther;
+                        waiting[slot] = farther;
                     } while (hits != 0);
                     reference = (int) next;
                     continue;
@@ -256,7 +257,7 @@ final class BvhTraversal extends RayTracer {
                     return;
                 }
             }
-            // What is entered beyond the nearest hit need not be looked at.
+            // What is entered beyond the nearest hit need not be visited.
             do {
                 if (stacked == 0) {
                     return;
@@ -267,7 +268,7 @@ final class BvhTraversal extends RayTracer {
         }
     }
 
-    /** Tests the triangles of a leaf; gives the limit for boxes, which is the nearest hit rounded up. */
+    /** Tests the triangles of a leaf; returns the limit for boxes, which is the nearest hit rounded up. */
     private int testBlocks(int leaf, int limitBefore) {
         int[] blocks = pool;
         double[] ts = parameters;
@@ -303,7 +304,7 @@ final class BvhTraversal extends RayTracer {
 
             // The edge functions. Where two have opposite signs, their product has the sign bit: the triangle is
             // missed.
-            // The zero that is added makes -0 to 0, which counts as inside.
+            // The zero that is added turns -0 into 0, which counts as inside.
             DoubleVector a = cx.mul(by).sub(cy.mul(bx));
             DoubleVector b = ax.mul(cy).sub(ay.mul(cx));
             DoubleVector g = bx.mul(ay).sub(by.mul(ax));
@@ -323,7 +324,7 @@ final class BvhTraversal extends RayTracer {
             if (hits == 0) {
                 continue;
             }
-            // Few come here. What is not a number, of triangles without area, fails both comparisons.
+            // Few get here. NaN, of triangles without area, fails both comparisons.
             t.intoArray(ts, 0);
             do {
                 int lane = Integer.numberOfTrailingZeros(hits);
@@ -334,7 +335,7 @@ final class BvhTraversal extends RayTracer {
                         && (parameter < nearest || parameter == nearest && (winner < 0 || triangle < winner))) {
                     nearest = parameter;
                     winner = triangle;
-                    winnerPlace = block + lane;
+                    winnerIndex = block + lane;
                     limit = Float.floatToRawIntBits((float) parameter + 0.0f) + 1;
                 }
             } while (hits != 0);

@@ -3,7 +3,7 @@ package org.dronewatch.bvh;
 import java.util.Arrays;
 import org.dronewatch.kdtree.LeafOrderTriangles;
 
-/** Writes a tree of parts as a {@link Bvh}: nodes of eight children, by opening the largest again and again. */
+/** Writes a tree of parts as a {@link Bvh}: nodes of eight children, by repeatedly opening the largest. */
 final class BvhWriter {
     private final LeafOrderTriangles triangles;
     private final int[] order;
@@ -14,8 +14,8 @@ final class BvhWriter {
     /**
      * For triangles.
      *
-     * @param triangles at their places
-     * @param order the places as the parts name them
+     * @param triangles in leaf order
+     * @param order their indices, part by part
      */
     BvhWriter(LeafOrderTriangles triangles, int[] order) {
         this.triangles = triangles;
@@ -29,36 +29,36 @@ final class BvhWriter {
         return new Bvh(Arrays.copyOf(pool, used), reach, depth);
     }
 
-    /** Appends a node with all that is below it; gives its place. Its leaves come first, then its other children. */
+    /** Appends a node and all below it; returns its index. Its leaves come first, then its other children. */
     private int emit(BvhPart part, int level) {
         depth = Math.max(depth, level);
         BvhPart[] children = new BvhPart[BvhNode.WIDTH];
         int number = open(part, children);
-        int place = reserve(BvhNode.NODE);
+        int index = reserve(BvhNode.NODE);
         for (int child = 0; child < BvhNode.WIDTH; child++) {
             for (int k = 0; k < 6; k++) {
-                // A box that no ray meets, in the place of a child that is not there.
+                // A box that no ray meets, where there is no child.
                 float nothing = k < 3 ? Float.MAX_VALUE : -Float.MAX_VALUE;
                 float bound = child < number ? children[child].box[k] : nothing;
-                BvhNode.setBound(pool, place, k, child, bound);
+                BvhNode.setBound(pool, index, k, child, bound);
             }
         }
         for (int child = 0; child < number; child++) {
             if (children[child].isLeaf()) {
                 int blocks = appendBlocks(children[child]);
-                BvhNode.setReference(pool, place, child, blocks);
+                BvhNode.setReference(pool, index, child, blocks);
             }
         }
         for (int child = 0; child < number; child++) {
             if (!children[child].isLeaf()) {
                 int node = emit(children[child], level + 1);
-                BvhNode.setReference(pool, place, child, node);
+                BvhNode.setReference(pool, index, child, node);
             }
         }
-        return place;
+        return index;
     }
 
-    /** Opens the largest child again and again until there are eight, or only leaves. */
+    /** Opens the largest child repeatedly until there are eight, or only leaves. */
     private static int open(BvhPart part, BvhPart[] children) {
         children[0] = part;
         int number = 1;
@@ -80,15 +80,15 @@ final class BvhWriter {
     }
 
     private int reserve(int ints) {
-        int place = used;
+        int first = used;
         used += ints;
         if (used > pool.length) {
             pool = Arrays.copyOf(pool, (int) Math.min(Integer.MAX_VALUE - 8L, Math.max(used, 1.5 * pool.length)));
         }
-        return place;
+        return first;
     }
 
-    /** Appends a leaf's triangles; places that stay free hold triangles without extent, which no ray hits. */
+    /** Appends a leaf's triangles; unused lanes hold triangles without extent, which no ray hits. */
     private int appendBlocks(BvhPart leaf) {
         int size = leaf.to - leaf.from;
         int blocks = Math.max(1, BvhNode.blocks(size));
@@ -96,11 +96,11 @@ final class BvhWriter {
         for (int i = 0; i < size; i++) {
             int block = first + i / BvhNode.TRIANGLES * BvhNode.BLOCK;
             int lane = i % BvhNode.TRIANGLES;
-            int place = order[leaf.from + i];
+            int index = order[leaf.from + i];
             for (int k = 0; k < 9; k++) {
-                BvhNode.setCoordinate(pool, block, k, lane, triangles.corners()[9 * place + k]);
+                BvhNode.setCoordinate(pool, block, k, lane, triangles.corners()[9 * index + k]);
             }
-            BvhNode.setNumber(pool, block, lane, triangles.numbers()[place]);
+            BvhNode.setNumber(pool, block, lane, triangles.numbers()[index]);
         }
         return BvhNode.leaf(first, blocks);
     }

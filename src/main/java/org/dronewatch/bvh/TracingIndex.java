@@ -9,8 +9,9 @@ import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.VectorInstructions;
 
 /**
- * What finds the triangles of a mesh along rays: its kd-tree, and a BVH for incoherent rays that is built when first asked
- * for. Immutable as far as callers can see, and shared by all threads: whoever keeps it keeps the BVH, too.
+ * The acceleration structures that find the triangles of a mesh along rays: its kd-tree, and a BVH for incoherent rays that
+ * is built when first needed. Immutable as far as callers can see, and shared by all threads: whoever keeps it also keeps the
+ * BVH.
  */
 public final class TracingIndex {
     private final KDTree tree;
@@ -41,11 +42,11 @@ public final class TracingIndex {
     }
 
     /**
-     * A new ray tracer for incoherent rays, which have nothing to do with each other, as those of diffuse sound, for the use
+     * A new ray tracer for incoherent rays, which are unrelated to each other, such as those of diffuse sound, for the use
      * of one thread. Where the processor's vectors can be used ({@code --add-modules jdk.incubator.vector}) it is three to
      * four times as fast in large models, once the BVH is built, by several threads if there are; elsewhere it is that of
-     * {@link #newRayTracer()}. Both hit the same; where triangles meet in the very point that a ray hits, they may differ in
-     * the triangle that they name, and in the last bit of the distance.
+     * {@link #newRayTracer()}. Both find the same hits; where triangles meet in the very point that a ray hits, they may
+     * report different triangles, and in the last bit of the distance.
      *
      * @throws CancellationException when the thread is interrupted while the BVH is built
      */
@@ -70,7 +71,7 @@ public final class TracingIndex {
         return Math.max(x, Math.max(y, z));
     }
 
-    /** The BVH, built when first asked for. */
+    /** The BVH, built when first needed. */
     synchronized Bvh bvh() {
         if (bvh == null) {
             bvh = new BvhBuilder(tree.triangles()).build();

@@ -1,7 +1,7 @@
 package org.dronewatch.kdtree;
 
 /**
- * The packed node: one 64-bit word, and the only place that knows its bits.
+ * The packed node: one 64-bit word, whose bits only this class knows.
  *
  * <pre>
  *   63 ........ 34 | 33 .. 32 | 31 |  30 ........ 0

@@ -5,8 +5,8 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles at their places. Holds data only: ray
- * tracers walk it, {@link StackTraversal} for one, and {@link KDTreeStats} measures it. Immutable, shared by all threads.
+ * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles in leaf order. Holds data only: ray
+ * tracers such as {@link StackTraversal} walk it, and {@link KDTreeStats} measures it. Immutable, shared by all threads.
  */
 public final class KDTree {
     private final TriangleMesh mesh;
@@ -21,8 +21,8 @@ public final class KDTree {
      *
      * @param mesh what it indexes
      * @param nodes packed nodes, the root first
-     * @param leafTriangles places of triangles, leaf by leaf
-     * @param triangles at their places
+     * @param leafTriangles indices of triangles in leaf order, leaf by leaf
+     * @param triangles in leaf order
      * @param bounds the root's box, minimum on three axes, then maximum
      * @param depth the largest number of splits above a leaf
      */
@@ -42,7 +42,7 @@ public final class KDTree {
     }
 
     /**
-     * Builds the tree of a mesh; a mesh without triangles gives a tree that no ray hits.
+     * Builds the tree of a mesh; in the tree of a mesh without triangles no ray hits anything.
      *
      * @throws CancellationException when the thread is interrupted meanwhile
      */

@@ -3,8 +3,8 @@ package org.dronewatch.kdtree;
 import java.util.Arrays;
 
 /**
- * The triangles of a tree, each at its place in the order in which the tree's leaves come to it first. What lies together in
- * space then lies together in memory, however a model's file orders its faces. Immutable, shared by all threads.
+ * The triangles of a tree, in leaf order: the order in which they first occur in the leaves. What is close together in space
+ * is then close together in memory, however a model's file orders its faces. Immutable, shared by all threads.
  */
 public final class LeafOrderTriangles {
     private final float[] corners;
@@ -16,32 +16,32 @@ public final class LeafOrderTriangles {
     }
 
     /**
-     * Gives triangles their places. Those in no leaf, which no ray can hit, come last.
+     * Sorts triangles into leaf order. Those in no leaf, which no ray can hit, come last.
      *
-     * @param leaves the triangles' numbers, leaf by leaf; is rewritten to their places
+     * @param leaves the triangles' numbers, leaf by leaf; is overwritten with their indices in leaf order
      * @param corners nine coordinates a triangle, by number
      */
     static LeafOrderTriangles of(int[] leaves, float[] corners) {
-        int[] places = new int[corners.length / 9];
-        int[] numbers = new int[places.length];
-        Arrays.fill(places, -1);
-        int placed = 0;
+        int[] indices = new int[corners.length / 9];
+        int[] numbers = new int[indices.length];
+        Arrays.fill(indices, -1);
+        int next = 0;
         for (int i = 0; i < leaves.length; i++) {
             int number = leaves[i];
-            if (places[number] < 0) {
-                places[number] = placed;
-                numbers[placed++] = number;
+            if (indices[number] < 0) {
+                indices[number] = next;
+                numbers[next++] = number;
             }
-            leaves[i] = places[number];
+            leaves[i] = indices[number];
         }
-        for (int number = 0; placed < numbers.length; number++) {
-            if (places[number] < 0) {
-                numbers[placed++] = number;
+        for (int number = 0; next < numbers.length; number++) {
+            if (indices[number] < 0) {
+                numbers[next++] = number;
             }
         }
         float[] moved = new float[corners.length];
-        for (int place = 0; place < numbers.length; place++) {
-            System.arraycopy(corners, 9 * numbers[place], moved, 9 * place, 9);
+        for (int index = 0; index < numbers.length; index++) {
+            System.arraycopy(corners, 9 * numbers[index], moved, 9 * index, 9);
         }
         return new LeafOrderTriangles(moved, numbers);
     }

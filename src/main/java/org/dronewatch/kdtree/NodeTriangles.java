@@ -10,7 +10,7 @@ final class NodeTriangles {
     final int[] boxes;
     int count;
 
-    /** Room for so many triangles. */
+    /** Room for a number of triangles. */
     NodeTriangles(int capacity) {
         this.triangles = new int[capacity];
         this.boxes = new int[BOX * capacity];

@@ -35,13 +35,13 @@ public abstract class RayTracer {
     }
 
     /**
-     * Looks for the nearest triangle along a ray. Of several with the same corners it names that with the least number. Where
-     * a ray hits an edge or a corner of several, which of them is named may depend on the traversal.
+     * Looks for the nearest triangle along a ray. Of several with the same corners it reports the one with the lowest number. Where
+     * a ray hits an edge or a corner of several, which of them is reported may depend on the tracer.
      *
      * @param tMin the smallest ray parameter that counts, 0 or more
      * @param tMax the largest that counts
      * @return whether there is one; its {@link #distance()}, {@link #triangle()}, {@link #u()} and {@link #v()} can be
-     *     read until the next question
+     *     read until the next query
      */
     public final boolean closestHit(
             double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {

@@ -6,10 +6,10 @@ package org.dronewatch.kdtree;
  */
 final class SahCost {
     /**
-     * Cost of one traversal step. Measured, not counted: a step waits for its node and for a branch that nobody can
-     * predict, a triangle test is plain arithmetic; and tiles of cameras test a triangle once for many pixels. With 3 in
-     * place of 4 single rays are up to a tenth faster, tiles as much slower and trees take a quarter longer; with 6 it is
-     * the other way round.
+     * Cost of one traversal step. Measured, not counted: a step waits for its node and for an unpredictable
+     * branch, a triangle test is plain arithmetic; and tiles of cameras test a triangle once for many pixels. With 3 instead
+     * of 4 single rays are up to a tenth faster, tiles slower by as much, and trees take a quarter longer to build; with 6 it
+     * is the reverse.
      */
     static final double TRAVERSAL = 4.0;
     /** Cost of one triangle test. */
@@ -32,7 +32,7 @@ final class SahCost {
         return left == 0 || right == 0 ? EMPTY_BONUS * cost : cost;
     }
 
-    /** Cost of a leaf of so many triangles. */
+    /** Cost of a leaf of a number of triangles. */
     static double leaf(int triangles) {
         return INTERSECTION * triangles;
     }

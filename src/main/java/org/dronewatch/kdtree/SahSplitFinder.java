@@ -23,11 +23,11 @@ final class SahSplitFinder {
     private static final int PLANAR = 1;
     private static final int START = 2;
 
-    /** From so many triangles on, slices are counted first. */
+    /** The number of triangles from which slices are counted first. */
     private static final int MANY = 64;
 
     private static final int SLICES = 128;
-    /** Slices are told apart with rounding, and so are their bounds. */
+    /** A slice's index is rounded, and so are its bounds. */
     private static final double LESS = 1.0 - 1e-9;
 
     private int[] events = new int[0];

@@ -29,7 +29,7 @@ public final class SequentialTraversal extends KDTraversal {
     private double entry;
     private double exit;
 
-    /** A traversal of a tree for the use of one thread. */
+    /** A ray tracer of a tree for the use of one thread. */
     public SequentialTraversal(KDTree tree) {
         super(tree);
     }

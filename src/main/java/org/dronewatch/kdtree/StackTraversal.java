@@ -1,7 +1,7 @@
 package org.dronewatch.kdtree;
 
 /**
- * Descends to the nearer child and keeps the farther one on a stack. The default traversal: it visits each node at most
+ * Descends to the nearer child and keeps the farther one on a stack. The default ray tracer: it visits each node at most
  * once.
  */
 public final class StackTraversal extends KDTraversal {
@@ -9,7 +9,7 @@ public final class StackTraversal extends KDTraversal {
     private final double[] stackEntry;
     private final double[] stackExit;
 
-    /** A traversal of a tree for the use of one thread. */
+    /** A ray tracer of a tree for the use of one thread. */
     public StackTraversal(KDTree tree) {
         super(tree);
         int size = tree.depth() + 1;

@@ -22,7 +22,7 @@ final class Subtree {
         return depth;
     }
 
-    /** Makes place for a node that is known later; gives its index. */
+    /** Reserves a node that is known later; returns its index. */
     int reserveNode() {
         ensureNodes(1);
         return nodeCount++;

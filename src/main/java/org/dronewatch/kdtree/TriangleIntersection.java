@@ -34,7 +34,7 @@ final class TriangleIntersection {
         this.numbers = triangles.numbers();
     }
 
-    /** Takes a new ray and forgets the old one's hit; a hit beyond the limit does not count. */
+    /** Sets a new ray and forgets the hit of the last one; a hit beyond the limit does not count. */
     void setRay(double[] origin, double[] direction, double limit) {
         double x = Math.abs(direction[0]);
         double y = Math.abs(direction[1]);
@@ -53,14 +53,14 @@ final class TriangleIntersection {
     }
 
     /**
-     * Tests one triangle and keeps the hit if it is the nearest so far; of several equally near that with the least number.
+     * Tests one triangle and keeps the hit if it is the nearest so far; of several equally near ones, the one with the lowest number.
      *
-     * @param place of the triangle
+     * @param index of the triangle in leaf order
      * @param tMin the smallest ray parameter that counts
      */
-    void test(int place, double tMin) {
+    void test(int index, double tMin) {
         float[] c = corners;
-        int base = 9 * place;
+        int base = 9 * index;
 
         // Corners relative to the ray: along it (z), and sheared so that the ray becomes the z axis (x, y).
         double az = c[base + kz] - originZ;
@@ -87,16 +87,16 @@ final class TriangleIntersection {
 
         // The distance is the mean of the corners', weighted by the edge functions, so it lies between them.
         double t = (a * az + b * bz + g * cz) / determinant * shearZ;
-        if (t >= tMin && (t < distance || t == distance && (!found || numbers[place] < triangle))) {
+        if (t >= tMin && (t < distance || t == distance && (!found || numbers[index] < triangle))) {
             distance = t;
-            triangle = numbers[place];
+            triangle = numbers[index];
             u = b / determinant;
             v = g / determinant;
             found = true;
         }
     }
 
-    /** Takes a hit that was found elsewhere by the same arithmetic. */
+    /** Sets a hit that was found elsewhere by the same arithmetic. */
     void setHit(int hitTriangle, double hitDistance, double hitU, double hitV) {
         triangle = hitTriangle;
         distance = hitDistance;
