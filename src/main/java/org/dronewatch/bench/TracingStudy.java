@@ -58,7 +58,7 @@ final class TracingStudy {
                                 rates("pictures of 1920 x 1080", TraversalKind.TILES, TracingStudy::fullHd),
                                 rates("pictures of 1024 x 768", TraversalKind.TILES, TracingStudy::camera),
                                 rates("1024 x 768, rays one by one", TraversalKind.STACK, TracingStudy::camera),
-                                rates("diffuse rays", TraversalKind.WIDE, TracingStudy::diffuse))),
+                                rates("diffuse rays", TraversalKind.BVH, TracingStudy::diffuse))),
                 new CostCurves("memory", "Memory", "triangles", "bytes a triangle", List.of(memory.line())));
     }
 

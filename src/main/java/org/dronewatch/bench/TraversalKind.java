@@ -14,14 +14,14 @@ public enum TraversalKind {
     /** One ray at a time, ordered, with a stack. */
     STACK,
     /** One ray at a time, eight boxes a step by vector instructions; where there are none, as STACK. */
-    WIDE,
+    BVH,
     /** One ray at a time, stackless, leaf by leaf from the root. */
     SEQUENTIAL;
 
     /** This kind, or what it means for a set of rays. */
     TraversalKind of(RaySet set) {
         return switch (this) {
-            case FASTEST -> set.width() > 0 ? TILES : WIDE;
+            case FASTEST -> set.width() > 0 ? TILES : BVH;
             case TILES -> set.width() > 0 ? TILES : STACK;
             default -> this;
         };
@@ -36,7 +36,7 @@ public enum TraversalKind {
                 boolean[][] isTile = PictureTracer.tilesOf(picture);
                 yield () -> new PictureTracer(index.tree(), set, picture, isTile);
             }
-            case WIDE -> () -> new RaySetTracer(index.newIncoherentRayTracer(), set);
+            case BVH -> () -> new RaySetTracer(index.newIncoherentRayTracer(), set);
             default -> () -> new RaySetTracer(index.newRayTracer(), set);
         };
     }
