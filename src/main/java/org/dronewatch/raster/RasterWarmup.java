@@ -9,24 +9,20 @@ import java.util.concurrent.atomic.AtomicLong;
  *
  * <p>The just-in-time compiler needs about 0.3 s before vectors pay, in which the code without them draws as many pixels: a
  * single picture, or a few, are spared that. What the compiler has learnt holds for the whole process, so tracers share the
- * count of the process ({@link #ofProcess()}) unless they are given another, such as a new one to measure or test either
+ * count of the process ({@link #OF_PROCESS}) unless they are given another, such as a new one to measure or test either
  * state. Shared by all threads.
  */
 public final class RasterWarmup {
     /** How many pixels of large models are drawn without vectors. */
     public static final long PIXELS = 8_000_000;
 
-    private static final RasterWarmup PROCESS = new RasterWarmup();
+    /** The count that all tile tracers of this process share unless they are given another. */
+    public static final RasterWarmup OF_PROCESS = new RasterWarmup();
 
     private final AtomicLong pixels = new AtomicLong();
 
     /** A count that begins at zero. */
     public RasterWarmup() {}
-
-    /** The count that all tile tracers of this process share unless they are given another. */
-    public static RasterWarmup ofProcess() {
-        return PROCESS;
-    }
 
     /** Whether enough pixels have been drawn for vectors to pay. */
     public boolean isOver() {

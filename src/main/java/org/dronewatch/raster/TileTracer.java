@@ -33,7 +33,7 @@ public final class TileTracer {
 
     /** A tracer of a tree for the use of one thread, with the warm-up of the process. */
     public TileTracer(KDTree tree) {
-        this(tree, RasterWarmup.ofProcess());
+        this(tree, RasterWarmup.OF_PROCESS);
     }
 
     /**
