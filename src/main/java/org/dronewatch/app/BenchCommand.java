@@ -29,7 +29,8 @@ import tools.jackson.databind.node.ObjectNode;
 @Command(
         name = "bench",
         mixinStandardHelpOptions = true,
-        description = "Measures how fast rays are traced through a model; a JSON line for each set of rays.",
+        description = "Measures how many rays per second are traced in a model; prints one JSON line for each"
+                + " set of rays.",
         footer = {"", "Example:", "  dronewatch bench models/hill.obj --passes 9"})
 final class BenchCommand implements Callable<Integer> {
     private static final JsonMapper MAPPER = JsonMapper.builder().build();
@@ -40,41 +41,40 @@ final class BenchCommand implements Callable<Integer> {
     @Option(
             names = "--rays",
             paramLabel = "FILE",
-            description = "Rays: int32 count, then six float32 each (origin, unit direction), little endian."
-                    + " Without it, camera rays and diffuse-bounce rays are made from the seed.")
+            description = "Rays to trace: int32 count, then six float32 per ray (origin, unit direction),"
+                    + " little-endian. Without it, camera rays and diffuse bounces are generated from the seed.")
     private Path rays;
 
-    @Option(names = "--width", paramLabel = "W", description = "The rays are a picture of that width, row by row.")
+    @Option(
+            names = "--width",
+            paramLabel = "W",
+            description = "The rays in the file are a picture of this" + " width, row by row.")
     private Integer width;
 
-    @Option(
-            names = "--passes",
-            defaultValue = "5",
-            paramLabel = "N",
-            description = "Passes that count; 5 unless given.")
+    @Option(names = "--passes", defaultValue = "5", paramLabel = "N", description = "Measured passes; 5 by default.")
     private int passes;
 
-    @Option(names = "--threads", defaultValue = "1", paramLabel = "N", description = "Threads; 1 unless given.")
+    @Option(names = "--threads", defaultValue = "1", paramLabel = "N", description = "Threads; 1 by default.")
     private int threads;
 
     @Option(
             names = "--traversal",
             defaultValue = "fastest",
             paramLabel = "NAME",
-            description = "tiles (for pictures), stack or sequential; the fastest unless given.")
+            description = "tiles (for pictures), stack or sequential; the fastest by default.")
     private TraversalKind traversal;
 
     @Option(
             names = "--hits",
             paramLabel = "FILE",
-            description = "Writes float32 distance and int32 triangle of each ray.")
+            description = "Writes the hits: float32 distance and int32 triangle for each ray.")
     private String hits;
 
     @Option(
             names = "--seed",
             defaultValue = "1",
             paramLabel = "N",
-            description = "Seed of rays that are made; 1 unless given.")
+            description = "Seed of generated rays; 1 by default.")
     private long seed;
 
     @Spec
@@ -105,7 +105,7 @@ final class BenchCommand implements Callable<Integer> {
                 threads >= 1 && threads <= Workers.MAX_THREADS,
                 "--threads " + threads + ": must be 1 to " + Workers.MAX_THREADS);
         require(hits == null || rays != null, "--hits needs --rays: hits belong to the rays of a file");
-        require(width == null || rays != null, "--width needs --rays: it says how the rays of a file lie in a picture");
+        require(width == null || rays != null, "--width needs --rays: it states how the rays of a file form a picture");
         require(width == null || width >= 1, "--width " + width + ": must be 1 or more");
     }
 

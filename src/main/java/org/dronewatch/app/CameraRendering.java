@@ -39,7 +39,7 @@ final class CameraRendering extends Rendering {
         double shown = turns ? CameraView.lookTime(camera, time) : time;
         RunHistory history = turns ? simulation().until(shown, () -> false) : new RunHistory();
         if (turns) {
-            spec.commandLine().getErr().printf("camera '%s' as it looked at %.3f s%n", id, shown);
+            spec.commandLine().getErr().printf("camera '%s' as it was pointed at %.3f s%n", id, shown);
         }
         DepthImage image = threads.call(
                 () -> new CameraView(id, camera, simulation().stage(history, settings), history).draw(shown));

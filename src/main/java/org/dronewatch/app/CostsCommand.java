@@ -29,21 +29,21 @@ final class CostsCommand implements Callable<Integer> {
             names = "--out",
             defaultValue = "target/costs",
             paramLabel = "DIR",
-            description = "Where the tables and plots go; target/costs unless given.")
+            description = "Directory for tables and plots; target/costs by default.")
     private String out;
 
     @Option(
             names = "--largest",
             defaultValue = "2000000",
             paramLabel = "N",
-            description = "Triangles of the largest ground, 1000 to 20000000; two million unless given.")
+            description = "Triangles of the largest ground, 1000 to 20000000; two million by default.")
     private int largest;
 
     @Option(
             names = "--drone",
             defaultValue = "packaged:quadrotor.obj",
             paramLabel = "FILE.obj",
-            description = "The drone's model; the packaged quadrotor unless given.")
+            description = "The drone's model; the packaged quadrotor by default.")
     private String drone;
 
     @Mixin

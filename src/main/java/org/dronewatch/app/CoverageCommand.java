@@ -33,24 +33,28 @@ final class CoverageCommand implements Callable<Integer> {
     @Mixin
     private SceneChoice choice;
 
-    @Option(names = "--height", defaultValue = "10", paramLabel = "H", description = "Above the ground; 10 m.")
+    @Option(
+            names = "--height",
+            defaultValue = "10",
+            paramLabel = "H",
+            description = "Height above the ground;" + " 10 m by default.")
     private String height;
 
     @Option(
             names = "--side",
             defaultValue = "500",
             paramLabel = "L",
-            description = "Length of a side of the plan, which lies about the sensors; 500 m unless given.")
+            description = "Length of a side of the plan, centred on the sensors; 500 m by default.")
     private String side;
 
     @Option(
             names = "--cells",
             defaultValue = "100",
             paramLabel = "N",
-            description = "Points to a side, 2 to 2000; 100 unless given.")
+            description = "Points along a side, 2 to 2000; 100 by default.")
     private int cells;
 
-    @Option(names = "--drone", paramLabel = "ID", description = "Which drone of the scene; the first unless given.")
+    @Option(names = "--drone", paramLabel = "ID", description = "Drone of the scene; the first by default.")
     private String drone;
 
     @Option(names = "--out", required = true, paramLabel = "FILE.png", description = "Picture to write.")

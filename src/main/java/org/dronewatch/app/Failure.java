@@ -22,11 +22,12 @@ final class Failure {
             message = outOfMemory(String.valueOf(problem.getMessage()));
         } else if (problem instanceof StackOverflowError) {
             message = "stack overflow" + place(problem)
-                    + ": if this is code of your own, something calls itself without end;"
+                    + ": if this is your own code, something calls itself endlessly;"
                     + " if not, give Java a larger stack, as in 'java -Xss16m'";
         } else if (problem instanceof LinkageError) {
             message = "a class cannot be loaded: " + PlainText.value(problem)
-                    + ": put all jars that the scene needs, in the versions it was compiled for, on the class path of Java";
+                    + ": put all jars that the scene needs, in the versions that it was compiled with, on"
+                    + " Java's class path";
         } else if (problem instanceof AssertionError) {
             message = "assertion failed" + place(problem) + detail(problem);
         } else {
@@ -55,7 +56,8 @@ final class Failure {
         }
         return "out of memory (" + reason + "; " + most
                 + "): give it more, as in 'java -Xmx4g' or MAVEN_OPTS=-Xmx4g, or take"
-                + " smaller pictures (sensors.ID.width and height, --size), fewer --cells, or models of fewer triangles";
+                + " smaller pictures (sensors.ID.width and height, --size), fewer --cells, or models of fewer"
+                + " triangles";
     }
 
     /** The stack trace, with its causes. */

@@ -12,23 +12,23 @@ import picocli.CommandLine.Option;
 final class FilmOptions {
     private static final int FPS = 25;
 
-    @Option(names = "--from", paramLabel = "T", description = "Time at which a film begins, s; 0 unless given.")
+    @Option(names = "--from", paramLabel = "T", description = "Time at which a film begins, s; 0 by default.")
     private String from;
 
-    @Option(names = "--to", paramLabel = "T", description = "Time at which a film ends, s; the run's end unless given.")
+    @Option(names = "--to", paramLabel = "T", description = "Time at which a film ends, s; the run's end by default.")
     private String to;
 
     @Option(
             names = "--fps",
             paramLabel = "N",
-            description = "Frames a second of a film, " + Film.LEAST_FPS + " to " + Film.MOST_FPS + "; " + FPS
-                    + " unless given.")
+            description = "Frames per second of a film, " + Film.LEAST_FPS + " to " + Film.MOST_FPS + "; " + FPS
+                    + " by default.")
     private Integer fps;
 
     @Option(
             names = "--speed",
             paramLabel = "FACTOR",
-            description = "How many times as fast as real time a film plays, 0.01 to 1000; 1 unless given.")
+            description = "How many times as fast as real time a film plays, 0.01 to 1000; 1 by default.")
     private Double speed;
 
     /** Refuses options of a film where none is made. */

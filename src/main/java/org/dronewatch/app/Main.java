@@ -24,7 +24,7 @@ import picocli.CommandLine.Spec;
         name = "dronewatch",
         versionProvider = Main.Version.class,
         mixinStandardHelpOptions = true,
-        description = "Simulates how a set of sensors sees and hears drones in a site's own 3D model.",
+        description = "Simulates how a set of sensors sees and hears drones in the 3D model of a real site.",
         subcommands = {
             ListCommand.class,
             RunCommand.class,
@@ -58,10 +58,7 @@ public final class Main implements Runnable {
         }
     }
 
-    @Option(
-            names = "--verbose",
-            scope = ScopeType.INHERIT,
-            description = "Adds the stack trace to the line that says what went wrong.")
+    @Option(names = "--verbose", scope = ScopeType.INHERIT, description = "Adds the stack trace to the error message.")
     private boolean verbose;
 
     @Spec
@@ -80,7 +77,7 @@ public final class Main implements Runnable {
         PrintWriter err = new PrintWriter(System.err, true, Charset.defaultCharset());
         int code = execute(out, err, arguments);
         if (out.checkError()) {
-            err.println("standard output cannot be written to its end");
+            err.println("standard output could not be written completely");
             code = code == 0 ? BAD_INPUT : code;
         }
         if (code != 0) {

@@ -23,10 +23,10 @@ import picocli.CommandLine.Spec;
         name = "render",
         mixinStandardHelpOptions = true,
         description = {
-            "Draws a picture of a scene at one time, without a window: what one camera sees (PNG in blues, or PFM with"
-                    + " distances in metres), or the whole site in 3D with its sensors, drones and rays of sound (PNG)."
-                    + " Either over the whole run is a film (MP4).",
-            "A camera on a positioner, and a film, show what happens in the run: it is simulated for them."
+            "Draws a picture of a scene at one moment, without a window: what one camera sees (PNG in shades of"
+                    + " blue, or PFM with distances in metres), or the whole site in 3D with its sensors,"
+                    + " drones and rays of sound (PNG); or makes a film of either (MP4).",
+            "For a film, and for a camera on a positioner, the run is simulated."
         },
         footer = {
             "",
@@ -62,7 +62,7 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--time",
             paramLabel = "T",
-            description = "Time of a picture since the start of the run, s; 0 unless given.")
+            description = "Time of a picture since the start of the run, s; 0 by default.")
     private String time;
 
     @Mixin
@@ -81,7 +81,7 @@ final class RenderCommand implements Callable<Integer> {
             names = "--run",
             defaultValue = "0",
             paramLabel = "N",
-            description = "Run of a sweep, from 0; 0 unless given.")
+            description = "Run of a sweep, from 0; 0 by default.")
     private int run;
 
     @Mixin

@@ -44,7 +44,7 @@ abstract class Rendering {
         });
         return String.format(
                 Locale.ROOT,
-                "%d frames, %d a second, from %.2f s to %.2f s",
+                "%d frames, %d per second, from %.2f s to %.2f s",
                 film.frames(),
                 film.fps(),
                 film.from(),

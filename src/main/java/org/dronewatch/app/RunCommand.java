@@ -36,7 +36,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "run",
         mixinStandardHelpOptions = true,
-        description = "Runs a scene; prints who was detected where, and writes tables, a summary and plots.",
+        description = "Runs a scene; prints at what range each sensor first detects each drone, and writes"
+                + " tables, plots and a report.",
         footer = {
             "",
             "Example:",
@@ -46,7 +47,7 @@ final class RunCommand implements Callable<Integer> {
     @Mixin
     private SceneChoice choice;
 
-    @Option(names = "--out", paramLabel = "DIR", description = "Directory for results; target/runs/SCENE unless given.")
+    @Option(names = "--out", paramLabel = "DIR", description = "Directory for results; target/runs/SCENE by default.")
     private String out;
 
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
@@ -58,10 +59,10 @@ final class RunCommand implements Callable<Integer> {
     @Option(
             names = "--real-time",
             paramLabel = "FACTOR",
-            description = "Runs so many times as fast as real time instead of as fast as possible.")
+            description = "Runs at this multiple of real time instead of as fast as possible.")
     private Double realTime;
 
-    @Option(names = "--observations", description = "Writes every single observation to observations.csv.")
+    @Option(names = "--observations", description = "Writes every observation to observations.csv.")
     private boolean observations;
 
     @Option(
@@ -73,7 +74,7 @@ final class RunCommand implements Callable<Integer> {
 
     @Option(
             names = "--view",
-            description = "Opens a window in which the run can be looked at; results are written as ever.")
+            description = "Opens a window in which the run can be watched; results are written as without it.")
     private boolean view;
 
     @ParentCommand
@@ -162,10 +163,10 @@ final class RunCommand implements Callable<Integer> {
         stage.traceRays(0.0, paths::recorder);
         file.write(paths::writeTo);
         if (stage.tracesRays()) {
-            err.printf("%,d pieces of rays written%n", paths.pieces());
+            err.printf("%,d ray segments written%n", paths.pieces());
         } else {
             err.println("warning: --rays " + PlainText.value(rays)
-                    + ": no rays are in it: the scene has no drone, or no acoustic sensor that is switched on");
+                    + ": the file contains no rays: the scene has no drone, or no acoustic sensor that is switched on");
         }
     }
 

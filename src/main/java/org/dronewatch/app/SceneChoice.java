@@ -48,7 +48,7 @@ final class SceneChoice {
         try {
             return Path.of(name);
         } catch (InvalidPathException e) {
-            throw new InputException("scene file '" + name + "' is no path: " + e.getReason(), e);
+            throw new InputException("scene file '" + name + "' is not a path: " + e.getReason(), e);
         }
     }
 

@@ -43,38 +43,36 @@ final class SiteView {
             names = "--size",
             defaultValue = "1280x800",
             paramLabel = "WxH",
-            description = "Pixels of a picture of the site; ${DEFAULT-VALUE} unless given.")
+            description = "Size of a picture of the site in pixels; ${DEFAULT-VALUE} by default.")
     private String size;
 
     @Option(
             names = "--focus",
             paramLabel = "ID",
-            description = "Sensor or drone to look at from near, in a picture of the site.")
+            description = "Sensor or drone on which a picture of the site is centred and zoomed in.")
     private String focus;
 
     @Option(
             names = "--bearing",
             paramLabel = "ANGLE",
-            description = "Where the eye of --view side or orbit stands, clockwise from north.")
+            description = "Direction from which --view side or orbit sees the site, clockwise from north.")
     private String bearing;
 
     @Option(
             names = "--cut",
             defaultValue = AUTO,
             paramLabel = "HEIGHT",
-            description =
-                    "Hides everything above this height; 'none' hides nothing. Unless given, a roof over most sensors and"
-                            + " drones is hidden.")
+            description = "Hides everything above this height; 'none' hides nothing. By default, a roof over most"
+                    + " sensors and drones is hidden.")
     private String cut;
 
     @Option(
             names = "--rays",
-            description =
-                    "Draws the rays that a microphone follows in a picture of the site: the one of --focus, or the"
-                            + " first.")
+            description = "Draws the rays that a microphone traces in a picture of the site: the microphone of"
+                    + " --focus, or the first.")
     private boolean rays;
 
-    @Option(names = "--max-order", paramLabel = "N", description = "Draws only rays that have met at most N surfaces.")
+    @Option(names = "--max-order", paramLabel = "N", description = "Draws only rays that have hit at most N surfaces.")
     private Integer maxOrder;
 
     @Option(names = "--heard-only", description = "Draws only rays that reached the sensor.")
@@ -84,7 +82,7 @@ final class SiteView {
             names = "--scale",
             defaultValue = "1",
             paramLabel = "FACTOR",
-            description = "How large text and symbols are, 0.5 to 8; ${DEFAULT-VALUE} unless given.")
+            description = "Scale of text and symbols, 0.5 to 8; ${DEFAULT-VALUE} by default.")
     private double scale;
 
     /** How many columns and rows. */
@@ -106,7 +104,7 @@ final class SiteView {
     /** Checks what a film does not show. */
     void checkFilm() {
         if (rays) {
-            throw new InputException("--rays: rays are those of one time; a film does not show them");
+            throw new InputException("--rays: rays belong to a single moment; a film does not show them");
         }
         int[] pixels = pixels();
         Rendering.checkFilm("--size " + size, pixels[0], pixels[1]);
@@ -133,10 +131,10 @@ final class SiteView {
             throw new InputException("--rays: the scene has no drone");
         }
         if (heardOnly && !rays) {
-            throw new InputException("--heard-only: shows nothing without --rays");
+            throw new InputException("--heard-only: has no effect without --rays");
         }
         if (maxOrder != null && !rays) {
-            throw new InputException("--max-order " + maxOrder + ": shows nothing without --rays");
+            throw new InputException("--max-order " + maxOrder + ": has no effect without --rays");
         }
         bearing(0.0);
         givenCut();
@@ -236,7 +234,7 @@ final class SiteView {
         String sensor = stage.raySensors().stream()
                 .filter(id -> focus == null || !settings.sensors().containsKey(focus) || id.equals(focus))
                 .findFirst()
-                .orElseThrow(() -> new InputException("--rays: no sensor of the scene follows rays"
+                .orElseThrow(() -> new InputException("--rays: no sensor of the scene traces rays"
                         + (focus == null ? "" : ", or --focus " + focus + " does not")));
         String drone = settings.fliers().containsKey(focus)
                 ? focus

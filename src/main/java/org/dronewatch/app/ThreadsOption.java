@@ -10,7 +10,7 @@ final class ThreadsOption {
     @Option(
             names = "--threads",
             paramLabel = "N",
-            description = "Threads to use, 1 to " + Workers.MAX_THREADS + "; all cores unless given.")
+            description = "Threads to use, 1 to " + Workers.MAX_THREADS + "; all cores by default.")
     private int threads = Runtime.getRuntime().availableProcessors();
 
     /** How many there are, checked. */

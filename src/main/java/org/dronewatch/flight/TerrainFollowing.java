@@ -34,16 +34,16 @@ public record TerrainFollowing(
         Limits.check(TerrainFollowing.class, points, height, steepest);
         points = List.copyOf(points);
         if (points.size() < 2) {
-            throw new IllegalArgumentException("points has " + points.size() + " places, needs 2 or more");
+            throw new IllegalArgumentException("points has " + points.size() + " points, needs 2 or more");
         }
         double length = 0.0;
         for (int i = 1; i < points.size(); i++) {
             double leg = points.get(i).distance(points.get(i - 1));
-            length += Check.between("points: way to place " + i, leg, 0.001, GroundTrack.LONGEST, Quantity.LENGTH);
+            length += Check.between("points: distance to point " + i, leg, 0.001, GroundTrack.LONGEST, Quantity.LENGTH);
         }
         if (length > GroundTrack.LONGEST) {
             throw new IllegalArgumentException(
-                    "points: way of " + (float) length + " m must be at most " + GroundTrack.LONGEST + " m long");
+                    "points: path of " + (float) length + " m must be at most " + GroundTrack.LONGEST + " m long");
         }
     }
 

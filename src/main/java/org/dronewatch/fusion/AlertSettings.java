@@ -28,8 +28,9 @@ public record AlertSettings(
     public AlertSettings {
         Limits.check(AlertSettings.class, rule, confirm, protect, response);
         if (rule instanceof AlertRule.UnionOfProbabilities && !confirm.equals(Confirmation.DEFAULT)) {
-            throw new IllegalArgumentException("confirm " + confirm.hits() + " of " + confirm.looks()
-                    + " looks has no meaning with union-of-probabilities, which counts likelihoods, not detections");
+            throw new IllegalArgumentException(
+                    "confirm " + confirm.hits() + " of " + confirm.looks()
+                            + " looks has no meaning with union-of-probabilities, which combines probabilities, not detections");
         }
     }
 

@@ -39,7 +39,7 @@ public record PositionerSettings(
         Optional<ZoomSettings> zoom) {
     /** What the model of a mount leaves out, for a report. */
     public static final String LEFT_OUT =
-            "A mount here needs no time to speed up and does not shake; its own camera tells directions without errors.";
+            "Positioners accelerate instantly and do not vibrate; their own cameras measure directions without errors.";
 
     /**
      * 60 degrees a second, from 50 degrees below the horizon to 60 above; half a second of delay, 3 seconds of patience, 6

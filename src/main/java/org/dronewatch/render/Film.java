@@ -38,7 +38,7 @@ public record Film(double from, double to, int fps, double speed) {
         }
         if (fps < LEAST_FPS || fps > MOST_FPS) {
             throw new IllegalArgumentException(
-                    "fps " + fps + ": must be " + LEAST_FPS + " to " + MOST_FPS + " frames a second");
+                    "fps " + fps + ": must be " + LEAST_FPS + " to " + MOST_FPS + " frames per second");
         }
         if (!(speed >= SLOWEST && speed <= FASTEST)) {
             throw new IllegalArgumentException("speed " + speed + ": must be " + SLOWEST + " to " + (int) FASTEST);
@@ -47,7 +47,7 @@ public record Film(double from, double to, int fps, double speed) {
         if (frames > MOST_FRAMES) {
             throw new IllegalArgumentException(String.format(
                     Locale.ROOT,
-                    "a film of %.0f frames: must be at most %d; show less of the run, or at a higher speed",
+                    "a film of %.0f frames: must be at most %d; show less of the run, or play it faster",
                     frames,
                     MOST_FRAMES));
         }

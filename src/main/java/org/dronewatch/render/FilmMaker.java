@@ -46,7 +46,7 @@ public final class FilmMaker {
             FilmEncoder encoder = new FilmEncoder(channel, film.fps());
             for (int frame = 0; frame < film.frames(); frame++) {
                 if (cancelled.getAsBoolean()) {
-                    throw new CancellationException("the film was given up");
+                    throw new CancellationException("the film was cancelled");
                 }
                 encoder.add(pictures.apply(film.time(frame)));
                 progress.accept(frame + 1);
@@ -54,7 +54,7 @@ public final class FilmMaker {
             encoder.finish();
         } catch (ClosedByInterruptException e) {
             // Whoever asks a command to end interrupts what it waits for, too.
-            throw new CancellationException("the film was given up");
+            throw new CancellationException("the film was cancelled");
         }
     }
 }

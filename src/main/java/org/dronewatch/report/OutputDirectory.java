@@ -54,7 +54,7 @@ final class OutputDirectory implements AutoCloseable {
             Path staging = stagingPlace();
             this.lock = StagingLock.acquire(staging)
                     .orElseThrow(() -> new InputException(
-                            asked + " is in use by another run: wait for its end, or take another directory"));
+                            asked + " is in use by another run: wait for its end, or use another directory"));
             this.fresh = staging.resolve("new");
             this.replaced = staging.resolve("old");
         } catch (IOException e) {

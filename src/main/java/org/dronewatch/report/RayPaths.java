@@ -54,7 +54,7 @@ public final class RayPaths {
             double loudest =
                     Collections.max(group.getValue().stream().map(Piece::level).toList());
             int count = group.getValue().size();
-            writer.write(String.format(Locale.ROOT, "# %d pieces, the loudest %.1f dB", count, loudest) + LINE);
+            writer.write(String.format(Locale.ROOT, "# %d segments, the loudest %.1f dB", count, loudest) + LINE);
             for (Piece piece : group.getValue()) {
                 double[] e = piece.ends();
                 writer.write(vertex(e[0], e[1], e[2]) + vertex(e[3], e[4], e[5]));

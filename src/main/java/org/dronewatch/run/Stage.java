@@ -86,8 +86,8 @@ public final class Stage {
         List<String> leftOver = surfaces.leftOver(world.mesh().materialNames());
         if (!leftOver.isEmpty()
                 && settings.enabledSensors().values().stream().anyMatch(SensorSettings::hearsSurfaces)) {
-            models.warn("no surface is named for " + String.join(", ", leftOver) + ": taken as '" + surfaces.otherwise()
-                    + "'");
+            models.warn("no acoustic surface is named for " + String.join(", ", leftOver) + ": taken as '"
+                    + surfaces.otherwise() + "'");
         }
         settings.enabledSensors().forEach((id, sensor) -> sensor.positioner()
                 .ifPresent(mount -> new MountAdvice(settings, id, mount).tell(models::warn)));
@@ -101,9 +101,9 @@ public final class Stage {
                     String.format(Locale.ROOT, "sensor '%s' at (%.3f, %.3f, %.3f) m", id, at.x(), at.y(), at.z());
             if (world.isInsideWall(at)) {
                 models.warn(where
-                        + " seems to be inside a wall or under the ground: most of what is about it shows its back");
+                        + " seems to be inside a wall or under the ground: most surfaces around it face away from it");
             } else if (!sensor.hearsSurfaces() && clearance.isMissing(at)) {
-                models.warn(where + " lies on a surface, which may hide everything from it: put it a millimetre off");
+                models.warn(where + " lies on a surface, which may hide everything from it: move it a millimetre away");
             }
         });
     }

@@ -24,7 +24,7 @@ final class Fliers {
                 .sum();
         if (count > MOST) {
             throw new IllegalArgumentException(
-                    "drones: " + count + " fly, with those of all swarms; must be at most " + MOST);
+                    "drones: " + count + " in all, including swarms; must be at most " + MOST);
         }
         Map<String, DroneSettings> fliers = new LinkedHashMap<>();
         Map<String, String> sources = new HashMap<>();

@@ -22,8 +22,8 @@ public record MountAdvice(SceneSettings scene, String id, PositionerSettings mou
             if (mount.hold() < interval) {
                 target.accept(String.format(
                         Locale.ROOT,
-                        "sensor '%s' holds a drone for %.2g s, but '%s', to which it listens, looks every %.2g s: it will let"
-                                + " go between",
+                        "sensor '%s' holds a drone for %.2g s, but '%s', which cues it, looks every %.2g s: it"
+                                + " will let go in between",
                         id,
                         mount.hold(),
                         cue,
@@ -38,7 +38,8 @@ public record MountAdvice(SceneSettings scene, String id, PositionerSettings mou
                 if (elevation < mount.lowest() - 1e-9 || elevation > mount.highest() + 1e-9) {
                     target.accept(String.format(
                             Locale.ROOT,
-                            "sensor '%s' aims at an elevation of %.1f degrees, but its mount tilts from %.1f to %.1f degrees"
+                            "sensor '%s' aims at an elevation of %.1f degrees, but its mount tilts from %.1f to"
+                                    + " %.1f degrees"
                                     + " only",
                             id,
                             Math.toDegrees(elevation),

@@ -69,13 +69,13 @@ public final class SceneBuilder {
 
     public void addDrone(String id, DroneSettings settings) {
         if (drones.putIfAbsent(id, settings) != null) {
-            throw new IllegalArgumentException("drone '" + id + "' is there already: every drone needs its own id");
+            throw new IllegalArgumentException("drone '" + id + "' exists already: every drone needs its own id");
         }
     }
 
     public void addSensor(String id, SensorSettings<?> settings) {
         if (sensors.putIfAbsent(id, settings) != null) {
-            throw new IllegalArgumentException("sensor '" + id + "' is there already: every sensor needs its own id");
+            throw new IllegalArgumentException("sensor '" + id + "' exists already: every sensor needs its own id");
         }
     }
 

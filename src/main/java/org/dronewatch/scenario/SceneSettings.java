@@ -60,7 +60,7 @@ public record SceneSettings(
         Map<String, SensorSettings<?>> all = sensors;
         if (alert.response() > 0.0 && alert.protect().isEmpty()) {
             throw new IllegalArgumentException("alert.response " + alert.response()
-                    + " s needs an alert.protect that the drone must not reach before");
+                    + " s needs an alert.protect, the zone that the drone must not reach");
         }
         if (!sensors.isEmpty()) {
             // Without sensors it may be a scene that is still being read.
@@ -105,9 +105,9 @@ public record SceneSettings(
     }
 
     private static void checkCue(String id, String cue, Map<String, SensorSettings<?>> sensors) {
-        String listens = "sensors." + id + ".positioner.cues: sensor '" + id + "' listens to '" + cue + "'";
+        String listens = "sensors." + id + ".positioner.cues: sensor '" + id + "' is cued by '" + cue + "'";
         if (cue.equals(id)) {
-            throw new IllegalArgumentException(listens + ", which is itself: it follows what it sees in any case");
+            throw new IllegalArgumentException(listens + ", that is by itself: it follows what it sees in any case");
         }
         if (!sensors.containsKey(cue)) {
             throw new IllegalArgumentException(
@@ -115,7 +115,7 @@ public record SceneSettings(
         }
         if (!sensors.get(cue).tellsDirection()) {
             throw new IllegalArgumentException(
-                    listens + ", of kind " + sensors.get(cue).kind() + ": that does not tell where a drone is");
+                    listens + ", of kind " + sensors.get(cue).kind() + ": that does not measure where a drone is");
         }
     }
 

@@ -183,7 +183,7 @@ public enum Quantity {
         if (oneUnit.equals("1 %")) {
             return 0.01;
         }
-        throw new IllegalArgumentException(oneUnit + " is no share");
+        throw new IllegalArgumentException(oneUnit + " is not a fraction");
     }
 
     private static double unitOfItself(String text) {

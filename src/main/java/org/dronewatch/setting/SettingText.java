@@ -86,7 +86,7 @@ public final class SettingText {
         }
         if (type.getRawType() == List.class) {
             throw new IllegalArgumentException(
-                    "is a list: name one of its places, 0 the first; only a scene file can make it longer or shorter");
+                    "is a list: give an index, 0 for the first; only a scene file can make it longer or shorter");
         }
         throw several();
     }
@@ -123,7 +123,7 @@ public final class SettingText {
         }
         Object found = constants.get(Choices.name(text.strip().toUpperCase(Locale.ROOT)));
         if (found == null) {
-            throw new IllegalArgumentException("'" + text + "' is none of " + constants.keySet());
+            throw new IllegalArgumentException("'" + text + "' is not one of " + constants.keySet());
         }
         return found;
     }
@@ -132,7 +132,7 @@ public final class SettingText {
     private static Object choice(Map<String, ? extends Class<?>> kinds, String text) {
         Class<?> chosen = kinds.get(text.strip().toLowerCase(Locale.ROOT));
         if (chosen == null) {
-            throw new IllegalArgumentException("'" + text + "' is none of " + kinds.keySet());
+            throw new IllegalArgumentException("'" + text + "' is not one of " + kinds.keySet());
         }
         SettingsForm form = SettingsForm.of(chosen);
         if (!form.isCompleteByDefault()) {

@@ -166,7 +166,7 @@ public final class SettingsPath {
         }
         if (unwrapped instanceof List<?> list) {
             if (!name.matches("\\d{1,6}") || Integer.parseInt(name) >= list.size()) {
-                throw unknown(depth, "is a list with places 0 to " + (list.size() - 1));
+                throw unknown(depth, "is a list with indices 0 to " + (list.size() - 1));
             }
             return list.get(Integer.parseInt(name));
         }

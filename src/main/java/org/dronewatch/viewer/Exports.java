@@ -86,7 +86,7 @@ final class Exports {
         }
         String asked = (String) JOptionPane.showInputDialog(
                 pane,
-                "Pictures for a second of the run:",
+                "Pictures per second of the run:",
                 "Run as pictures",
                 JOptionPane.PLAIN_MESSAGE,
                 null,
@@ -102,7 +102,7 @@ final class Exports {
             }
             saveRun(viewed.get(), chooser.getSelectedFile().toPath(), rate);
         } catch (NumberFormatException e) {
-            pane.notice().tell("'" + asked + "' pictures a second: must be a number above 0, at most 1000");
+            pane.notice().tell("'" + asked + "' pictures per second: must be a number above 0, at most 1000");
         }
     }
 

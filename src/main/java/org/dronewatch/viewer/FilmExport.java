@@ -94,7 +94,7 @@ final class FilmExport implements AutoCloseable {
         JPanel form = new JPanel(new GridLayout(0, 2, Scaled.px(6), Scaled.px(4)));
         row(form, "From [s]", from);
         row(form, "To [s]", to);
-        row(form, "Frames a second", fps);
+        row(form, "Frames per second", fps);
         row(form, "Speed, times real time", speed);
         int answer = JOptionPane.showConfirmDialog(
                 pane, form, "Film of " + name, JOptionPane.OK_CANCEL_OPTION, JOptionPane.PLAIN_MESSAGE);

@@ -90,7 +90,8 @@ class CommandLineTest {
                 "run camera-range --set sensors.camera.width=0            | width 0 px    | 1 to 16384",
                 "run camera-range --set sensors.camera.height=-1          | height -1 px  | 1 to 16384",
                 "run camera-range --set world.models=a                    | world.models | is a list",
-                "run camera-range --set sensors.camera.fov=60             | fov 3437.747 deg (60 rad) must be | 0.01 to 179 deg",
+                "run camera-range --set sensors.camera.fov=60             | fov 3437.747 deg (60 rad) must be |"
+                        + " 0.01 to 179 deg",
                 "run camera-range --set sensors.camera.fov=0              | fov 0 deg   | 0.01 to 179 deg",
                 "run camera-range --set sensors.camera.fov=180deg         | fov 180 deg   | 0.01 to 179 deg",
                 "run camera-range --set sensors.camera.fov=3.141592653589793 | fov 180 deg | 0.01 to 179 deg",
@@ -130,10 +131,14 @@ class CommandLineTest {
                 "models --out DIR/no/such/place                           | no/such/place | ",
                 "''                                                       | command       | run",
                 "fly                                                      | fly           | --help",
-                "rum camera-range                                         | unknown command 'rum' | did you mean 'run'?",
-                "run camera-range --thread 2                              | unknown option '--thread' | did you mean '--threads'?",
-                "run camera-range --sed=2                                 | unknown option '--sed' | did you mean '--se",
-                "run camera-rnge                                          | unknown scene 'camera-rnge' | did you mean 'camera-range'?",
+                "rum camera-range                                         | unknown command 'rum' | did you"
+                        + " mean 'run'?",
+                "run camera-range --thread 2                              | unknown option '--thread' | did you"
+                        + " mean '--threads'?",
+                "run camera-range --sed=2                                 | unknown option '--sed' | did you"
+                        + " mean '--se",
+                "run camera-rnge                                          | unknown scene 'camera-rnge' | did"
+                        + " you mean 'camera-range'?",
                 "render camera-range --view orbitt --out DIR/a.png        | orbitt        | did you mean 'orbit'?",
                 "bench packaged:quadrotor.obj --traversal stak            | stak          | did you mean 'stack'?",
             })
@@ -268,8 +273,8 @@ class CommandLineTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "--heard-only      | --heard-only: shows nothing without --rays",
-                "--max-order=2     | --max-order 2: shows nothing without --rays",
+                "--heard-only      | --heard-only: has no effect without --rays",
+                "--max-order=2     | --max-order 2: has no effect without --rays",
                 "--cut=-5000m      | --cut -5000m: must be above the site's lowest point, ",
             })
     void optionsOfAPictureThatWouldShowNothingAreRefused(String option, String message) {
@@ -317,14 +322,14 @@ class CommandLineTest {
     @Test
     void runWarnsThatThereAreNoRaysToWrite() throws IOException {
         String run = "run multi-sensor --set run.duration=1 --out DIR/out --rays DIR/rays.obj";
-        assertThat(commandIn(run).err()).containsPattern("[1-9][0-9,]* pieces of rays written");
+        assertThat(commandIn(run).err()).containsPattern("[1-9][0-9,]* ray segments written");
 
         Outcome outcome = commandIn(run + " --set sensors.microphone.enabled=false");
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err())
                 .containsOnlyOnce("warning: --rays ")
-                .contains(
-                        "rays.obj: no rays are in it: the scene has no drone, or no acoustic sensor that is switched on")
+                .contains("rays.obj: the file contains no rays: the scene has no drone, or no acoustic sensor"
+                        + " that is switched on")
                 .doesNotContain("pieces");
     }
 
@@ -531,7 +536,7 @@ class CommandLineTest {
                 "--view orbit --bearing north | --bearing north",
                 "--view orbit --cut roof | --cut roof",
                 "--view orbit --max-order -1 --rays | --max-order -1",
-                "--view orbit --rays | no sensor of the scene follows rays",
+                "--view orbit --rays | no sensor of the scene traces rays",
                 "--view orbit --time 99 | --time 99: must be 0 to 39",
             })
     void aPictureThatCannotBeIsRefusedInOneLine(String options, String said) throws IOException {

@@ -275,7 +275,7 @@ class RenderCommandTest {
         String said = render(
                 Stream.concat(Stream.of("--from", "2", "--to", "12", "--fps", "2", "--speed", "2.5"), Stream.of(view))
                         .toArray(String[]::new));
-        assertThat(said).isEqualTo(film + ": 9 frames, 2 a second, from 2.00 s to 12.00 s\n");
+        assertThat(said).isEqualTo(film + ": 9 frames, 2 per second, from 2.00 s to 12.00 s\n");
 
         List<BufferedImage> frames = Films.frames(film);
         assertThat(frames).hasSize(9);
@@ -347,8 +347,9 @@ class RenderCommandTest {
                 "--view top --fps 0 --out DIR/a.mp4           | fps 0: must be 1 to 60",
                 "--view top --speed 0 --out DIR/a.mp4         | speed 0.0: must be 0.01 to 1000",
                 "--view top --speed 0.01 --fps 60 --out DIR/a.mp4 | 84001 frames: must be at most 36000",
-                "--view top --size 5000x100 --out DIR/a.mp4   | --size 5000x100: a film of 5000 x 100 pixels: each side must",
-                "--view top --rays --out DIR/a.mp4            | --rays: rays are those of one time",
+                "--view top --size 5000x100 --out DIR/a.mp4   | --size 5000x100: a film of 5000 x 100 pixels:"
+                        + " each side must",
+                "--view top --rays --out DIR/a.mp4            | --rays: rays belong to a single moment",
                 "--view top --out png                         | must end in .png, .pfm or .mp4",
                 "--view top --out DIR/a.avi                   | must end in .png, .pfm or .mp4",
                 "--camera cued --out DIR/none/a.mp4           | no directory",

@@ -59,7 +59,8 @@ class DocPicturesTest {
                         DocPictures.DRAWN.stream().map(DocPicture::name), DocPictures.MEASURED.stream())
                 .map(name -> name + ".png")
                 .collect(Collectors.toCollection(TreeSet::new));
-        assertThat(files()).isEqualTo(made);
+        // Drawings (.svg) are the concern of GeneratedDocsTest.
+        assertThat(files().stream().filter(name -> name.endsWith(".png"))).containsExactlyInAnyOrderElementsOf(made);
     }
 
     @Test

@@ -176,7 +176,7 @@ class ThreatFlightTest {
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> fly(north(200, 10, "45 deg"), Ground.NONE))
-                .withMessage("there is no ground anywhere below the way of 200.0 m, needs some to follow");
+                .withMessage("there is no ground anywhere below the path of 200.0 m, needs some to follow");
     }
 
     @Test
@@ -244,16 +244,16 @@ class ThreatFlightTest {
         GroundPoint here = new GroundPoint(0, 0);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> north(60_000, 10, "45 deg"))
-                .withMessage("points: way to place 1 60000 m must be 0.001 to 50000");
+                .withMessage("points: distance to point 1 60000 m must be 0.001 to 50000");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> TerrainFollowing.over(List.of(here, new GroundPoint(30_000, 0), here), 10))
-                .withMessage("points: way of 60000.0 m must be at most 50000.0 m long");
+                .withMessage("points: path of 60000.0 m must be at most 50000.0 m long");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> TerrainFollowing.over(List.of(here), 10))
-                .withMessage("points has 1 places, needs 2 or more");
+                .withMessage("points has 1 points, needs 2 or more");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> TerrainFollowing.over(List.of(here, here), 10))
-                .withMessageContaining("points: way to place 1 0 m must be");
+                .withMessageContaining("points: distance to point 1 0 m must be");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> north(100, 10, "86 deg"))
                 .withMessageContaining("steepest");

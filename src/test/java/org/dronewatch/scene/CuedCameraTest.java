@@ -149,9 +149,10 @@ class CuedCameraTest {
 
         assertThat(notes)
                 .contains(
-                        "warning: sensor 'cued' holds a drone for 0.40 s, but 'radar', to which it listens, looks every 1.0 s:"
-                                + " it will let go between",
-                        "warning: sensor 'cued' aims at an elevation of -70.0 degrees, but its mount tilts from -50.0 to 60.0"
+                        "warning: sensor 'cued' holds a drone for 0.40 s, but 'radar', which cues it,"
+                                + " looks every 1.0 s: it will let go in between",
+                        "warning: sensor 'cued' aims at an elevation of -70.0 degrees, but its mount tilts from"
+                                + " -50.0 to 60.0"
                                 + " degrees only");
     }
 
@@ -160,14 +161,14 @@ class CuedCameraTest {
         assertThatThrownBy(() ->
                         runner().set("sensors.cued.positioner.cues", "rdar").settings())
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("sensor 'cued' listens to 'rdar': there is no such sensor; nearest are radar");
+                .hasMessageContaining("sensor 'cued' is cued by 'rdar': there is no such sensor; nearest are radar");
         assertThatThrownBy(() ->
                         runner().set("sensors.cued.positioner.cues", "cued").settings())
-                .hasMessageContaining("which is itself");
+                .hasMessageContaining("that is by itself");
         assertThatThrownBy(() -> runner().set("sensors.fixed", "droneshield-rfone")
                         .set("sensors.cued.positioner.cues", "fixed")
                         .settings())
-                .hasMessageContaining("listens to 'fixed', of kind rf: that does not tell where a drone is");
+                .hasMessageContaining("is cued by 'fixed', of kind rf: that does not measure where a drone is");
         assertThatThrownBy(() -> runner().set("sensors.cued.positioner.zoom.cued", "90 deg")
                         .settings())
                 .hasMessageContaining("must be at most the camera's own field of view");

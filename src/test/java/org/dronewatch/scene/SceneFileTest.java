@@ -97,8 +97,8 @@ class SceneFileTest {
 
         assertThat(notes)
                 .filteredOn(note -> note.startsWith("warning"))
-                .containsExactly("warning: sensor 'camera' at (0.000, 0.000, 0.000) m lies on a surface, which may hide"
-                        + " everything from it: put it a millimetre off");
+                .containsExactly("warning: sensor 'camera' at (0.000, 0.000, 0.000) m lies on a surface, which"
+                        + " may hide everything from it: move it a millimetre away");
         assertThat(heard)
                 .filteredOn(observation -> observation.sensor().equals("microphone"))
                 .isNotEmpty()
@@ -183,19 +183,24 @@ class SceneFileTest {
                 "run: {duration: }                              | 2:16: run.duration: is empty",
                 "run: {seed: 1.5}                               | 2:13: run.seed: '1.5' is not a whole number",
                 "run: [1, 2]                                    | 2:6: run: must not be a list",
-                "run: {duration: 1, duration: 2}                | 2:20: 'duration' stands here a second time",
-                "run: *nothing                                  | 2:6: alias '*nothing' stands for nothing",
-                "run: !!java.net.URL [x]                        | 2:6: tag 'tag:yaml.org,2002:java.net.URL' is not allowed",
+                "run: {duration: 1, duration: 2}                | 2:20: 'duration' is given twice",
+                "run: *nothing                                  | 2:6: alias '*nothing' refers to nothing",
+                "run: !!java.net.URL [x]                        | 2:6: tag 'tag:yaml.org,2002:java.net.URL' is"
+                        + " not allowed",
                 "drones: {a: {speed: 5}}                        | 2:13: drones.a: needs 'model'",
                 "drones: {a: {model: ../x.obj, flight: {}}}     | 2:21: drones.a.model.file: file '../x.obj' leads out",
                 "drones: {a: {model: /x.obj, flight: {}}}       | 2:21: drones.a.model.file: file '/x.obj' leads out",
-                "drones: {a: {model: x.obj, flight: {}}}        | 2:21: drones.a.model.file: file 'x.obj' does not exist",
+                "drones: {a: {model: x.obj, flight: {}}}        | 2:21: drones.a.model.file: file 'x.obj' does"
+                        + " not exist",
                 "drones: {a: {model: packaged:hill.obj, flight: {kind: hoover}}} | did you mean 'hover'?",
-                "drones: {a: {model: packaged:hill.obj, flight: {}}}             | needs a 'kind': one of hover, approach",
+                "drones: {a: {model: packaged:hill.obj, flight: {}}}             | needs a 'kind': one of"
+                        + " hover, approach",
                 "sensors: {a: {kind: camera}}                   | 2:14: sensors.a: needs 'position'",
                 "sensors: {a: {position: [1, 2, 3]}}            | 2:14: sensors.a: needs a 'kind'",
-                "sensors: {a: {kind: camera, use: blighter-a400}} | sensors.a.kind: is 'camera', but 'blighter-a400' is of kind",
-                "sensors: {a: {kind: radar, position: [1, 2, 3], budget: {power: 4 W}}} | sensors.a.budget: needs 'gain'",
+                "sensors: {a: {kind: camera, use: blighter-a400}} | sensors.a.kind: is 'camera', but"
+                        + " 'blighter-a400' is of kind",
+                "sensors: {a: {kind: radar, position: [1, 2, 3], budget: {power: 4 W}}} | sensors.a.budget:"
+                        + " needs 'gain'",
                 "sensors: {a b: {kind: camera, position: [1, 2, 3]}} | id 'a b' must be 1 to 64 letters",
                 "sensors: {a: {kind: camera, position: [1, 2]}} | 2:39: sensors.a.position: '1, 2' has 2 numbers",
                 "sensors: {a: {kind: camera, position: [1, [2], 3]}} | 2:43: sensors.a.position: must be a number",

@@ -99,13 +99,14 @@ class SettingsPathTest {
                 .withMessageContaining("level-model, energy-model");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "orbit"))
-                .withMessage(
-                        "drones.quadrotor.flight=orbit: 'orbit' needs centre, radius, which a scene file gives; the kinds"
-                                + " are [hover, approach, inbound, waypoints, glide, orbit, terrain-following, low-approach, dive,"
-                                + " pop-up]");
+                .withMessage("drones.quadrotor.flight=orbit: 'orbit' needs centre, radius, which a scene file gives;"
+                        + " the kinds"
+                        + " are [hover, approach, inbound, waypoints, glide, orbit, terrain-following,"
+                        + " low-approach, dive,"
+                        + " pop-up]");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "obrit"))
-                .withMessageStartingWith("drones.quadrotor.flight=obrit: 'obrit' is none of [hover, approach, ");
+                .withMessageStartingWith("drones.quadrotor.flight=obrit: 'obrit' is not one of [hover, approach, ");
     }
 
     @ParameterizedTest
@@ -131,7 +132,8 @@ class SettingsPathTest {
                 "drones.crosser.flight.points.-1.x | 1    | no '-1'       | 0 to 1",
                 "run.seed                       | x       | 'x'           | whole number",
                 "world.models.0.scale           | -1      | scale -1    | 0.000001 to 1000000",
-                "nothing                        | 1       | no 'nothing'  | world, drones, sensors, alert, prices, run, sweep",
+                "nothing                        | 1       | no 'nothing'  | world, drones, sensors, alert,"
+                        + " prices, run, sweep",
                 "''                             | 1       | no ''         | world",
                 "sweep.parameter                | 1       | parameter     | not set",
             })

@@ -179,7 +179,7 @@ class SwarmTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> low.stage(low.settings()))
                 .withMessage(
-                        "drone 'low-1': flight: there is no ground anywhere below the way of 600.0 m, needs some to"
+                        "drone 'low-1': flight: there is no ground anywhere below the path of 600.0 m, needs some to"
                                 + " follow");
         assertThat(runner.settings().fliers()).hasSize(3);
     }
@@ -200,7 +200,7 @@ class SwarmTest {
         many.put("b", ONE.withSwarm(Swarm.of(401)));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> scene(many))
-                .withMessage("drones: 1001 fly, with those of all swarms; must be at most 1000");
+                .withMessage("drones: 1001 in all, including swarms; must be at most 1000");
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Swarm.of(1001))

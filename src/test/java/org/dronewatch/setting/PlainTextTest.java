@@ -51,7 +51,7 @@ class PlainTextTest {
     /** What stands between the end of one quotation and the beginning of the next is no quotation. */
     @Test
     void listsBetweenQuotationsAreKept() {
-        String list = "'a' is none of these: " + "name, ".repeat(60) + "but not 'b'";
+        String list = "'a' is not one of these: " + "name, ".repeat(60) + "but not 'b'";
         assertThat(PlainText.line(list)).isEqualTo(list);
     }
 

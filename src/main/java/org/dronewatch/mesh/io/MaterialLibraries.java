@@ -104,7 +104,7 @@ final class MaterialLibraries {
     /** What a person can do something with: the parser wraps what Java says of a number. */
     private static String reason(Exception problem) {
         Throwable cause = problem.getCause() == null ? problem : problem.getCause();
-        String message = cause.getMessage() == null ? "is no line of an MTL file" : cause.getMessage();
+        String message = cause.getMessage() == null ? "is not a statement of an MTL file" : cause.getMessage();
         Matcher quoted = QUOTED.matcher(message);
         return cause instanceof NumberFormatException && quoted.find()
                 ? "'" + quoted.group(1) + "' is not a number"

@@ -129,7 +129,7 @@ final class ObjLines extends BufferedReader {
 
     private String statement(boolean numbers) throws IOException {
         if (text.indexOf("\0") >= 0) {
-            throw new IOException("holds a zero byte: not a text file");
+            throw new IOException("contains a zero byte: not a text file");
         }
         int comment = numbers ? text.indexOf("#") : -1;
         return text.substring(0, comment >= 0 ? comment : text.length()).strip();

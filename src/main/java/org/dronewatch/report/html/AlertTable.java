@@ -65,7 +65,7 @@ final class AlertTable {
                     orElse(alert.zoneDistance(), NONE),
                     orElse(alert.warning(), "none"),
                     orElse(alert.entered(), "not in this run"),
-                    alert.inTime().map(enough -> enough ? "yes" : "NO").orElse("not asked")));
+                    alert.inTime().map(enough -> enough ? "yes" : "NO").orElse("not required")));
         }
         return row;
     }
@@ -93,7 +93,7 @@ final class AlertTable {
                     ReadableNumbers.range(values(alerts, AlertResult::zoneDistance)),
                     counted(alerts, AlertResult::warning, "none"),
                     counted(alerts, AlertResult::entered, "not in this run"),
-                    asked == 0 ? "not asked" : inTime + " of " + alerts.size()));
+                    asked == 0 ? "not required" : inTime + " of " + alerts.size()));
         }
         return row;
     }

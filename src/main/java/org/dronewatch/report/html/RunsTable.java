@@ -88,7 +88,7 @@ final class RunsTable {
 
     private static String inTime(List<AlertResult> alerts) {
         if (alerts.stream().noneMatch(alert -> alert.inTime().isPresent())) {
-            return "not asked";
+            return "not required";
         }
         long late = alerts.stream().filter(RunRank::isLate).count();
         return late == 0 ? "yes" : alerts.size() == 1 ? "NO" : format("NO: %d of %d late", late, alerts.size());

@@ -55,15 +55,16 @@ final class MapContent {
     String description() {
         String which =
                 result.runs().size() > 1 ? ", in the first of " + result.runs().size() + " runs" : "";
-        return "Which sensors detect which drones where" + which + ". " + heights() + " Fields of"
-                + " view are drawn on the ground plan, as if nothing stood in the way; that of a camera as far as it first"
+        return "Which sensors detect which drones where" + which + ". " + heights() + " Fields of view are"
+                + " drawn in plan, as if nothing obstructed them; that of a camera extends as far as it first"
                 + " detects a drone, or " + Math.round(Footprint.UNKNOWN_REACH) + " m if it detects none.";
     }
 
     private String heights() {
         return origin.height().isPresent()
-                ? "Heights are metres above the sea."
-                : "Heights are metres above the level of the scene's origin, neither above the sea nor above the ground:"
+                ? "Heights are metres above sea level."
+                : "Heights are metres above the level of the scene's origin, neither above sea level nor above"
+                        + " the ground:"
                         + " how high the origin lies is not known.";
     }
 

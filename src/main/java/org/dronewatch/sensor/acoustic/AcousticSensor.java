@@ -222,7 +222,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
                 "sound of '%s' dying away, T30 = %.2f s",
                 drone.id(),
                 decay.t30().getAsDouble());
-        return List.of(new Curve("decay", title, "time [s]", "level of what is still to come [dB]", times, shown));
+        return List.of(new Curve("decay", title, "time [s]", "level of the remaining energy [dB]", times, shown));
     }
 
     private static SoundSource sound(Drone drone) {

@@ -93,7 +93,7 @@ public record AcousticSettings(
     @Override
     public List<String> leavesOut() {
         return List.of(
-                "Sound by the level model is calibrated, not physical; by either model wind and interference are left out.");
+                "Levels of the level model are calibrated, not physical; both models leave out wind and interference.");
     }
 
     @Override

@@ -133,9 +133,9 @@ public record CameraSettings(
         String decision = detection
                         .probability(new DroneView(1, 1.0, 1.0, 0.0, Light.DAY, 1.0))
                         .isPresent()
-                ? "What a camera makes out rests on an assumed contrast of the drone; clutter behind it and compression are left"
-                        + " out."
-                : "A camera that counts pixels knows no contrast, haze, light or compression.";
+                ? "What a camera detects depends on an assumed contrast of the drone; clutter behind it and"
+                        + " compression are left out."
+                : "A camera that counts pixels takes no account of contrast, haze, light or compression.";
         return positioner.isPresent() ? List.of(decision, PositionerSettings.LEFT_OUT) : List.of(decision);
     }
 

@@ -62,8 +62,8 @@ final class FieldOfRegard {
         return Optional.of(String.format(
                 Locale.ROOT,
                 slow
-                        ? "too slow for it (less than %.1f m/s nearer or farther)"
-                        : "too fast for it (more than %.0f m/s)",
+                        ? "too slow for it (radial speed below %.1f m/s)"
+                        : "too fast for it (radial speed above %.0f m/s)",
                 slow ? settings.minSpeed() : fastest));
     }
 

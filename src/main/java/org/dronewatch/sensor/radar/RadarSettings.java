@@ -184,7 +184,7 @@ public record RadarSettings(
 
     @Override
     public List<String> leavesOut() {
-        return List.of("A radar here knows no clutter, no birds and no rotor Doppler.");
+        return List.of("Radars are modelled without clutter, birds and rotor Doppler.");
     }
 
     @Override

@@ -95,8 +95,8 @@ public record RfSettings(
 
     @Override
     public List<String> leavesOut() {
-        return List.of(
-                "A radio receiver here knows free space and one edge of the site, no interference and no reflections.");
+        return List.of("Radio waves propagate in free space and over one edge of the site, without interference and"
+                + " reflections.");
     }
 
     @Override
@@ -109,7 +109,7 @@ public record RfSettings(
         RadioLink link = drone.settings().radio();
         return link.emits()
                 ? Optional.empty()
-                : Optional.of("silent by radio (" + Choices.name(link.control().name()) + ")");
+                : Optional.of("radio-silent (" + Choices.name(link.control().name()) + ")");
     }
 
     @Override

@@ -150,7 +150,7 @@ public record ThermalSettings(
     @Override
     public List<String> leavesOut() {
         String heat =
-                "A thermal camera here sees one difference of temperature for the whole drone, whatever is behind it.";
+                "Thermal cameras see a single temperature difference for the whole drone, whatever its background.";
         return positioner.isPresent() ? List.of(heat, PositionerSettings.LEFT_OUT) : List.of(heat);
     }
 

@@ -19,7 +19,7 @@ final class FileNames {
         try {
             file = directory.resolve(name).normalize();
         } catch (InvalidPathException e) {
-            return "is no path: " + e.getReason();
+            return "is not a path: " + e.getReason();
         }
         if (Path.of(name).isAbsolute() || !file.startsWith(directory)) {
             return "leads out of the directory of this file, " + directory + ": keep models beside or below it";

@@ -144,7 +144,7 @@ final class SettingsReader {
         if (type.getRawType() == Map.class) {
             return node instanceof Node.Mapping mapping
                     ? map(inner[1], quantity, mapping, path)
-                    : failed(node, path, "must be values by name, one in a line, as in 'name: value'");
+                    : failed(node, path, "must be values by name, one per line, as in 'name: value'");
         }
         // A class with a parameter of its own, such as the settings of a sensor of whatever kind.
         return read(type.getRawType(), quantity, node, path);

@@ -167,7 +167,7 @@ final class YamlFile {
                     default -> new Node.Scalar(parser.getString(), mark);
                 };
         if (node.size() > MAX_NODES) {
-            throw new InputException(mark + ": more than " + MAX_NODES + " values, aliases written out");
+            throw new InputException(mark + ": more than " + MAX_NODES + " values, with aliases expanded");
         }
         if (anchor != null) {
             anchors.put(anchor, node);
@@ -179,7 +179,7 @@ final class YamlFile {
         String anchor = parser.getString();
         Node meant = anchors.get(anchor);
         if (meant == null) {
-            throw new InputException(mark + ": alias '*" + anchor + "' stands for nothing that is complete before it");
+            throw new InputException(mark + ": alias '*" + anchor + "' refers to nothing that is complete before it");
         }
         return meant;
     }
@@ -197,7 +197,7 @@ final class YamlFile {
                 problems.add(
                         place,
                         "",
-                        "'" + key + "' stands here a second time; the first is in line "
+                        "'" + key + "' is given twice; it is first given in line "
                                 + keys.get(key).line());
             }
         }
@@ -229,6 +229,7 @@ final class YamlFile {
                 .lines()
                 .filter(line -> !line.isBlank() && !line.startsWith(" "))
                 .collect(Collectors.joining(", "));
-        return new InputException(name + place + ": is no YAML: " + PlainText.beginning(message, PlainText.LONGEST), e);
+        return new InputException(
+                name + place + ": is not valid YAML: " + PlainText.beginning(message, PlainText.LONGEST), e);
     }
 }

@@ -238,8 +238,8 @@ class SiteMapTest {
         assertThat(texts(document, "color")).contains("ff006aff", "26006aff");
         for (String coordinates : texts(document, "coordinates")) {
             assertThat(coordinates)
-                    .matches(
-                            "(10|9\\.\\d+|10\\.\\d+),(45|44\\.\\d+|45\\.\\d+)(,-?[\\d.]+)?( [-\\d.]+,[-\\d.]+(,[-\\d.]+)?)*");
+                    .matches("(10|9\\.\\d+|10\\.\\d+),(45|44\\.\\d+|45\\.\\d+)(,-?[\\d.]+)?("
+                            + " [-\\d.]+,[-\\d.]+(,[-\\d.]+)?)*");
         }
     }
 
@@ -297,7 +297,7 @@ class SiteMapTest {
         assertThat(schema().validate(Files.readString(directory.resolve("high.geojson")), InputFormat.JSON))
                 .isEmpty();
         String text = Files.readString(file);
-        assertThat(text).contains("<altitudeMode>absolute</altitudeMode>", "<extrude>1</extrude>", "above the sea");
+        assertThat(text).contains("<altitudeMode>absolute</altitudeMode>", "<extrude>1</extrude>", "above sea level");
         // The visitor comes from 30 m above the origin, 160 m to the north.
         double first = features(directory.resolve("high.geojson")).stream()
                 .filter(feature ->
