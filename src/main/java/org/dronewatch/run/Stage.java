@@ -4,9 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
@@ -15,24 +13,16 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.positioner.Pointing;
-import org.dronewatch.positioner.Positioner;
-import org.dronewatch.scenario.MountAdvice;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.scenario.SweptValue;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
-import org.dronewatch.sensor.Measurement;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
-import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.setting.Switchable;
 import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
-import org.dronewatch.world.Clearance;
-import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
@@ -46,7 +36,7 @@ public final class Stage {
     private final List<Flier> fliers = new ArrayList<>();
     private final Map<String, SensorSettings<?>> sensors;
     private final List<String> raySensors;
-    private final List<Looker> lookers = new ArrayList<>();
+    private final List<ActiveSensor> active = new ArrayList<>();
     private final Map<String, Pointing> pointings = new LinkedHashMap<>();
     private final PerfectAssociation association = new PerfectAssociation();
     private List<ContactLook> contactLooks = List.of();
@@ -60,7 +50,7 @@ public final class Stage {
                 .withLight(site.light())
                 .withModels(models.firstTriangles(site.models()));
         this.colours = Map.copyOf(models.colours(site.models()));
-        warn(settings, models);
+        new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
         FlightPaths paths = new FlightPaths(world.newGround());
         settings.fliers().forEach((id, drone) -> {
@@ -69,51 +59,16 @@ public final class Stage {
             fliers.add(new Flier(created, paths.of(id, drone)));
         });
         this.sensors = settings.enabledSensors();
-        sensors.forEach((id, sensor) -> lookers.add(new Looker(id, sensor)));
-        this.raySensors = lookers.stream()
-                .filter(looker -> looker.sensor instanceof RaySensor)
-                .map(looker -> looker.id)
+        sensors.forEach((id, sensor) -> active.add(new ActiveSensor(id, sensor)));
+        this.raySensors = active.stream()
+                .filter(ActiveSensor::tracesRays)
+                .map(ActiveSensor::id)
                 .toList();
     }
 
     /** Lets go of the sensors, some of which keep large pictures: there are no more looks. Everything else can still be asked. */
     void release() {
-        lookers.clear();
-    }
-
-    private void warn(SceneSettings settings, ModelCache models) {
-        SurfaceSettings surfaces = settings.world().surfaces();
-        List<String> leftOver = surfaces.leftOver(world.mesh().materialNames());
-        if (!leftOver.isEmpty()
-                && settings.enabledSensors().values().stream().anyMatch(SensorSettings::hearsSurfaces)) {
-            models.warn("no acoustic surface is named for " + String.join(", ", leftOver) + ": taken as '"
-                    + surfaces.otherwise() + "'");
-        }
-        settings.enabledSensors().forEach((id, sensor) -> sensor.positioner()
-                .ifPresent(mount -> new MountAdvice(settings, id, mount).tell(models::warn)));
-        if (settings.enabledSensors().isEmpty() && !settings.sensors().isEmpty()) {
-            models.warn(switchedBy(settings) + "all sensors are switched off: nothing is observed");
-        }
-        Clearance clearance = new Clearance(world);
-        settings.enabledSensors().forEach((id, sensor) -> {
-            Position at = sensor.position();
-            String where =
-                    String.format(Locale.ROOT, "sensor '%s' at (%.3f, %.3f, %.3f) m", id, at.x(), at.y(), at.z());
-            if (world.isInsideWall(at)) {
-                models.warn(where
-                        + " seems to be inside a wall or under the ground: most surfaces around it face away from it");
-            } else if (!sensor.hearsSurfaces() && clearance.isMissing(at)) {
-                models.warn(where + " lies on a surface, which may hide everything from it: move it a millimetre away");
-            }
-        });
-    }
-
-    /** What is swept, if it is a switch: then others of the scene's runs may have sensors. */
-    private static String switchedBy(SceneSettings settings) {
-        return settings.sweep()
-                .filter(sweep -> sweep.parameter().endsWith("." + Switchable.ENABLED))
-                .map(sweep -> "with " + new SweptValue(settings, sweep).text() + " ")
-                .orElse("");
+        active.clear();
     }
 
     /** The world. */
@@ -224,38 +179,28 @@ public final class Stage {
 
     /** The earliest time at which a sensor looks next; infinity when there is no sensor. */
     double nextLook() {
-        return lookers.stream().mapToDouble(Looker::nextTime).min().orElse(Double.POSITIVE_INFINITY);
+        return active.stream().mapToDouble(ActiveSensor::nextTime).min().orElse(Double.POSITIVE_INFINITY);
     }
 
     /** Lets every sensor that is due at a time look. */
     List<Observation> look(double time, List<Drone> drones, LookTimes times) {
         pointings.clear();
         List<Supplier<List<Observation>>> looks = new ArrayList<>();
-        for (Looker looker : lookers) {
-            if (looker.nextTime() == time) {
-                Optional<Pointing> pointing = looker.positioner.map(mount -> mount.moveTo(time));
-                pointing.ifPresent(where -> pointings.put(looker.id, where));
-                Sample sample =
-                        Sample.of(runSeed, looker.id, looker.nextIndex++, time).withPointing(pointing);
-                List<Drone> found = drones;
-                double speed = looker.settings.signalSpeed(world);
-                if (Double.isFinite(speed)) {
-                    found = dronesReaching(looker.settings.position(), speed, time);
-                }
-                List<Drone> reaching = found;
-                looks.add(() -> {
-                    long start = System.nanoTime();
-                    List<Observation> observations = looker.sensor.observe(world, reaching, sample);
-                    times.add(looker.settings.kind(), System.nanoTime() - start);
-                    return observations;
-                });
+        for (ActiveSensor one : active) {
+            if (one.nextTime() == time) {
+                Sample sample = one.nextLook(runSeed, time);
+                sample.pointing().ifPresent(where -> pointings.put(one.id(), where));
+                double speed = one.settings().signalSpeed(world);
+                List<Drone> reaching =
+                        Double.isFinite(speed) ? dronesReaching(one.settings().position(), speed, time) : drones;
+                looks.add(() -> one.look(world, reaching, sample, times));
             }
         }
         List<List<Observation>> seen = new ArrayList<>(Collections.nCopies(looks.size(), List.of()));
         Workers.forEach(looks.size(), i -> seen.set(i, looks.get(i).get()));
         List<Observation> observations = seen.stream().flatMap(List::stream).toList();
         contactLooks = association.associate(observations);
-        lookers.forEach(looker -> looker.learn(contactLooks));
+        active.forEach(one -> one.learn(contactLooks));
         return observations;
     }
 
@@ -285,43 +230,4 @@ public final class Stage {
     }
 
     private record Flier(Drone drone, FlightPath path) {}
-
-    private static final class Looker {
-        private final String id;
-        private final SensorSettings<?> settings;
-        private final Sensor sensor;
-        private final double rate;
-        private final Optional<Positioner> positioner;
-        private long nextIndex;
-
-        Looker(String id, SensorSettings<?> settings) {
-            this.id = id;
-            this.settings = settings;
-            this.sensor = settings.create();
-            this.rate = settings.rate();
-            this.positioner = settings.createPositioner();
-        }
-
-        /** Tells its mount what it saw itself, and what the sensors detect that the mount listens to. */
-        void learn(List<ContactLook> looks) {
-            positioner.ifPresent(mount -> looks.forEach(
-                    look -> look.measurements().forEach(measured -> learn(mount, look.contact(), measured))));
-        }
-
-        private void learn(Positioner mount, int contact, Measurement measured) {
-            measured.sighting().ifPresent(sighting -> {
-                if (measured.sensor().equals(id)) {
-                    mount.see(contact, sighting, measured.time());
-                } else if (measured.isDetected()
-                        && settings.positioner().orElseThrow().cues().contains(measured.sensor())) {
-                    mount.cue(contact, sighting, measured.time());
-                }
-            });
-        }
-
-        /** From the index, not from the last time: adding up intervals drifts. */
-        double nextTime() {
-            return nextIndex / rate;
-        }
-    }
 }

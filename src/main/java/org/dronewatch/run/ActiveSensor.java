@@ -1,0 +1,81 @@
+package org.dronewatch.run;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.positioner.Positioner;
+import org.dronewatch.sensor.Measurement;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.RaySensor;
+import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.tracking.ContactLook;
+import org.dronewatch.world.World;
+
+/** A sensor while a run goes on, with the mount that turns it: when it looks next, where it points, what its mount has learnt. */
+final class ActiveSensor {
+    private final String id;
+    private final SensorSettings<?> settings;
+    private final Sensor sensor;
+    private final double rate;
+    private final Optional<Positioner> positioner;
+    private long nextIndex;
+
+    ActiveSensor(String id, SensorSettings<?> settings) {
+        this.id = id;
+        this.settings = settings;
+        this.sensor = settings.create();
+        this.rate = settings.rate();
+        this.positioner = settings.createPositioner();
+    }
+
+    String id() {
+        return id;
+    }
+
+    SensorSettings<?> settings() {
+        return settings;
+    }
+
+    boolean tracesRays() {
+        return sensor instanceof RaySensor;
+    }
+
+    /** From the index, not from the last time: adding up intervals drifts. */
+    double nextTime() {
+        return nextIndex / rate;
+    }
+
+    /** Turns the mount to where it points at a time, and begins the next look. */
+    Sample nextLook(long seed, double time) {
+        Optional<Pointing> pointing = positioner.map(mount -> mount.moveTo(time));
+        return Sample.of(seed, id, nextIndex++, time).withPointing(pointing);
+    }
+
+    /** Looks, on any thread. */
+    List<Observation> look(World world, List<Drone> drones, Sample sample, LookTimes times) {
+        long start = System.nanoTime();
+        List<Observation> observations = sensor.observe(world, drones, sample);
+        times.add(settings.kind(), System.nanoTime() - start);
+        return observations;
+    }
+
+    /** Tells its mount what the sensor saw itself, and what the sensors detected that cue the mount. */
+    void learn(List<ContactLook> looks) {
+        positioner.ifPresent(mount ->
+                looks.forEach(look -> look.measurements().forEach(measured -> learn(mount, look.contact(), measured))));
+    }
+
+    private void learn(Positioner mount, int contact, Measurement measured) {
+        measured.sighting().ifPresent(sighting -> {
+            if (measured.sensor().equals(id)) {
+                mount.see(contact, sighting, measured.time());
+            } else if (measured.isDetected()
+                    && settings.positioner().orElseThrow().cues().contains(measured.sensor())) {
+                mount.cue(contact, sighting, measured.time());
+            }
+        });
+    }
+}

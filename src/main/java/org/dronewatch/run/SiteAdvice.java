@@ -1,0 +1,62 @@
+package org.dronewatch.run;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scenario.MountAdvice;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenario.SweptValue;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Switchable;
+import org.dronewatch.world.Clearance;
+import org.dronewatch.world.SurfaceSettings;
+import org.dronewatch.world.World;
+
+/**
+ * Warns of settings that are allowed but do not fit the site: sensors inside walls or on surfaces, materials without a
+ * surface, mounts that will not do what they are meant to.
+ */
+record SiteAdvice(SceneSettings settings, World world) {
+
+    /** Gives one line for each warning. */
+    void giveTo(Consumer<String> target) {
+        onSurfaces(target);
+        settings.enabledSensors().forEach((id, sensor) -> sensor.positioner()
+                .ifPresent(mount -> new MountAdvice(settings, id, mount).tell(target)));
+        if (settings.enabledSensors().isEmpty() && !settings.sensors().isEmpty()) {
+            target.accept(switchedBy() + "all sensors are switched off: nothing is observed");
+        }
+        Clearance clearance = new Clearance(world);
+        settings.enabledSensors().forEach((id, sensor) -> onPosition(id, sensor, clearance, target));
+    }
+
+    private void onSurfaces(Consumer<String> target) {
+        SurfaceSettings surfaces = settings.world().surfaces();
+        List<String> leftOver = surfaces.leftOver(world.mesh().materialNames());
+        if (!leftOver.isEmpty()
+                && settings.enabledSensors().values().stream().anyMatch(SensorSettings::hearsSurfaces)) {
+            target.accept("no acoustic surface is named for " + String.join(", ", leftOver) + ": taken as '"
+                    + surfaces.otherwise() + "'");
+        }
+    }
+
+    /** What is swept, if it is a switch: then others of the scene's runs may have sensors. */
+    private String switchedBy() {
+        return settings.sweep()
+                .filter(sweep -> sweep.parameter().endsWith("." + Switchable.ENABLED))
+                .map(sweep -> "with " + new SweptValue(settings, sweep).text() + " ")
+                .orElse("");
+    }
+
+    private void onPosition(String id, SensorSettings<?> sensor, Clearance clearance, Consumer<String> target) {
+        Position at = sensor.position();
+        String where = String.format(Locale.ROOT, "sensor '%s' at (%.3f, %.3f, %.3f) m", id, at.x(), at.y(), at.z());
+        if (world.isInsideWall(at)) {
+            target.accept(where
+                    + " seems to be inside a wall or under the ground: most surfaces around it face away from it");
+        } else if (!sensor.hearsSurfaces() && clearance.isMissing(at)) {
+            target.accept(where + " lies on a surface, which may hide everything from it: move it a millimetre away");
+        }
+    }
+}
