@@ -3,7 +3,7 @@ package org.dronewatch.fuzz;
 import java.nio.file.Path;
 import java.util.List;
 import org.dronewatch.mesh.io.LoadedModel;
-import org.dronewatch.mesh.io.ObjLoader;
+import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.setting.InputException;
 
 /** Names that lead to no plain file, or out of the directory of the scene. */
@@ -147,7 +147,7 @@ final class FilesTarget implements FuzzTarget {
     private static void checkColours(Path site) {
         LoadedModel model;
         try {
-            model = new ObjLoader(site).loadAsWritten("site.obj");
+            model = new ModelLoader(site).loadAsWritten("site.obj");
         } catch (InputException e) {
             return;
         }

@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.LoadedModel;
-import org.dronewatch.mesh.io.ObjLoader;
+import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.setting.InputException;
 
 /** Model files and their materials: what is read is what is written, in time and memory in proportion. */
@@ -121,7 +121,7 @@ final class ObjTarget implements FuzzTarget {
         String[] message = new String[1];
         Judge.inProportion(input.bytes(), () -> {
             try {
-                loaded[0] = new ObjLoader(directory).loadAsWritten(MODEL);
+                loaded[0] = new ModelLoader(directory).loadAsWritten(MODEL);
             } catch (InputException e) {
                 message[0] = e.getMessage();
             }

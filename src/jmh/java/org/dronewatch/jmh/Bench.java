@@ -8,8 +8,8 @@ import org.dronewatch.bench.RaySet;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.mesh.io.ObjLoader;
 
 /** What the benchmarks measure with: the project's models, read from the working directory, and rays of one seed. */
 final class Bench {
@@ -20,17 +20,17 @@ final class Bench {
 
     /** A model in the coordinates of its file. */
     static TriangleMesh mesh(String model) {
-        return new ObjLoader(MODELS).loadAsWritten(model + ".obj").mesh();
+        return new ModelLoader(MODELS).loadAsWritten(model + ".obj").mesh();
     }
 
     /** A model with z up, as scenes load it. */
     static TriangleMesh worldMesh(String model) {
-        return new ObjLoader(MODELS).load(ModelSettings.of(model + ".obj")).mesh();
+        return new ModelLoader(MODELS).load(ModelSettings.of(model + ".obj")).mesh();
     }
 
     /** A model with z up at a place, m. */
     static TriangleMesh worldMesh(String model, Position at) {
-        return new ObjLoader(MODELS)
+        return new ModelLoader(MODELS)
                 .load(ModelSettings.of(model + ".obj").withPosition(at))
                 .mesh();
     }

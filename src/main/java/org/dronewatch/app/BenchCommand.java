@@ -13,7 +13,7 @@ import org.dronewatch.bench.TracingSpeed;
 import org.dronewatch.bench.TraversalKind;
 import org.dronewatch.kdtree.KDTreeStats;
 import org.dronewatch.mesh.io.LoadedModel;
-import org.dronewatch.mesh.io.ObjLoader;
+import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.InputException;
@@ -85,7 +85,7 @@ final class BenchCommand implements Callable<Integer> {
         check();
         WholeFile hitsFile = hits == null ? null : new WholeFile("--hits", hits);
         RaySet given = rays == null ? null : readRays();
-        LoadedModel loaded = new ObjLoader(Path.of("")).loadAsWritten(model);
+        LoadedModel loaded = new ModelLoader(Path.of("")).loadAsWritten(model);
         spec.commandLine().getErr().println("read " + loaded.describe());
         KernelBench bench = new KernelBench(loaded.mesh(), traversal, threads);
         spec.commandLine().getErr().println(KDTreeStats.of(bench.tree()));

@@ -4,8 +4,8 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.dronewatch.bench.CostStudy;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.report.CostReport;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Command;
@@ -59,7 +59,7 @@ final class CostsCommand implements Callable<Integer> {
         }
         threads.number();
         TriangleMesh mesh =
-                new ObjLoader(Path.of("")).load(ModelSettings.of(drone)).mesh();
+                new ModelLoader(Path.of("")).load(ModelSettings.of(drone)).mesh();
         CostStudy study =
                 new CostStudy(mesh, largest, next -> spec.commandLine().getErr().println("measuring " + next));
         CostReport.write(Path.of(out), () -> threads.call(study::run));

@@ -10,8 +10,8 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.flight.Swarm;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -234,6 +234,6 @@ public record DroneSettings(
      * @throws org.dronewatch.setting.InputException when the model cannot be loaded
      */
     public Drone create(String id, Path directory) {
-        return create(id, KDTree.of(new ObjLoader(directory).load(model).mesh()));
+        return create(id, KDTree.of(new ModelLoader(directory).load(model).mesh()));
     }
 }

@@ -14,8 +14,8 @@ import java.util.function.Consumer;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.LoadedModel;
+import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
@@ -27,7 +27,7 @@ import org.dronewatch.world.World;
 public final class ModelCache {
     private static final double NANO = 1e-9;
 
-    private final ObjLoader loader;
+    private final ModelLoader loader;
     private final Consumer<String> notes;
     private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
     private final Map<List<ModelSettings>, TracingIndex> indexes = new HashMap<>();
@@ -43,7 +43,7 @@ public final class ModelCache {
      * @param notes is told in a line what was read, and each warning
      */
     public ModelCache(Path directory, Consumer<String> notes) {
-        this.loader = new ObjLoader(directory);
+        this.loader = new ModelLoader(directory);
         this.notes = notes;
     }
 

@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.mesh.io.ObjLoader;
 import org.junit.jupiter.api.Test;
 
 /** The study of costs, with hardly any time to measure: what it measures, not how long that takes. */
@@ -18,7 +18,7 @@ class CostStudyTest {
 
     @Test
     void everyLineHasACostForEachQuantity() {
-        TriangleMesh drone = new ObjLoader(Path.of(""))
+        TriangleMesh drone = new ModelLoader(Path.of(""))
                 .load(ModelSettings.packaged("quadrotor.obj"))
                 .mesh();
         List<String> told = new ArrayList<>();

@@ -10,8 +10,8 @@ import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.assertj.core.data.Offset;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 import org.dronewatch.world.GroundPoint;
@@ -30,7 +30,7 @@ class ThreatFlightTest {
 
     @BeforeAll
     static void loadTheHill() {
-        hill = World.of(new ObjLoader(Path.of("."))
+        hill = World.of(new ModelLoader(Path.of("."))
                 .load(ModelSettings.packaged("hill.obj"))
                 .mesh());
     }

@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.LoadedModel;
-import org.dronewatch.mesh.io.ObjLoader;
+import org.dronewatch.mesh.io.ModelLoader;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -55,7 +55,7 @@ class FuzzCorpusTest {
             check(assertTimeoutPreemptively(LONGEST, () -> run(input)), expected);
         }
         if (expected.containsKey("model")) {
-            check(new ObjLoader(directory).loadAsWritten(expected.getProperty("model")), expected);
+            check(new ModelLoader(directory).loadAsWritten(expected.getProperty("model")), expected);
         }
     }
 

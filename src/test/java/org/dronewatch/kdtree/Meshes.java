@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.mesh.io.ObjLoader;
+import org.dronewatch.mesh.io.ModelLoader;
 
 /** Meshes to test with. */
 public final class Meshes {
@@ -23,7 +23,7 @@ public final class Meshes {
 
     /** A model of the project, in the coordinates of its file. */
     public static TriangleMesh model(String name) {
-        return new ObjLoader(Path.of("models")).loadAsWritten(name).mesh();
+        return new ModelLoader(Path.of("models")).loadAsWritten(name).mesh();
     }
 
     /** A closed room of 10 x 8 x 3 m with closed boxes in it: most are parallel to the walls, all stand on the floor. */

@@ -12,13 +12,13 @@ import java.util.SplittableRandom;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.StackTraversal;
+import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.mesh.io.ObjLoader;
 import org.dronewatch.sound.SurfaceMaterials;
 import org.junit.jupiter.api.Test;
 
 class CathedralModelTest {
-    private final KDTree tree = KDTree.of(new ObjLoader(Path.of("models"))
+    private final KDTree tree = KDTree.of(new ModelLoader(Path.of("models"))
             .load(ModelSettings.of("cathedral.obj"))
             .mesh());
     private final Mesh model = CathedralModel.mesh();

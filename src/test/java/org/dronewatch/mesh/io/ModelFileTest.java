@@ -38,7 +38,7 @@ class ModelFileTest {
 
     private LoadedModel loadWith(String library) throws IOException {
         Files.writeString(site.resolve("model.obj"), "mtllib " + library + "\n" + BODY);
-        return new ObjLoader(site).load(ModelSettings.of("model.obj"));
+        return new ModelLoader(site).load(ModelSettings.of("model.obj"));
     }
 
     private void assertRefused(String library, String reason) throws IOException {
@@ -115,7 +115,9 @@ class ModelFileTest {
         Files.writeString(site.resolve("model.obj"), "mtllib my.mtl\n" + BODY);
         link(root.resolve("other"), site);
 
-        assertThat(new ObjLoader(root).load(ModelSettings.of("other/model.obj")).warnings())
+        assertThat(new ModelLoader(root)
+                        .load(ModelSettings.of("other/model.obj"))
+                        .warnings())
                 .isEmpty();
     }
 
@@ -138,10 +140,10 @@ class ModelFileTest {
         String own = root.resolve("own.obj").toAbsolutePath().toString();
 
         for (String name : new String[] {"linked.obj", "../own.obj", own}) {
-            assertThat(new ObjLoader(site).load(ModelSettings.of(name)).mesh().triangleCount())
+            assertThat(new ModelLoader(site).load(ModelSettings.of(name)).mesh().triangleCount())
                     .isEqualTo(1);
         }
-        assertThat(new ObjLoader(Path.of("")).loadAsWritten(own).mesh().triangleCount())
+        assertThat(new ModelLoader(Path.of("")).loadAsWritten(own).mesh().triangleCount())
                 .isEqualTo(1);
     }
 
@@ -200,7 +202,7 @@ class ModelFileTest {
 
     private void assertModelRefused(String file, String reason) {
         assertThatExceptionOfType(InputException.class)
-                .isThrownBy(() -> new ObjLoader(site).load(ModelSettings.of(file)))
+                .isThrownBy(() -> new ModelLoader(site).load(ModelSettings.of(file)))
                 .withMessageContaining(reason)
                 .satisfies(e -> assertThat(e.getMessage()).doesNotContain("\n"));
     }

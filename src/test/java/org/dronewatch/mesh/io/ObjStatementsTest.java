@@ -29,11 +29,11 @@ class ObjStatementsTest {
 
     private LoadedModel load(String text) throws IOException {
         Files.writeString(directory.resolve("model.obj"), text);
-        return new ObjLoader(directory).load(ModelSettings.of("model.obj"));
+        return new ModelLoader(directory).load(ModelSettings.of("model.obj"));
     }
 
     private static LoadedModel former(String name) {
-        return new ObjLoader(FORMER_FAILURES).load(ModelSettings.of(name + "/model.obj"));
+        return new ModelLoader(FORMER_FAILURES).load(ModelSettings.of(name + "/model.obj"));
     }
 
     @Test
@@ -244,7 +244,7 @@ class ObjStatementsTest {
         }
 
         assertThatExceptionOfType(InputException.class)
-                .isThrownBy(() -> new ObjLoader(directory).load(ModelSettings.of("model.obj")))
+                .isThrownBy(() -> new ModelLoader(directory).load(ModelSettings.of("model.obj")))
                 .withMessageContaining("model.obj:5: line of more than 1048576 characters");
     }
 

@@ -109,7 +109,7 @@ class PolygonCutterTest {
 
     @Test
     void aConcavePolygonOfAFileCoversItsOwnArea() {
-        LoadedModel model = new ObjLoader(FORMER_FAILURES).load(ModelSettings.of("concave-polygon/model.obj"));
+        LoadedModel model = new ModelLoader(FORMER_FAILURES).load(ModelSettings.of("concave-polygon/model.obj"));
 
         assertThat(area(model.mesh())).isEqualTo(4.0);
         assertThat(model.warnings()).isEmpty();
@@ -259,7 +259,7 @@ class PolygonCutterTest {
     @Test
     void aPolygonThatCrossesItselfStaysAFanAndIsAWarning() {
         LoadedModel model =
-                new ObjLoader(FORMER_FAILURES).load(ModelSettings.of("polygon-that-crosses-itself/model.obj"));
+                new ModelLoader(FORMER_FAILURES).load(ModelSettings.of("polygon-that-crosses-itself/model.obj"));
 
         assertThat(model.warnings()).singleElement().asString().contains("model.obj:5: polygon crosses itself");
         assertThat(model.mesh().triangleCount()).isEqualTo(2);

@@ -16,7 +16,7 @@ import org.dronewatch.setting.file.FileHash;
  * and what else the format has are skipped and counted. What cannot be right is an {@link InputException} that names file and
  * line.
  */
-public final class ObjLoader {
+public final class ModelLoader {
     private final Path directory;
 
     /**
@@ -24,7 +24,7 @@ public final class ObjLoader {
      *
      * @param directory where relative paths start
      */
-    public ObjLoader(Path directory) {
+    public ModelLoader(Path directory) {
         this.directory = directory;
     }
 

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class ObjLoaderTest {
+class ModelLoaderTest {
     private static final String SQUARE = "v 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\n";
 
     @TempDir
@@ -23,7 +23,7 @@ class ObjLoaderTest {
 
     private LoadedModel load(String text, ModelSettings settings) throws IOException {
         Files.writeString(directory.resolve("model.obj"), text);
-        return new ObjLoader(directory).load(settings);
+        return new ModelLoader(directory).load(settings);
     }
 
     private LoadedModel load(String text) throws IOException {
@@ -121,7 +121,7 @@ class ObjLoaderTest {
         Files.writeString(directory.resolve("secret.mtl"), "newmtl secret\n");
         Files.writeString(inside.resolve("model.obj"), "mtllib ../secret.mtl\n" + SQUARE + "usemtl secret\nf 1 2 3\n");
 
-        assertThat(new ObjLoader(inside).load(ModelSettings.of("model.obj")).warnings())
+        assertThat(new ModelLoader(inside).load(ModelSettings.of("model.obj")).warnings())
                 .singleElement()
                 .asString()
                 .contains("../secret.mtl");
@@ -177,7 +177,7 @@ class ObjLoaderTest {
         Files.write(directory.resolve("model.obj"), bytes);
 
         assertThatExceptionOfType(InputException.class)
-                .isThrownBy(() -> new ObjLoader(directory).load(ModelSettings.of("model.obj")))
+                .isThrownBy(() -> new ModelLoader(directory).load(ModelSettings.of("model.obj")))
                 .withMessageContaining("model.obj");
     }
 
@@ -185,7 +185,7 @@ class ObjLoaderTest {
     @CsvSource({"absent.obj", ".", "packaged:absent.obj", "packaged:../models/hill.obj", "packaged:"})
     void aMissingFileIsNamed(String file) {
         assertThatExceptionOfType(InputException.class)
-                .isThrownBy(() -> new ObjLoader(directory).load(ModelSettings.of(file)))
+                .isThrownBy(() -> new ModelLoader(directory).load(ModelSettings.of(file)))
                 .withMessageContaining(file.substring(file.indexOf(':') + 1));
     }
 }
