@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.catalog.Positioners;
+import org.dronewatch.mesh.io.MeshReaders;
 import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.FoundKind;
@@ -25,6 +26,8 @@ import picocli.CommandLine.Spec;
         description = "Lists the packaged scenes and the sensors of the catalogue, a line each; or the kinds that"
                 + " scenes can choose.")
 final class ListCommand implements Callable<Integer> {
+    private static final String KIND_LINE = "%-19s %-19s %s; %s%n";
+
     @Option(
             names = "--kinds",
             description =
@@ -40,6 +43,7 @@ final class ListCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         if (kinds) {
             listKinds(out);
+            listReaders(out);
             return 0;
         }
         for (PackagedScene scene : PackagedScene.all()) {
@@ -68,9 +72,19 @@ final class ListCommand implements Callable<Integer> {
         for (FoundKind found : KindRegistry.found().all()) {
             Kind<?> kind = found.kind();
             out.printf(
-                    "%-19s %-19s %s; %s%n",
-                    typeInWords(kind.type()), kind.name(), PlainText.value(kind.summary()), found.origin());
+                    KIND_LINE, typeInWords(kind.type()), kind.name(), PlainText.value(kind.summary()), found.origin());
         }
+    }
+
+    private static void listReaders(PrintWriter out) {
+        MeshReaders.found()
+                .byExtension()
+                .forEach((extension, reader) -> out.printf(
+                        KIND_LINE,
+                        "model file",
+                        "." + extension,
+                        PlainText.value(reader.summary()),
+                        FoundKind.originOf(reader.getClass())));
     }
 
     /** {@code SensorSettings}: "sensor". */

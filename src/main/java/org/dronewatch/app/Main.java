@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import javax.imageio.ImageIO;
+import org.dronewatch.mesh.io.MeshReaders;
 import org.dronewatch.report.provenance.ProgramVersion;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.KindRegistry;
@@ -125,6 +126,7 @@ public final class Main implements Runnable {
         commands.setOut(new PlainPrinter(commands.getOut()));
         // What is wrong with the class path is said before anything is done.
         KindRegistry.found();
+        MeshReaders.found();
         try (Interruption watch = new Interruption()) {
             interruption = watch;
             return new CommandLine.RunLast().execute(parsed);

@@ -15,6 +15,7 @@ import java.util.regex.Pattern;
  * @param builtIn whether it comes with the library
  */
 public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
+    private static final String BUILT_IN = "built in";
     private static final Pattern NAME = Pattern.compile("[a-z0-9][a-z0-9-]{0,63}");
 
     /**
@@ -43,11 +44,11 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
     /** A kind that some class provides. */
     static FoundKind by(Object provider, Kind<?> kind) {
         String place = placeOf(provider.getClass());
-        return new FoundKind(kind, place, place.equals(placeOf(Kind.class)));
+        return new FoundKind(kind, place, isBuiltIn(place));
     }
 
-    /** Where a class was loaded from. */
-    static String placeOf(Class<?> type) {
+    /** Where a class was loaded from: path of its jar or directory of classes. */
+    public static String placeOf(Class<?> type) {
         CodeSource code = type.getProtectionDomain().getCodeSource();
         URL place = code == null ? null : code.getLocation();
         if (place == null) {
@@ -60,8 +61,18 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
         }
     }
 
+    private static boolean isBuiltIn(String place) {
+        return place.equals(placeOf(Kind.class));
+    }
+
+    /** Where a class comes from, in words for a list. */
+    public static String originOf(Class<?> type) {
+        String place = placeOf(type);
+        return isBuiltIn(place) ? BUILT_IN : place;
+    }
+
     /** Where it comes from, in words for a list. */
     public String origin() {
-        return builtIn ? "built in" : source;
+        return builtIn ? BUILT_IN : source;
     }
 }

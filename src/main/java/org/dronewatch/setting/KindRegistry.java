@@ -16,6 +16,8 @@ import java.util.ServiceLoader;
  * jars are given does not matter. Immutable.
  */
 public final class KindRegistry {
+    private static KindRegistry found;
+
     private final List<FoundKind> all;
     private final Map<Class<?>, Map<String, Class<?>>> byType = new LinkedHashMap<>();
 
@@ -53,38 +55,16 @@ public final class KindRegistry {
      *
      * @throws InputException when a provider cannot be loaded, says something wrong, or a name is there twice
      */
-    public static KindRegistry found() {
-        return Found.result();
+    public static synchronized KindRegistry found() {
+        if (found == null) {
+            found = new KindRegistry(load(loader()));
+        }
+        return found;
     }
 
-    /** Looks for kinds when they are first needed, and remembers what went wrong. */
-    private static final class Found {
-        private static final KindRegistry REGISTRY;
-        private static final String WRONG;
-
-        static {
-            KindRegistry registry = null;
-            String wrong = null;
-            try {
-                registry = new KindRegistry(load(loader()));
-            } catch (InputException e) {
-                wrong = e.getMessage();
-            }
-            REGISTRY = registry;
-            WRONG = wrong;
-        }
-
-        private static KindRegistry result() {
-            if (REGISTRY == null) {
-                throw new InputException(WRONG);
-            }
-            return REGISTRY;
-        }
-
-        private static ClassLoader loader() {
-            ClassLoader mine = Thread.currentThread().getContextClassLoader();
-            return mine == null ? Kind.class.getClassLoader() : mine;
-        }
+    private static ClassLoader loader() {
+        ClassLoader mine = Thread.currentThread().getContextClassLoader();
+        return mine == null ? Kind.class.getClassLoader() : mine;
     }
 
     /** What the providers that a class loader sees have. */
@@ -100,11 +80,15 @@ public final class KindRegistry {
     }
 
     /**
-     * All providers of a service.
+     * All providers of a service that the class path has.
      *
      * @throws InputException when one cannot be loaded
      */
-    public static <S> List<S> providers(Class<S> service, ClassLoader loader) {
+    public static <S> List<S> providers(Class<S> service) {
+        return providers(service, loader());
+    }
+
+    private static <S> List<S> providers(Class<S> service, ClassLoader loader) {
         List<S> providers = new ArrayList<>();
         try {
             Iterator<S> each = ServiceLoader.load(service, loader).iterator();

@@ -22,12 +22,12 @@ import org.dronewatch.setting.file.FileHash;
  * A model file on disk or in the jar, and the files beside it. Only regular files of bounded size are read; a byte order mark
  * at their beginning is left out.
  */
-final class ModelFile {
+public final class ModelFile {
     /** The largest model that is read, in bytes. */
-    static final long MAX_BYTES = 1L << 30;
+    public static final long MAX_BYTES = 1L << 30;
 
     /** The largest file beside a model that is read, in bytes. */
-    static final long MAX_BYTES_BESIDE = 1L << 24;
+    public static final long MAX_BYTES_BESIDE = 1L << 24;
 
     private static final byte[] BYTE_ORDER_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
 
@@ -119,7 +119,7 @@ final class ModelFile {
      *
      * @throws InputException with the end of a sentence when the name leads elsewhere or there is no such file
      */
-    ModelFile beside(String sibling) {
+    public ModelFile beside(String sibling) {
         if (path == null) {
             return resource(sibling).orElseThrow(() -> new InputException("is not beside it"));
         }
@@ -151,12 +151,12 @@ final class ModelFile {
     }
 
     /** What messages call the file. */
-    String name() {
+    public String name() {
         return name;
     }
 
     /** Which bytes it has. */
-    FileHash hash() {
+    public FileHash hash() {
         try (InputStream bytes = open()) {
             return FileHash.of(shortName(), bytes);
         } catch (IOException e) {
@@ -168,8 +168,8 @@ final class ModelFile {
         return path == null ? name : String.valueOf(path.getFileName());
     }
 
-    /** Its text without a byte order mark. */
-    Reader text() throws IOException {
+    /** Its text in UTF-8 without a byte order mark. */
+    public Reader text() throws IOException {
         InputStream bytes = open();
         bytes.mark(BYTE_ORDER_MARK.length);
         if (!Arrays.equals(bytes.readNBytes(BYTE_ORDER_MARK.length), BYTE_ORDER_MARK)) {
@@ -178,7 +178,8 @@ final class ModelFile {
         return new InputStreamReader(bytes, StandardCharsets.UTF_8);
     }
 
-    private InputStream open() throws IOException {
+    /** Its bytes, buffered. */
+    public InputStream open() throws IOException {
         return new BufferedInputStream(path != null ? Files.newInputStream(path) : resource.openStream());
     }
 }

@@ -11,7 +11,7 @@ import org.dronewatch.setting.Quantity;
  * Which model file to load and how to place it. The model is first turned upright, then scaled, then turned to its
  * heading, then moved.
  *
- * @param file path of an .obj file, or {@code packaged:NAME} for a model that comes with the library
+ * @param file path of a model file, such as an .obj file, or {@code packaged:NAME} for a model that comes with the library
  * @param upAxis which axis of the file points up
  * @param scale length of the file's unit, 1e-6 to 1e6 m
  * @param position where the model's origin goes, m
@@ -38,7 +38,7 @@ public record ModelSettings(
     public ModelSettings {
         Limits.check(ModelSettings.class, file, upAxis, scale, position, heading, role);
         if (file.isBlank()) {
-            throw new IllegalArgumentException("file is empty: it must name an .obj file");
+            throw new IllegalArgumentException("file is empty: it must name a model file");
         }
     }
 

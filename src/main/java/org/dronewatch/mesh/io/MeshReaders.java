@@ -1,0 +1,65 @@
+package org.dronewatch.mesh.io;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import org.dronewatch.setting.FoundKind;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.KindRegistry;
+
+/** The readers of model files that the class path has, by file extension. Immutable. */
+public final class MeshReaders {
+    private static final String OBJ = "obj";
+
+    private static MeshReaders found;
+
+    private final Map<String, MeshReader> byExtension = new TreeMap<>();
+
+    /**
+     * Some readers.
+     *
+     * @throws InputException when two read the same extension, in one line with both places, or one is wrong
+     */
+    MeshReaders(List<MeshReader> readers) {
+        for (MeshReader reader : readers) {
+            for (String extension : reader.extensions()) {
+                if (!extension.matches("[a-z0-9]{1,16}")) {
+                    throw new InputException("mesh reader from " + FoundKind.placeOf(reader.getClass())
+                            + ": extension '" + extension + "' must be 1 to 16 small letters and digits");
+                }
+                MeshReader former = byExtension.putIfAbsent(extension, reader);
+                if (former != null) {
+                    throw new InputException("files '." + extension + "' are read by "
+                            + FoundKind.placeOf(former.getClass()) + " and by " + FoundKind.placeOf(reader.getClass())
+                            + ": take one of them off the class path");
+                }
+            }
+        }
+    }
+
+    /**
+     * The readers of this program's class path; they are looked for once.
+     *
+     * @throws InputException when one cannot be loaded or is wrong, or two read the same extension
+     */
+    public static synchronized MeshReaders found() {
+        if (found == null) {
+            found = new MeshReaders(KindRegistry.providers(MeshReader.class));
+        }
+        return found;
+    }
+
+    /** All readers by extension, in the order of the alphabet. */
+    public Map<String, MeshReader> byExtension() {
+        return Collections.unmodifiableMap(byExtension);
+    }
+
+    /** What reads a file of this name; a name with no known extension is taken for that of an OBJ file. */
+    MeshReader of(String fileName) {
+        String extension = fileName.substring(fileName.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+        MeshReader known = byExtension.get(extension);
+        return known == null ? byExtension.get(OBJ) : known;
+    }
+}

@@ -1,0 +1,102 @@
+package org.dronewatch.mesh.io;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.geometry.Floats;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.setting.InputException;
+
+/**
+ * What a {@link MeshReader} finds in a file becomes a model: vertices are placed, polygons cut into triangles, triangles without
+ * area left out and counted, and all limits checked. One thread at a time.
+ */
+public final class ModelCollector {
+    /** The most triangles of a model. */
+    public static final int MAX_TRIANGLES = 50_000_000;
+
+    private final ModelFile file;
+    private final Placement placement;
+    private final Floats vertices = new Floats();
+    private final MeshTriangles triangles = new MeshTriangles(vertices);
+    private final Map<String, Integer> materials = new LinkedHashMap<>();
+    private final Map<String, Integer> colours = new LinkedHashMap<>();
+    private final List<String> warnings = new ArrayList<>();
+    private long stated;
+
+    /** Collects what one file has. */
+    public ModelCollector(ModelFile file, ModelSettings settings) {
+        this.file = file;
+        this.placement = new Placement(settings);
+    }
+
+    /**
+     * Adds a vertex in the file's own coordinates.
+     *
+     * @return its index, from 0 on
+     * @throws InputException when it is not finite, or placed too far from the origin
+     */
+    public int addVertex(float x, float y, float z) {
+        placement.place(x, y, z, vertices);
+        for (int i = vertices.size() - 3; i < vertices.size(); i++) {
+            if (!(Math.abs(vertices.get(i)) <= TriangleMesh.MAX_COORDINATE)) {
+                throw new InputException(file.name() + ": vertex (" + x + ", " + y + ", " + z
+                        + ") must be finite and at most " + TriangleMesh.MAX_COORDINATE + " m from the origin");
+            }
+        }
+        return vertices.size() / 3 - 1;
+    }
+
+    /**
+     * Adds a plane polygon.
+     *
+     * @param material its name; not empty
+     * @param corners three or more indices of vertices that were added before
+     * @throws InputException when there are fewer corners, a vertex is missing, or there are too many triangles
+     */
+    public void addFace(String material, int... corners) {
+        if (corners.length < 3) {
+            throw new InputException(file.name() + ": face has " + corners.length + " corners, needs 3 or more");
+        }
+        for (int corner : corners) {
+            if (corner < 0 || corner >= vertices.size() / 3) {
+                throw new InputException(
+                        file.name() + ": vertex index " + corner + " must be 0 to " + (vertices.size() / 3 - 1));
+            }
+        }
+        stated += corners.length - 2;
+        if (stated > MAX_TRIANGLES) {
+            throw new InputException(file.name() + ": more than " + MAX_TRIANGLES + " triangles");
+        }
+        triangles.add(corners.clone(), materials.computeIfAbsent(material, name -> materials.size()));
+    }
+
+    /**
+     * Says what a material looks like in daylight.
+     *
+     * @param colour red, green and blue in the lowest 24 bits
+     */
+    public void setColour(String material, int colour) {
+        colours.put(material, colour & 0xFFFFFF);
+    }
+
+    /** Adds a line about something odd that did not stop the reading. */
+    public void warn(String line) {
+        warnings.add(line);
+    }
+
+    /**
+     * The model.
+     *
+     * @throws InputException when it has no triangle with an area
+     */
+    public LoadedModel toModel() {
+        if (triangles.size() == 0) {
+            throw new InputException(file.name() + ": none of its " + stated + " triangles has an area: not a mesh");
+        }
+        TriangleMesh mesh = triangles.toMesh(List.copyOf(materials.keySet()));
+        int dropped = (int) stated - mesh.triangleCount();
+        return new LoadedModel(file.name(), mesh, dropped, Map.of(), colours, List.of(file.hash()), warnings);
+    }
+}
