@@ -31,7 +31,7 @@ public final class Catalog implements Kinds.NamedSettings {
     private static final String ENDING = ".yaml";
     private static final String NAME = "[A-Za-z0-9_-]{1,64}";
     private static final int MOST_FILES = 1000;
-    /** The largest file whose name is suggested; the packaged entries have about 3000 bytes. */
+    /** The largest file whose name is suggested; the packaged entries are about 3000 bytes long. */
     private static final int MOST_BYTES = 1 << 16;
 
     private static final List<String> PACKAGED = List.of(
@@ -56,17 +56,17 @@ public final class Catalog implements Kinds.NamedSettings {
         this.directory = directory;
     }
 
-    /** The sensors that come with the library. */
+    /** The library's sensors. */
     public static Catalog packaged() {
         return new Catalog(Optional.empty());
     }
 
-    /** The library's sensors and those whose files lie in a directory. */
+    /** The library's sensors and those defined by files in a directory. */
     public static Catalog beside(Path directory) {
         return new Catalog(Optional.of(directory));
     }
 
-    /** The names that come with the library, in the order in which to show them. */
+    /** The names of the library's entries, in the order in which to show them. */
     public static List<String> packagedNames() {
         return PACKAGED;
     }
@@ -97,7 +97,7 @@ public final class Catalog implements Kinds.NamedSettings {
         return names;
     }
 
-    /** Scene files lie in the same directory; only what might be an entry is worth suggesting. */
+    /** Scene files lie in the same directory; only files that may be entries are suggested. */
     private static boolean looksLikeAnEntry(Path file) {
         try {
             String text = new String(BoundedFile.read(file, MOST_BYTES), StandardCharsets.UTF_8);
@@ -113,7 +113,7 @@ public final class Catalog implements Kinds.NamedSettings {
     }
 
     /**
-     * What is known of a sensor; empty when there is none of this name.
+     * The entry of a sensor; empty when there is none of this name.
      *
      * @throws InputException when its file is wrong
      */
@@ -127,7 +127,7 @@ public final class Catalog implements Kinds.NamedSettings {
      * The settings of a sensor.
      *
      * @param name in this catalogue, or that of a kind, which is then as it is by default
-     * @param parts what the entry leaves open or what is to be otherwise, by name of the setting: its position at least
+     * @param parts settings that the entry leaves open or that are overridden, by name: at least the position
      * @throws InputException when there is no such sensor, or the settings do not fit
      */
     public SensorSettings<?> settings(String name, Map<String, ?> parts) {
@@ -145,8 +145,8 @@ public final class Catalog implements Kinds.NamedSettings {
     }
 
     /**
-     * Which entry of the library a sensor is: the one of whose settings it has all, the one with the most of them if there are
-     * several. Where it stands and looks does not matter, and neither does what the entry leaves open.
+     * The entry of the library that a sensor corresponds to: the one all of whose settings it has; if there are
+     * several, the one with the most settings. Its position and aim do not matter, nor does what the entry leaves open.
      */
     public static Optional<String> nameOf(SensorSettings<?> sensor) {
         Optional<String> best = Optional.empty();
@@ -161,7 +161,7 @@ public final class Catalog implements Kinds.NamedSettings {
         return best;
     }
 
-    /** How many settings of an entry a sensor has; 0 unless it has all. */
+    /** The number of an entry's settings that a sensor has; 0 unless it has all of them. */
     private static int agreeing(String name, SensorSettings<?> sensor) {
         CatalogEntry entry = packaged().entry(name).orElseThrow();
         if (!entry.kind().equals(sensor.kind()) || !(sensor instanceof Record settings)) {
@@ -192,7 +192,7 @@ public final class Catalog implements Kinds.NamedSettings {
         return PACKAGED.contains(name) ? Optional.of(resource(name + ENDING)) : Optional.empty();
     }
 
-    /** What a file of the library says. */
+    /** Reads a file of the library. */
     static CatalogEntry entryOf(Node.Mapping document) {
         return SettingsFile.read(document, CatalogEntry.class, Kinds.FOUND, Path.of(""));
     }

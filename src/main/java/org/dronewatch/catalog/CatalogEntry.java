@@ -17,16 +17,16 @@ import org.dronewatch.setting.file.SettingsFile;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * What is known of a real sensor.
+ * A real sensor: its settings, and where they come from.
  *
- * @param title what its maker calls it
+ * @param title what its manufacturer calls it
  * @param source where the figures are published
- * @param basis how far the settings rest on them
+ * @param basis how far the settings are based on them
  * @param note what is assumed, and how the settings were calibrated
- * @param coverage where it looks, in words
+ * @param coverage its field of view, in words
  * @param price in words, with currency and year
- * @param ranges what its maker promises; none when nothing is published
- * @param sensor its settings as a scene file would have them, without a position
+ * @param ranges the ranges that its manufacturer states; none when nothing is published
+ * @param sensor its settings as in a scene file, without a position
  */
 public record CatalogEntry(
         String title,
@@ -38,24 +38,24 @@ public record CatalogEntry(
         List<PublishedRange> ranges,
         Node.Mapping sensor) {
 
-    /** How far settings rest on published figures. */
+    /** How far settings are based on published figures. */
     public enum Basis {
         /** Every figure that matters is published. */
         PUBLISHED,
-        /** What is not published was chosen so that the published range comes out. */
+        /** What is not published was chosen so that the published range results. */
         CALIBRATED,
         /** No range is published; what is not published is a guess. */
         ASSUMED
     }
 
     /**
-     * A range that a maker promises, with what this library takes it to mean: a straight approach over flat grass, sensor
-     * and drone 10 m above it.
+     * A range that a manufacturer states, as this library interprets it: for a straight approach over flat grass,
+     * sensor and drone 10 m above it.
      *
      * @param distance m
      * @param target in words
-     * @param drone settings of the drone for which it holds, over those of the small quadrotor
-     * @param world settings of the world in which it holds, over those of a quiet one
+     * @param drone settings of the drone for which it holds, overriding those of the small quadrotor
+     * @param world settings of the world in which it holds, overriding those of a quiet one
      */
     public record PublishedRange(
             @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double distance,
@@ -73,13 +73,13 @@ public record CatalogEntry(
             return new PublishedRange(distance, target, Optional.empty(), Optional.empty());
         }
 
-        /** The drone for which the range holds, on some way. */
+        /** The drone for which the range holds, on a given flight. */
         public DroneSettings droneOn(FlightPathSettings flight) {
             Map<String, ?> quadrotor = Map.of("model", ModelSettings.packaged("quadrotor.obj"), "flight", flight);
             return read(quadrotor, drone, DroneSettings.class);
         }
 
-        /** The world in which the range holds, with some ground. */
+        /** The world in which the range holds, with a given ground. */
         public WorldSettings worldOf(ModelSettings ground) {
             return read(Map.of("models", List.of(ground)), world, WorldSettings.class);
         }
@@ -104,7 +104,7 @@ public record CatalogEntry(
         }
     }
 
-    /** An entry of which no more is known. */
+    /** An entry without further information. */
     @Defaults({"title", "source", "basis", "coverage", "ranges", "sensor"})
     public static CatalogEntry of(
             String title,

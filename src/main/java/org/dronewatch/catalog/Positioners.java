@@ -7,7 +7,7 @@ import java.util.Set;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Node;
 
-/** Real mounts by name, for {@code positioner: {use: NAME}} of a camera; they come with the library. */
+/** Real positioners by name, for {@code positioner: {use: NAME}} of a camera; they come with the library. */
 public final class Positioners implements Kinds.NamedSettings {
     private static final List<String> PACKAGED = List.of("viper");
 
@@ -16,7 +16,7 @@ public final class Positioners implements Kinds.NamedSettings {
         return PACKAGED;
     }
 
-    /** What is known of a mount; empty when there is none of this name. */
+    /** The entry of a positioner; empty when there is none of this name. */
     public Optional<CatalogEntry> entry(String name) {
         return PACKAGED.contains(name)
                 ? Optional.of(Catalog.entryOf(Catalog.resource("positioner/" + name + ".yaml")))

@@ -1,2 +1,2 @@
-/** Real sensors by name: knows every kind of sensor, and the only place where they are all named. */
+/** Real sensors by name: the only package that knows every kind of sensor. */
 package org.dronewatch.catalog;

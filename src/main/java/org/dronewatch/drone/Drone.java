@@ -11,11 +11,12 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * A drone at one moment: a mesh with a tree in its own model space, and the matrix that puts it into the world. Moving it
- * changes the matrix only, and gives a new drone that shares the tree. Immutable, so that any thread may look.
+ * A drone at one moment: a mesh with a tree in its own model space, and the matrix that transforms it to the world.
+ * Moving it changes the matrix only, and returns a new drone that shares the tree. Immutable, hence safe for any
+ * thread.
  *
- * <p>The model matrix is {@code M = T R S}: scale first, then turn, then move. Turns are right-handed, as vecmath's
- * {@code rotX}, {@code rotY} and {@code rotZ}.
+ * <p>The model matrix is {@code M = T R S}: scale first, then rotate, then translate. Rotations are right-handed, as
+ * vecmath's {@code rotX}, {@code rotY} and {@code rotZ}.
  */
 public final class Drone {
     private final String id;
@@ -51,21 +52,24 @@ public final class Drone {
         this.worldToModel.invert(modelMatrix);
     }
 
-    /** This drone turned about its own x axis (to its right) at a rate for a time: {@code M' = M rotX(rate dt)}. */
+    /**
+     * This drone rotated about its own x axis (to its right) at a rate in rad/s for dt seconds: {@code M' = M rotX(rate
+     * dt)}.
+     */
     public Drone rotateX(double rate, double dt) {
         Matrix4d turn = new Matrix4d();
         turn.rotX(rate * dt);
         return turned(turn);
     }
 
-    /** This drone turned about its own y axis (its nose) at a rate in rad/s for dt seconds. */
+    /** This drone rotated about its own y axis (its nose) at a rate in rad/s for dt seconds. */
     public Drone rotateY(double rate, double dt) {
         Matrix4d turn = new Matrix4d();
         turn.rotY(rate * dt);
         return turned(turn);
     }
 
-    /** This drone turned about its own z axis (up) at a rate in rad/s for dt seconds, counter-clockwise from above. */
+    /** This drone rotated about its own z axis (up) at a rate in rad/s for dt seconds, counter-clockwise from above. */
     public Drone rotateZ(double rate, double dt) {
         Matrix4d turn = new Matrix4d();
         turn.rotZ(rate * dt);
@@ -78,7 +82,7 @@ public final class Drone {
         return new Drone(id, settings, tree, next, velocity, gliding);
     }
 
-    /** This drone displaced in the world, m; its velocity stays as it was. */
+    /** This drone displaced in the world, m; its velocity is unchanged. */
     public Drone move(Vector3d displacement) {
         Matrix4d next = new Matrix4d(modelMatrix);
         next.m03 += displacement.x;
@@ -87,7 +91,7 @@ public final class Drone {
         return new Drone(id, settings, tree, next, velocity, gliding);
     }
 
-    /** This drone in a state of its flight: its model unscaled, nose along the heading. */
+    /** This drone in a given state of its flight: its model unscaled, nose along the heading. */
     public Drone at(FlightState state) {
         Matrix4d pose = new Matrix4d();
         pose.rotZ(-state.heading());
@@ -96,7 +100,7 @@ public final class Drone {
     }
 
     /**
-     * This drone under another model matrix.
+     * This drone with another model matrix.
      *
      * @throws IllegalArgumentException when the matrix cannot be inverted
      */
@@ -109,7 +113,7 @@ public final class Drone {
         return id;
     }
 
-    /** What it was made from. */
+    /** The settings from which it was created. */
     public DroneSettings settings() {
         return settings;
     }
@@ -149,7 +153,10 @@ public final class Drone {
         return new Point3d(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
 
-    /** No part of its mesh is farther from its origin than this, m: its model box's reach times what the matrix stretches. */
+    /**
+     * No part of its mesh is farther from its origin than this, m: the reach of its model box times the largest stretch
+     * of the matrix.
+     */
     public double reach() {
         AABB box = tree.bounds();
         double x = Math.max(Math.abs(box.minX()), Math.abs(box.maxX()));
@@ -182,7 +189,7 @@ public final class Drone {
         return settings.soundPower(settings.soundPowerLevel() - quieter());
     }
 
-    /** How much warmer it looks than what is behind it as it flies now, K: with its motors off it cools. */
+    /** Its apparent temperature difference to the background as it flies now, K: with its motors off it cools. */
     public double heat() {
         return settings.heat().after(gliding.orElse(0.0));
     }
@@ -191,7 +198,7 @@ public final class Drone {
         return isPowered() ? 0.0 : settings.glideReduction();
     }
 
-    /** The distance from a place to the drone's origin, m. */
+    /** The distance from a point to the drone's origin, m. */
     public double distance(Position place) {
         return position().distance(place.toPoint3d());
     }

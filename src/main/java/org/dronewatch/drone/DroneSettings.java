@@ -114,7 +114,7 @@ public record DroneSettings(
         return with("model", other);
     }
 
-    /** These settings with another way to fly. */
+    /** These settings with another flight. */
     public DroneSettings withFlight(FlightPathSettings other) {
         return with("flight", other);
     }
@@ -129,12 +129,12 @@ public record DroneSettings(
         return withRadar(radar.withCrossSection(area));
     }
 
-    /** These settings with something else for a radar to see. */
+    /** These settings with another radar signature. */
     public DroneSettings withRadar(RadarSignature other) {
         return with("radar", other);
     }
 
-    /** These settings with something else for a thermal camera to see. */
+    /** These settings with another thermal signature. */
     public DroneSettings withHeat(HeatSignature other) {
         return with("heat", other);
     }
@@ -154,7 +154,7 @@ public record DroneSettings(
         return with(Map.of("soundPowerLevel", other.level(), "sound", other.name()));
     }
 
-    /** These settings with sound that leaves in other directions. */
+    /** These settings with another directivity. */
     public DroneSettings withDirectivity(Directivity other) {
         return with("directivity", other);
     }
@@ -177,7 +177,7 @@ public record DroneSettings(
         return (DroneSettings) SettingsForm.of(DroneSettings.class).with(this, parts);
     }
 
-    /** What flies: this drone, or each drone of its swarm by itself, the leader first. */
+    /** What flies: this drone, or the individual drones of its swarm, the leader first. */
     public List<DroneSettings> fliers() {
         if (swarm.isEmpty()) {
             return List.of(this);
@@ -204,9 +204,9 @@ public record DroneSettings(
     }
 
     /**
-     * The path that this drone flies, or the leader of its swarm.
+     * The path of this drone, or of the leader of its swarm.
      *
-     * @param ground what lies below, as {@link World#newGround()} gives it
+     * @param ground what lies below, as {@link World#newGround()} returns it
      * @throws IllegalArgumentException when the flight follows the ground and there is none
      */
     public FlightPath createFlight(Ground ground) {
@@ -214,7 +214,7 @@ public record DroneSettings(
     }
 
     /**
-     * A drone of these settings at the start of its path, which must not be one that follows the ground.
+     * A drone with these settings at the start of its path, which must not follow the ground.
      *
      * @param id its name
      * @param tree tree over its loaded mesh
@@ -225,11 +225,11 @@ public record DroneSettings(
     }
 
     /**
-     * A drone of these settings at the start of its path, which must not be one that follows the ground; loads the mesh
-     * and builds its tree.
+     * A drone with these settings at the start of its path, which must not follow the ground; loads the mesh and builds
+     * its tree.
      *
      * @param id its name
-     * @param directory where a relative model path starts
+     * @param directory against which a relative model path is resolved
      * @throws IllegalArgumentException when the flight follows the ground
      * @throws org.dronewatch.setting.InputException when the model cannot be loaded
      */

@@ -18,7 +18,7 @@ public record RadarSignature(
         @In(value = Quantity.AREA, from = 1e-9, to = 1e6) double crossSection,
         Fluctuation fluctuation,
         @In(value = Quantity.LEVEL, from = -100, to = 100) List<Double> aspects) {
-    /** A small quadrotor: 0.01 m2, steady, alike from all sides. */
+    /** A small quadrotor: 0.01 m2, steady, the same from all sides. */
     @Defaults
     public static final RadarSignature DEFAULT = new RadarSignature(0.01, Fluctuation.STEADY, List.of(0.0));
 
@@ -28,7 +28,7 @@ public record RadarSignature(
     public enum Fluctuation {
         /** Not at all: Swerling's case 0. */
         STEADY,
-        /** As of many scatterers alike: exponentially distributed, case 1. */
+        /** As of many similar scatterers: exponentially distributed, case 1. */
         SWERLING_1,
         /** As of one large scatterer with many small ones: chi-square with four degrees of freedom, case 3. */
         SWERLING_3
@@ -64,7 +64,7 @@ public record RadarSignature(
     }
 
     /**
-     * The cross-section that the drone shows to one side, m2: between two aspects, straight in decibels.
+     * The cross-section at one aspect, m2: interpolated linearly in decibels between two aspects.
      *
      * @param aspect where the radar is, clockwise from the drone's nose as seen from above, rad
      */

@@ -31,9 +31,9 @@ public record RadioLink(
     public enum Control {
         /** A pilot by radio: video and telemetry come back. */
         RADIO,
-        /** Nobody: it flies as it was programmed, and is silent. */
+        /** Nobody: it flies as it was programmed, and transmits nothing. */
         AUTONOMOUS,
-        /** A pilot through a fibre that it unwinds: it is silent, too. */
+        /** A pilot through a fibre that it unwinds: it transmits nothing either. */
         FIBRE
     }
 
@@ -42,7 +42,7 @@ public record RadioLink(
         Limits.check(RadioLink.class, control, frequency, power, pilot, pilotPower);
     }
 
-    /** This link controlled otherwise. */
+    /** This link with another kind of control. */
     public RadioLink withControl(Control other) {
         return new RadioLink(other, frequency, power, pilot, pilotPower);
     }
@@ -57,12 +57,12 @@ public record RadioLink(
         return new RadioLink(control, frequency, dbm, pilot, pilotPower);
     }
 
-    /** This link with a pilot at a place, m. */
+    /** This link with a pilot at a position, m. */
     public RadioLink withPilot(Position place) {
         return new RadioLink(control, frequency, power, Optional.of(place), pilotPower);
     }
 
-    /** Whether anything of it can be heard by radio. */
+    /** Whether it transmits anything that can be received. */
     public boolean emits() {
         return control == Control.RADIO;
     }

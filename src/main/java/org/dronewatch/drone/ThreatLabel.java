@@ -33,7 +33,7 @@ public record ThreatLabel(Role role, Purpose purpose, Platform platform) {
         SURVEILLANCE,
         /** To bring or fetch things. */
         SMUGGLING,
-        /** To stop what goes on there, as air traffic. */
+        /** To stop operations, such as air traffic. */
         DISRUPTION,
         /** To destroy. */
         STRIKE
@@ -55,7 +55,7 @@ public record ThreatLabel(Role role, Purpose purpose, Platform platform) {
         HELICOPTER
     }
 
-    /** Checks that nothing is missing. */
+    /** Checks that no component is missing. */
     public ThreatLabel {
         Limits.check(ThreatLabel.class, role, purpose, platform);
     }

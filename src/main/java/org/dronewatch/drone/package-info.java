@@ -1,2 +1,2 @@
-/** What flies: a mesh with an attitude, its sound, radar, heat and radio signatures, and what it is up to. */
+/** What flies: a mesh with an attitude, its sound, radar, thermal and radio signatures, and its intent. */
 package org.dronewatch.drone;

@@ -4,8 +4,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Ground;
 
 /**
- * Flies as a leader does, displaced by the same way all the time: so the drones of a {@link Swarm} fly. It is no record, as
- * no scene file may name it: there a swarm says so.
+ * Flies as a leader does, displaced by a constant vector, as the drones of a {@link Swarm} do. It is not a record,
+ * because no scene file may name it: a scene file has a swarm instead.
  */
 public final class Displaced implements FlightPathSettings {
     private final FlightPathSettings leader;
@@ -14,7 +14,7 @@ public final class Displaced implements FlightPathSettings {
     /**
      * A flight beside another.
      *
-     * @param leader what the leader flies
+     * @param leader the leader's flight
      * @param offset to the right of the leader, ahead of it and above it, by its heading at time 0, m
      */
     public Displaced(FlightPathSettings leader, Position offset) {
@@ -22,12 +22,14 @@ public final class Displaced implements FlightPathSettings {
         this.offset = offset;
     }
 
-    /** What the leader flies. */
+    /** The leader's flight. */
     public FlightPathSettings leader() {
         return leader;
     }
 
-    /** The path beside a leader's path: what {@link #create} gives, for those who have that path already. */
+    /**
+     * The path beside a leader's path: what {@link #create} returns, for callers that already have the leader's path.
+     */
     public FlightPath beside(FlightPath leading) {
         double heading = leading.at(0.0).heading();
         double east = Math.sin(heading);

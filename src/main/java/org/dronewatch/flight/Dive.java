@@ -34,13 +34,13 @@ public record Dive(
         }
     }
 
-    /** Comes from the north and dives by 60 degrees. */
+    /** Comes from the north and dives at 60 degrees. */
     @Defaults({"target", "distance", "height"})
     public static Dive from(Position target, double distance, double height) {
         return new Dive(target, 0.0, distance, height, Math.PI / 3);
     }
 
-    /** Level way from the target at which the dive begins, at most 100 km, m. */
+    /** Horizontal distance from the target at which the dive begins, at most 100 km, m. */
     private static double diving(double height, double angle) {
         return height / Math.tan(angle);
     }

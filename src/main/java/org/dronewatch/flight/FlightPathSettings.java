@@ -11,8 +11,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * The way a drone flies; how fast is the drone's own setting. Anyone may implement it; {@link org.dronewatch.setting.Kind} tells
- * how files come to know a new one.
+ * How a drone flies; its speed is a setting of the drone itself. Anyone may implement it; {@link
+ * org.dronewatch.setting.Kind} tells how files come to know a new one.
  */
 public interface FlightPathSettings {
     /** The shortest leg of a flight, m. */
@@ -26,12 +26,12 @@ public interface FlightPathSettings {
      *
      * @param speed cruise speed, m/s, above 0
      * @param acceleration largest acceleration along the path, m/s2, above 0
-     * @param ground what lies below; asked only before this returns
+     * @param ground what lies below; queried only before this method returns
      * @throws IllegalArgumentException when the path follows the ground and there is none
      */
     FlightPath create(double speed, double acceleration, Ground ground);
 
-    /** The compass heading of a displacement, rad clockwise from north; of a vertical one, north. */
+    /** The compass heading of a displacement, rad clockwise from north; north for a vertical one. */
     private static double headingOf(Position way) {
         return Math.atan2(way.x(), way.y());
     }
@@ -69,7 +69,7 @@ public interface FlightPathSettings {
      * @param to where it ends, m
      */
     record Approach(Position from, Position to) implements FlightPathSettings {
-        /** Checks that there is a way to go. */
+        /** Checks that the two points differ. */
         public Approach {
             Limits.check(Approach.class, from, to);
             Check.atLeast("distance from 'from' to 'to'", from.distance(to), SHORTEST, Quantity.LENGTH);

@@ -4,12 +4,12 @@ import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
- * Where a drone is at one moment and how it moves.
+ * Where a drone is at one moment, and how it moves.
  *
- * @param position place of the drone's origin, m
+ * @param position of the drone's origin, m
  * @param velocity m/s
  * @param heading where its nose points, clockwise from north, rad
- * @param gliding for how long its motors have been off, s; empty while they run
+ * @param gliding how long its motors have been off, s; empty while they run
  */
 public record FlightState(Position position, Position velocity, double heading, OptionalDouble gliding) {
 

@@ -3,11 +3,11 @@ package org.dronewatch.flight;
 import java.util.List;
 import org.dronewatch.world.GroundPoint;
 
-/** A way on the plan, cut into short pieces; all its corners are among the cuts. */
+/** A path in plan, cut into short pieces; all its corners are among the cuts. */
 final class GroundTrack {
     /** Longest piece, m. */
     static final double STEP = 0.5;
-    /** Longest way, m: a hundred thousand pieces. */
+    /** Longest path, m: a hundred thousand pieces. */
     static final double LONGEST = 100_000 * STEP;
 
     private final double[] x;
@@ -46,7 +46,7 @@ final class GroundTrack {
         return last + pieces;
     }
 
-    /** How many cuts, both ends among them. */
+    /** The number of cuts, both ends included. */
     int size() {
         return x.length;
     }
@@ -59,7 +59,7 @@ final class GroundTrack {
         return y[cut];
     }
 
-    /** The way on the plan from the start to a cut, m. */
+    /** The distance along the path, in plan, from the start to a cut, m. */
     double along(int cut) {
         return along[cut];
     }

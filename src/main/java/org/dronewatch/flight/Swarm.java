@@ -38,7 +38,7 @@ public record Swarm(
                 return new Position(0, -number, 0);
             }
         },
-        /** As geese fly: two lines that fall back behind the leader, at a right angle to each other. */
+        /** Like geese: two lines that fall back behind the leader, at a right angle to each other. */
         WEDGE {
             @Override
             Position place(int number, int count) {
@@ -46,7 +46,7 @@ public record Swarm(
                 return new Position(side, -Math.abs(side), 0).times(Math.sqrt(0.5));
             }
         },
-        /** In rows and columns, as square as may be, the leader in the middle of the first row. */
+        /** In rows and columns, as square as possible, the leader in the middle of the first row. */
         GRID {
             @Override
             Position place(int number, int count) {
@@ -62,7 +62,7 @@ public record Swarm(
             }
         };
 
-        /** Where a drone flies: to the right of the leader, ahead of it and above it, in spacings. */
+        /** A drone's offset: to the right of the leader, ahead of it and above it, in spacings. */
         abstract Position place(int number, int count);
 
         /** Every other drone to the right, the others to the left. */
@@ -83,7 +83,7 @@ public record Swarm(
         return new Swarm(count, 10.0, Formation.LINE);
     }
 
-    /** For each drone, the leader first, how far to the right of the leader, ahead of it and above it, m. */
+    /** The offset of each drone, the leader first: to the right of the leader, ahead of it and above it, m. */
     public List<Position> offsets() {
         return IntStream.range(0, count)
                 .mapToObj(number -> formation.place(number, count).times(spacing))

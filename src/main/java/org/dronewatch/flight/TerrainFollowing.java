@@ -26,7 +26,7 @@ public record TerrainFollowing(
         @In(value = Quantity.LENGTH, above = 0, to = 10_000) double height,
         @In(value = Quantity.ANGLE, from = Math.PI / 36, to = 17 * Math.PI / 36) double steepest)
         implements FlightPathSettings {
-    /** The angle that is taken when none is given, rad. */
+    /** The default angle, rad. */
     static final double USUAL_STEEPEST = Math.PI / 4;
 
     /** Checks the limits and keeps its own list. */
@@ -47,7 +47,7 @@ public record TerrainFollowing(
         }
     }
 
-    /** Climbs and sinks by at most 45 degrees. */
+    /** Climbs and descends at no more than 45 degrees. */
     @Defaults({"points", "height"})
     public static TerrainFollowing over(List<GroundPoint> points, double height) {
         return new TerrainFollowing(points, height, USUAL_STEEPEST);

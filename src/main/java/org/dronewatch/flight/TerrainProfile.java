@@ -3,12 +3,12 @@ package org.dronewatch.flight;
 import java.util.OptionalDouble;
 import org.dronewatch.world.Ground;
 
-/** What lies below a ground track, as high as something must be that may not be steep: heights at the track's cuts. */
+/** What lies below a ground track, raised so that it is nowhere too steep: heights at the track's cuts. */
 final class TerrainProfile {
     private TerrainProfile() {}
 
     /**
-     * The lowest profile over the ground that is nowhere steeper than allowed.
+     * The lowest profile above the ground that is nowhere steeper than allowed.
      *
      * @param slope metres up or down for each metre along the track
      * @return its height at each cut of the track, m
@@ -48,7 +48,7 @@ final class TerrainProfile {
         return heights;
     }
 
-    /** Fills the gap between two cuts with ground; -1 and the track's size stand for none. */
+    /** Fills the gap between two cuts that have ground; -1 and the track's size mean none. */
     private static void fill(double[] heights, GroundTrack track, int before, int after) {
         for (int i = before + 1; i < after; i++) {
             boolean earlier = after == heights.length

@@ -5,11 +5,11 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 
 /**
- * A path through waypoints with limited speed and acceleration. Waypoints in one line make one straight; each straight
- * is flown from rest to rest: speed up, cruise, slow down.
+ * A path through waypoints with limited speed and acceleration. Collinear waypoints form one leg; each leg is flown
+ * from rest to rest: accelerate, cruise, decelerate.
  */
 final class WaypointPath implements FlightPath {
-    /** Below this change of direction (a metre in a hundred kilometres) two legs are one straight. */
+    /** Below this change of direction (a metre in a hundred kilometres) two legs count as one. */
     private static final double STRAIGHT = 1e-5;
 
     private final List<Straight> straights = new ArrayList<>();
@@ -47,7 +47,7 @@ final class WaypointPath implements FlightPath {
         return last.at(last.duration);
     }
 
-    /** One straight flight from rest to rest. */
+    /** One straight leg, flown from rest to rest. */
     private final class Straight {
         private final Position from;
         private final Position direction;

@@ -12,7 +12,7 @@ public final class AlertLog {
     private final Map<Integer, Map<String, SensorTrack>> tracks = new LinkedHashMap<>();
     private final Map<Integer, Alert> alerts = new LinkedHashMap<>();
 
-    /** A log of a run that begins. */
+    /** A log of a run at its start. */
     public AlertLog(AlertSettings settings) {
         this.settings = settings;
     }

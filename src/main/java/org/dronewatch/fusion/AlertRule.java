@@ -9,7 +9,7 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
-/** When what the sensors observe of a drone is an alert. */
+/** When the sensors' observations of a drone amount to an alert. */
 public sealed interface AlertRule {
 
     /**
@@ -84,7 +84,7 @@ public sealed interface AlertRule {
             return new UnionOfProbabilities(probability, 2.0);
         }
 
-        /** The likeliest sensors first, as many as it takes. */
+        /** The most likely sensors first, as many as necessary. */
         @Override
         public List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time) {
             List<SensorTrack> likeliest = new ArrayList<>(tracks);

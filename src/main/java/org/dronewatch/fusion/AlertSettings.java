@@ -39,12 +39,12 @@ public record AlertSettings(
         return new AlertSettings(other, confirm, protect, response);
     }
 
-    /** These settings with so many detections of so many looks needed of a sensor. */
+    /** These settings with a number of detections required out of a number of looks of a sensor. */
     public AlertSettings withConfirmation(int hits, int looks) {
         return new AlertSettings(rule, new Confirmation(hits, looks), protect, response);
     }
 
-    /** These settings protecting a zone, with the time that it takes to answer an alert, s. */
+    /** These settings with a protected zone and the time that the response to an alert takes, s. */
     public AlertSettings withProtectedZone(ProtectedZone zone, double seconds) {
         return new AlertSettings(rule, confirm, Optional.of(zone), seconds);
     }

@@ -12,7 +12,7 @@ final class ConfirmedLooks {
         this.needed = confirmation.hits();
     }
 
-    /** Whether enough of the last looks detected, this one included. */
+    /** Whether enough of the latest looks, this one included, detected the drone. */
     boolean add(boolean detected) {
         hits += (detected ? 1 : 0) - (last[next] ? 1 : 0);
         last[next] = detected;

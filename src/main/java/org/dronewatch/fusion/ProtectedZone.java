@@ -19,23 +19,23 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
         Limits.check(ProtectedZone.class, centre, radius);
     }
 
-    /** A ball of 10 m. */
+    /** A sphere of radius 10 m. */
     @Defaults("centre")
     public static ProtectedZone at(Position centre) {
         return new ProtectedZone(centre, 10.0);
     }
 
-    /** How far a place is from its edge, 0 inside, m. */
+    /** The distance from a point to its edge, 0 inside, m. */
     public double distance(Position place) {
         return Math.max(0.0, place.distance(centre) - radius);
     }
 
     /**
-     * How far along a straight way its edge is reached first.
+     * How far along a straight segment its edge is first reached.
      *
-     * @param from where the way begins, m
+     * @param from where the segment begins, m
      * @param to where it ends, m
-     * @return share of the way, 0 when it begins inside; empty when it stays outside
+     * @return fraction of the segment, 0 when it begins inside; empty when it stays outside
      */
     public OptionalDouble entry(Position from, Position to) {
         if (distance(from) == 0.0) {
@@ -53,7 +53,7 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
         return share >= 0.0 && share <= 1.0 ? OptionalDouble.of(share) : OptionalDouble.empty();
     }
 
-    /** How long something needs to its edge on the straight way, s: 1 km at 20 m/s is 50 s. */
+    /** The time that something needs to reach its edge in a straight line, s: 1 km at 20 m/s is 50 s. */
     public double timeLeft(Position place, double speed) {
         return distance(place) / speed;
     }

@@ -28,12 +28,12 @@ public final class SensorTrack {
         return sensor;
     }
 
-    /** Whether its detections were confirmed at its look now or one at most so many seconds ago. */
+    /** Whether its detections were confirmed at its present look, or at one not longer ago than the given seconds. */
     boolean isConfirmedWithin(double seconds, double time) {
         return confirmed >= time - seconds;
     }
 
-    /** How likely its last look was to detect, 0 when that was longer ago than some seconds. */
+    /** The probability that its last look detected the drone, 0 if that look was longer ago than the given seconds. */
     double probabilityWithin(double seconds, double time) {
         return looked >= time - seconds ? probability : 0.0;
     }

@@ -1,2 +1,2 @@
-/** From what single sensors observe to one decision: when a site is alerted to a drone, and by whom. */
+/** From the observations of single sensors to one decision: when there is an alert, and from which sensors. */
 package org.dronewatch.fusion;

@@ -72,7 +72,7 @@ public final class Geodesy {
      * so that lines and areas stay in one piece. At the poles every point is right, but areas about a pole are no areas on a
      * map of longitude and latitude.
      *
-     * @param place m
+     * @param place position, m
      */
     public GeoPoint at(Position place) {
         // Coordinates that turn with the earth: out along the origin's meridian, east of it, and along the axis.

@@ -3,30 +3,30 @@ package org.dronewatch.positioner;
 import org.dronewatch.geometry.Position;
 
 /**
- * A direction from where a sensor stands.
+ * A direction from a sensor's position.
  *
  * @param azimuth clockwise from north, rad
  * @param elevation above the horizon, rad
  */
 public record Direction(double azimuth, double elevation) {
 
-    /** The direction of a way of any length but 0. */
+    /** The direction of a vector of any length but 0. */
     public static Direction of(Position way) {
         return new Direction(Math.atan2(way.x(), way.y()), Math.atan2(way.z(), Math.hypot(way.x(), way.y())));
     }
 
-    /** The way of unit length. */
+    /** The unit vector. */
     public Position unit() {
         double level = Math.cos(elevation);
         return new Position(level * Math.sin(azimuth), level * Math.cos(azimuth), Math.sin(elevation));
     }
 
-    /** This direction turned about the vertical and then up, rad. */
+    /** This direction rotated about the vertical and then upwards, rad. */
     public Direction turned(double clockwise, double upwards) {
         return new Direction(azimuth + clockwise, elevation + upwards);
     }
 
-    /** The smaller of the two turns from one azimuth to another, clockwise if positive, rad. */
+    /** The smaller of the two rotations from one azimuth to another, clockwise if positive, rad. */
     static double turn(double from, double to) {
         return Math.IEEEremainder(to - from, 2.0 * Math.PI);
     }

@@ -11,7 +11,10 @@ import org.dronewatch.geometry.Position;
  * itself, and the sensors it listens to what they detect; both act from the next look on. One run, one thread.
  */
 public final class Positioner {
-    /** What its own camera saw so long ago no longer counts, s; of a slow camera it is a look and a half. */
+    /**
+     * What its own camera saw longer ago than this no longer counts, s; for a slow camera it is one and a half
+     * intervals between looks.
+     */
     private static final double OWN = 0.5;
 
     private static final double LOOKS = 1.5;
@@ -33,9 +36,9 @@ public final class Positioner {
     private double ownTime = Double.NEGATIVE_INFINITY;
 
     /**
-     * A mount at the start of a run.
+     * A positioner at the start of a run.
      *
-     * @param place where it stands, m
+     * @param place its position, m
      * @param rest the direction of its sensor's own aim
      * @param widest its sensor's own field of view, rad
      * @param interval between two looks of its sensor, s
@@ -80,7 +83,7 @@ public final class Positioner {
         }
     }
 
-    /** Turns, tilts and zooms for as long as there is until a time, not before the last one, and says where it points then. */
+    /** Turns, tilts and zooms until a time, not before the last one, and returns where it then points. */
     public Pointing moveTo(double now) {
         track = track.filter(followed -> now - followed.told() <= settings.hold());
         while (!cues.isEmpty() && cues.peek().due() <= now) {
@@ -109,7 +112,7 @@ public final class Positioner {
                 track.map(followed -> OptionalInt.of(followed.contact())).orElse(OptionalInt.empty()));
     }
 
-    /** The field of view changes by the same factor in the same time. */
+    /** The field of view changes by a constant factor per second. */
     private void zoom(ZoomSettings lens, boolean holds, double since) {
         double wanted = track.isEmpty() ? widest : holds ? lens.tracked() : lens.cued();
         double narrowest = Math.min(widest, Math.min(lens.cued(), lens.tracked()));

@@ -37,13 +37,13 @@ public record PositionerSettings(
         @In(value = Quantity.PIXELS, from = 1, to = 1e6) double lock,
         SearchPattern search,
         Optional<ZoomSettings> zoom) {
-    /** What the model of a mount leaves out, for a report. */
+    /** What the model of a positioner leaves out, for a report. */
     public static final String LEFT_OUT =
             "Positioners accelerate instantly and do not vibrate; their own cameras measure directions without errors.";
 
     /**
-     * 60 degrees a second, from 50 degrees below the horizon to 60 above; half a second of delay, 3 seconds of patience, 6
-     * pixels to follow by itself, at rest until it is told where to look.
+     * 60 degrees per second, from 50 degrees below the horizon to 60 above; half a second of delay, 3 seconds of hold,
+     * 6 pixels to track, at rest until it is cued.
      */
     @Defaults
     public static final PositionerSettings DEFAULT = new PositionerSettings(
@@ -77,11 +77,11 @@ public record PositionerSettings(
     }
 
     /**
-     * Where it points once it has turned to a place and zoomed in as far as it may.
+     * Where it points once it has turned to a position and zoomed in as far as possible.
      *
-     * @param mount where it stands, m
+     * @param mount position of the mount, m
      * @param widest its sensor's own field of view, rad
-     * @return the pointing; one that does not reach the place when that is too high or too low for it
+     * @return the pointing; it does not reach the position if that is too high or too low
      */
     public Pointing turnedTo(Position mount, Position place, double widest) {
         Position way = place.minus(mount);
@@ -89,23 +89,23 @@ public record PositionerSettings(
         return Pointing.still(tilted(wanted), zoom.map(ZoomSettings::tracked).orElse(widest), OptionalInt.empty());
     }
 
-    /** A direction as far up or down as the mount can tilt. */
+    /** A direction limited to the elevations that the mount can reach. */
     Direction tilted(Direction wanted) {
         return new Direction(wanted.azimuth(), Math.max(lowest, Math.min(highest, wanted.elevation())));
     }
 
-    /** These settings listening to some sensors. */
+    /** These settings, cued by some sensors. */
     public PositionerSettings withCues(String... sensors) {
         return new PositionerSettings(
                 List.of(sensors), panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, search, zoom);
     }
 
-    /** These settings with other speeds, rad/s. */
+    /** These settings with other pan and tilt rates, rad/s. */
     public PositionerSettings withSpeed(double pan, double tilt) {
         return new PositionerSettings(cues, pan, tilt, lowest, highest, delay, hold, lock, search, zoom);
     }
 
-    /** These settings with another way to search. */
+    /** These settings with another search pattern. */
     public PositionerSettings withSearch(SearchPattern pattern) {
         return new PositionerSettings(cues, panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, pattern, zoom);
     }

@@ -5,7 +5,7 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
-/** How a mount looks about while nobody tells it where to look: about the direction of the sensor's own aim. */
+/** How a positioner searches until it is cued, relative to the sensor's own aim. */
 public sealed interface SearchPattern {
 
     /**
@@ -16,7 +16,7 @@ public sealed interface SearchPattern {
      */
     Direction at(Direction aim, double time);
 
-    /** How far something is that goes to and fro between 0 and a length, having gone a way. */
+    /** The position of something that moves to and fro between 0 and a length, after a distance travelled. */
     private static double toAndFro(double way, double length) {
         double phase = way - 2.0 * length * Math.floor(way / (2.0 * length));
         return phase <= length ? phase : 2.0 * length - phase;
@@ -71,7 +71,7 @@ public sealed interface SearchPattern {
             Limits.check(Sweep.class, width, height, rows, speed);
         }
 
-        /** To and fro in one row at 10 degrees a second. */
+        /** To and fro in one row at 10 degrees per second. */
         @Defaults("width")
         public static Sweep of(double width) {
             return new Sweep(width, 0.0, 1, Math.toRadians(10.0));

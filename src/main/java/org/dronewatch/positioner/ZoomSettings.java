@@ -6,7 +6,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A lens that zooms in on what it follows. While it searches, it shows the sensor's own field of view.
+ * A lens that zooms in on what the camera follows. While the positioner searches, it has the sensor's own field of
+ * view.
  *
  * @param cued field of view while another sensor cues it: wide enough for that sensor's errors, 0.01 to 179 degrees,
  *     rad
@@ -26,7 +27,7 @@ public record ZoomSettings(
         }
     }
 
-    /** Two seconds from end to end. */
+    /** Two seconds for the full zoom. */
     @Defaults({"cued", "tracked"})
     public static ZoomSettings of(double cued, double tracked) {
         return new ZoomSettings(cued, tracked, 2.0);

@@ -1,2 +1,2 @@
-/** Mounts that turn: they search, and once another sensor tells them where to look, they follow. */
+/** Motorised mounts: they search, and follow once another sensor cues them. */
 package org.dronewatch.positioner;

@@ -7,16 +7,16 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
-/** Where a sensor points: at a place, or in a direction. */
+/** Where a sensor points: at a position, or in a direction. */
 public sealed interface Aim {
-    /** How near to a sensor the place may be at which it points, m. */
+    /** The least distance from a sensor to the point at which it aims, m. */
     double NEAREST = 0.001;
 
     /**
-     * The way from a sensor to where it points, of any length but 0.
+     * The vector from a sensor to where it points, of any length but 0.
      *
      * @param sensor where the sensor is, m
-     * @throws IllegalArgumentException when the place at which it points is less than a millimetre away
+     * @throws IllegalArgumentException when the point at which it aims is less than a millimetre away
      */
     Position from(Position sensor);
 

@@ -1,10 +1,13 @@
 package org.dronewatch.sensor;
 
-/** A condition of weather or light that a scene sets for the whole site, and that a sensor's model may or may not heed. */
+/**
+ * A condition of weather or light that a scene sets for the whole site, and that a sensor's model may or may not take
+ * into account.
+ */
 public enum Condition {
-    /** How far one sees: {@code world.light.visibility} and {@code world.light.contrastAtVisibility}. */
+    /** Visibility: {@code world.light.visibility} and {@code world.light.contrastAtVisibility}. */
     VISIBILITY,
-    /** How bright it is: {@code world.light.illuminance}. */
+    /** Illuminance: {@code world.light.illuminance}. */
     ILLUMINANCE,
     /** Where the sun stands: {@code world.light.sun}. */
     SUN,

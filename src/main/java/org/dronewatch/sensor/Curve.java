@@ -3,7 +3,7 @@ package org.dronewatch.sensor;
 import java.util.List;
 
 /**
- * A curve that a sensor draws of what it has of one drone.
+ * A curve that a sensor draws for one drone.
  *
  * @param name part of a file name: letters, digits and dashes
  * @param title what it shows, with its result

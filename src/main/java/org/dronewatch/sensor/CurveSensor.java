@@ -5,13 +5,13 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
-/** A sensor that can draw more of a drone than one value a look. */
+/** A sensor that can draw more about a drone than one value per look. */
 public interface CurveSensor extends Sensor {
-    /** What the random numbers of curves are drawn for: {@link Sample#random}. */
+    /** The purpose of the random numbers of curves: {@link Sample#random}. */
     String CURVES = "curves";
 
     /**
-     * What there is to draw; often nothing.
+     * The curves to draw; often none.
      *
      * @param world the site
      * @param drone the drone as it is now

@@ -1,9 +1,9 @@
 package org.dronewatch.sensor;
 
 /**
- * What is to be done with a drone's picture, by the line pairs across it that give an even chance (Johnson 1958), and how
- * likely more or fewer make it: the target transfer probability function (Howe, in "The Infrared and Electro-Optical Systems
- * Handbook", vol. 4, 1993).
+ * What a drone's picture must allow, with the line pairs across it that give an even chance (Johnson 1958), and the
+ * probability for more or fewer: the target transfer probability function (Howe, in "The Infrared and Electro-Optical
+ * Systems Handbook", vol. 4, 1993).
  */
 public enum Discrimination {
     /** Something is there: 1 line pair. */
@@ -25,7 +25,7 @@ public enum Discrimination {
     }
 
     /**
-     * How likely it succeeds, 0 to 1.
+     * The probability that it succeeds, 0 to 1.
      *
      * @param resolved line pairs that are resolved across the target, 0 or more
      */
@@ -33,7 +33,7 @@ public enum Discrimination {
         return transfer(resolved / linePairs);
     }
 
-    /** {@code P = x^E / (1 + x^E)} with {@code E = 2.7 + 0.7 x} and x the line pairs that are resolved over those needed. */
+    /** {@code P = x^E / (1 + x^E)} with {@code E = 2.7 + 0.7 x}, where x is resolved over required line pairs. */
     public static double transfer(double ratio) {
         if (ratio <= 0.0) {
             return 0.0;

@@ -5,32 +5,33 @@ import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 
 /**
- * Random numbers by name. Each purpose of each look of a sensor at a drone has a stream of its own, whose key is
+ * Random numbers by name. Each purpose of each look of a sensor at a drone has a separate stream, whose key is
  *
  * <pre>
  * mix(mix(mix(mix(seed, hash(sensor)), hash(drone)), look), hash(purpose))
  * </pre>
  *
- * <p>with the seed of the run. No stream depends on which other sensors and drones there are, on their order, or on how many
- * numbers another stream has given; renaming a sensor or a drone changes its numbers. {@code hash} is 64-bit FNV-1a over the
- * name's UTF-8 (Fowler, Noll and Vo, 1991; offset basis 0xCBF29CE484222325, prime 0x100000001B3), {@code mix} is the finalizer
- * of SplitMix64 (Steele, Lea and Flood 2014), and the stream is a {@link SplittableRandom} of that key.
+ * <p>with the seed of the run. No stream depends on which other sensors and drones there are, on their order, or on how
+ * many numbers were drawn from another stream; renaming a sensor or a drone changes its numbers. {@code hash} is 64-bit
+ * FNV-1a over the name's UTF-8 (Fowler, Noll and Vo, 1991; offset basis 0xCBF29CE484222325, prime 0x100000001B3),
+ * {@code mix} is the finalizer of SplitMix64 (Steele, Lea and Flood 2014), and the stream is a {@link SplittableRandom}
+ * of that key.
  */
 public final class Draws {
     private static final long FNV_BASIS = 0xCBF29CE484222325L;
     private static final long FNV_PRIME = 0x100000001B3L;
 
-    /** Bits of a derived seed: as many as every reader of JSON keeps. */
+    /** Bits of a derived seed: as many as every JSON reader preserves. */
     private static final int SEED_BITS = 53;
 
     private Draws() {}
 
     /**
-     * The stream of one purpose, from its beginning: the same numbers each time it is asked for.
+     * The stream of one purpose, from its beginning: the same numbers each time.
      *
      * @param seed of the run
      * @param sensor name of the sensor
-     * @param drone name of the drone; empty for what concerns none
+     * @param drone name of the drone; empty if no drone is concerned
      * @param look index of the look, from 0
      * @param purpose what is drawn, such as {@code detection}
      */
@@ -50,7 +51,7 @@ public final class Draws {
         return number == 0 ? seed : mix(mix(seed, hash(of)), number) >>> Long.SIZE - SEED_BITS;
     }
 
-    /** FNV-1a of the UTF-8 of a name. */
+    /** FNV-1a of a name's UTF-8 bytes. */
     static long hash(String name) {
         long hash = FNV_BASIS;
         for (byte b : name.getBytes(StandardCharsets.UTF_8)) {
@@ -59,7 +60,7 @@ public final class Draws {
         return hash;
     }
 
-    /** Joins two numbers to one in which every bit depends on all of theirs. */
+    /** Mixes two numbers into one of which every bit depends on all bits of both. */
     public static long mix(long a, long b) {
         long z = a * 0x9E3779B97F4A7C15L + b + 0x632BE59BD9B4E019L;
         z = (z ^ z >>> 30) * 0xBF58476D1CE4E5B9L;

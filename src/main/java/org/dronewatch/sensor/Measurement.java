@@ -11,8 +11,8 @@ import org.dronewatch.positioner.Sighting;
  * @param kind its kind
  * @param look number of the look, from 0
  * @param time when the sensor knew, seconds since the start of the run
- * @param value what was measured, in the unit
- * @param threshold what the value must reach to count as a detection
+ * @param value the measured value, in the unit
+ * @param threshold what the value must reach for a detection as a detection
  * @param unit unit of value and threshold
  * @param sighting where the sensor believes the source to be, errors and all; empty for a sensor that reports no direction
  */

@@ -16,14 +16,14 @@ import org.dronewatch.positioner.Sighting;
  * @param kind its kind
  * @param drone name of the drone: the ground truth, kept for scoring; empty for a false measurement
  * @param sample index of the sample
- * @param time when what it measured happened, seconds since the start of the run
+ * @param time when the measured event happened, seconds since the start of the run
  * @param arrival when that reached the sensor, seconds since the start of the run: later than {@code time} for sound
  * @param range distance from the sensor to the drone's origin at {@code time}, m; not a number for a false measurement
- * @param value what was measured, in the unit
- * @param threshold what the value must reach to count
+ * @param value the measured value, in the unit
+ * @param threshold what the value must reach for a detection
  * @param unit unit of value and threshold
- * @param figures more that the sensor tells of this look, by name with unit, such as {@code rays} or {@code energy_db};
- *     none for most sensors
+ * @param figures further results of this look, by name with unit, such as {@code rays} or {@code energy_db}; none for
+ *     most sensors
  * @param sighting where the sensor believes the drone to be; empty when it does not tell
  */
 public record Observation(
@@ -50,7 +50,7 @@ public record Observation(
         figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
     }
 
-    /** An observation that does not tell where the drone is. */
+    /** An observation that does not measure where the drone is. */
     public Observation(
             String sensor,
             String kind,
@@ -66,7 +66,7 @@ public record Observation(
         this(sensor, kind, drone, sample, time, arrival, range, value, threshold, unit, figures, Optional.empty());
     }
 
-    /** An observation of what needs no time to reach the sensor, without more figures. */
+    /** An observation of a signal that arrives at once, without further figures. */
     public Observation(
             String sensor,
             String kind,
@@ -87,8 +87,8 @@ public record Observation(
      * @param kind its kind
      * @param look number of the look, from 0
      * @param time when the sensor knew, seconds since the start of the run
-     * @param value what was measured, in the unit
-     * @param threshold what the value must reach to count
+     * @param value the measured value, in the unit
+     * @param threshold what the value must reach for a detection
      * @param unit unit of value and threshold
      * @param sighting where the sensor believes the source to be
      */
@@ -123,7 +123,7 @@ public record Observation(
                 sensor, kind, drone, sample, time, arrival, range, value, threshold, unit, figures, where);
     }
 
-    /** How likely this look was to detect the drone, 0 to 1: of a sensor that does not know, whether it did. */
+    /** The probability that this look detects the drone, 0 to 1; for a sensor that does not know it, whether it did. */
     public double probability() {
         return figures.getOrDefault(PROBABILITY, isDetected() ? 1.0 : 0.0);
     }

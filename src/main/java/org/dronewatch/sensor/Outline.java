@@ -4,31 +4,35 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.geometry.Position;
 
-/** The space that a sensor looks into, as a picture shows it: what stands in the way, and how far it reaches, is not in it. */
+/**
+ * A sensor's field of view, as a picture shows it: occlusion, and the range at which it detects, are not part of it.
+ */
 public sealed interface Outline {
-    /** Rounding must not cut what lies on an edge, least of all straight behind a radar that looks all round, rad. */
+    /**
+     * Rounding must not cut off what lies on an edge, least of all directly behind a radar that scans all round, rad.
+     */
     double ROUNDING = 1e-9;
 
     /**
-     * Whether something is in it.
+     * Whether a point is inside.
      *
-     * @param way from the sensor, m
+     * @param way vector from the sensor, m
      */
     boolean contains(Position way);
 
     /**
-     * What a camera's picture shows.
+     * The field of view of a camera's picture.
      *
      * @param forward unit vector of its axis
      * @param right unit vector to the right of the picture
      * @param up unit vector to the top of the picture
-     * @param halfWidth half the width of what it sees at 1 m before it, m
-     * @param halfHeight half the height of what it sees at 1 m before it, m
+     * @param halfWidth half the width of the field at 1 m along the axis, m
+     * @param halfHeight half the height of the field at 1 m along the axis, m
      */
     record Pyramid(Position forward, Position right, Position up, double halfWidth, double halfHeight)
             implements Outline {
 
-        /** The corners of what it sees at a distance along its axis, round about, m. */
+        /** The corners of the field at a distance along its axis, in order, m. */
         public List<Position> corners(Position sensor, double distance) {
             List<Position> corners = new ArrayList<>();
             for (int i = 0; i < 4; i++) {
@@ -50,10 +54,10 @@ public sealed interface Outline {
     }
 
     /**
-     * All within angles about a direction, and between two distances.
+     * Everything within angles about a direction, and between two distances.
      *
-     * @param azimuth of its middle, clockwise from north, rad
-     * @param elevation of its middle, above the horizon, rad
+     * @param azimuth of its centre, clockwise from north, rad
+     * @param elevation of its centre, above the horizon, rad
      * @param azimuthWidth how wide it is, rad; 2 pi for all round
      * @param elevationWidth how high it is, rad
      * @param minRange where it begins, m
@@ -89,7 +93,7 @@ public sealed interface Outline {
     }
 
     /**
-     * All about it.
+     * A sphere about it.
      *
      * @param radius m
      */

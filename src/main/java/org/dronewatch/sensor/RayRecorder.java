@@ -1,9 +1,9 @@
 package org.dronewatch.sensor;
 
-/** Is told every straight piece of every ray that a sensor traces. */
+/** Receives every segment of every ray that a sensor traces. */
 @FunctionalInterface
 public interface RayRecorder {
-    /** Forgets everything. */
+    /** Clears what was recorded. */
     RayRecorder NONE = (fromX, fromY, fromZ, toX, toY, toZ, level, order, received) -> {};
 
     /**

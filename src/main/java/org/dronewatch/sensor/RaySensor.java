@@ -4,18 +4,18 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
-/** A sensor that follows rays from a drone and can tell of every one of them. */
+/** A sensor that traces rays from a drone and can report each of them. */
 public interface RaySensor extends Sensor {
-    /** What the random numbers of rays are drawn for: {@link Sample#random}. */
+    /** The purpose of the random numbers of rays: {@link Sample#random}. */
     String RAYS = "rays";
 
     /**
-     * Traces all that leads from one drone to this sensor.
+     * Traces all rays from one drone to this sensor.
      *
      * @param world the site
      * @param drone the drone as it is now
      * @param random the random numbers of the rays
-     * @param recorder is told every straight piece of every ray
+     * @param recorder receives every segment of every ray
      */
     void traceRays(World world, Drone drone, RandomGenerator random, RayRecorder recorder);
 }

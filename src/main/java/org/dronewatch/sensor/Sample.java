@@ -5,14 +5,15 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.positioner.Pointing;
 
 /**
- * One look of one sensor. Its random numbers depend on the run's seed, the names of sensor and drone, the look's index and
- * what they are drawn for: the same in whatever order, and on however many threads, the work is done.
+ * One look of one sensor. Its random numbers depend on the run's seed, the names of sensor and drone, the look's index
+ * and their purpose: they are the same in whatever order, and on however many threads, the work is done.
  *
  * @param sensor name of the sensor in the scene
  * @param index number of the look, from 0
  * @param time seconds since the start of the run
  * @param seed of the run
- * @param pointing where a mount points the sensor now; empty for a sensor that stands still, or is to look along its own aim
+ * @param pointing where a positioner points the sensor now; empty for a sensor on a fixed mount, or one that is to look
+ *     along its own aim
  */
 public record Sample(String sensor, long index, double time, long seed, Optional<Pointing> pointing) {
     /** The purpose of the numbers that decide whether a drone is detected. */
@@ -26,13 +27,13 @@ public record Sample(String sensor, long index, double time, long seed, Optional
         return new Sample(sensor, index, time, seed, Optional.empty());
     }
 
-    /** This sample with the sensor's mount pointing somewhere. */
+    /** This sample with the given pointing of the sensor's positioner. */
     public Sample withPointing(Optional<Pointing> where) {
         return new Sample(sensor, index, time, seed, where);
     }
 
     /**
-     * The random numbers of this look that are drawn for one purpose, from their beginning; see {@link Draws}.
+     * The random numbers of this look for one purpose, from their beginning; see {@link Draws}.
      *
      * @param drone name of the drone that is looked at; empty for what concerns none
      * @param purpose what is drawn, such as {@code detection}

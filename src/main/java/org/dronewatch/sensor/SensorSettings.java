@@ -13,66 +13,66 @@ import org.dronewatch.world.World;
 /**
  * Settings of a sensor of any kind. Implementations are records, so that a scene file and {@code --set} reach every field.
  *
- * @param <S> the sensor that they make
+ * @param <S> the sensor that they create
  */
 public interface SensorSettings<S extends Sensor> extends Settings<S> {
 
     /** Where the sensor is, m. */
     Position position();
 
-    /** The space that it looks into, for pictures; none unless a kind of sensor has one. */
+    /** Its field of view, for pictures; none unless a kind of sensor has one. */
     default Optional<Outline> outline() {
         return Optional.empty();
     }
 
-    /** How often it looks, Hz, above 0: frames, updates or scans a second. */
+    /** How often it looks, Hz, above 0: frames, updates or scans per second. */
     double rate();
 
     /** The word for its kind in results: {@code camera}. */
     String kind();
 
-    /** What the values of its observations are, in words for a plot: {@code sound level}. */
+    /** What the values of its observations mean, in words for a plot: {@code sound level}. */
     default String measures() {
         return "value";
     }
 
     /**
-     * How fast what it senses comes from the drone to it, m/s; infinity unless it takes its time.
+     * Speed of the signal from the drone to the sensor, m/s; infinite if it arrives at once.
      *
-     * @param world the site, of which the air may matter
+     * @param world the site, whose air may matter
      */
     default double signalSpeed(World world) {
         return Double.POSITIVE_INFINITY;
     }
 
-    /** The mount that turns it; none unless a kind of sensor has one. */
+    /** The positioner that turns it; none unless a kind of sensor has one. */
     default Optional<PositionerSettings> positioner() {
         return Optional.empty();
     }
 
-    /** Whether what it detects tells from which direction: only then can others be pointed by it. */
+    /** Whether it measures the direction of what it detects: only then can it cue others. */
     default boolean tellsDirection() {
         return false;
     }
 
-    /** A mount for a sensor with one, at the start of a run; none for a sensor that stands still. */
+    /** The positioner of a sensor that has one, at the start of a run; none for a sensor on a fixed mount. */
     default Optional<Positioner> createPositioner() {
         return Optional.empty();
     }
 
     /**
-     * Where its mount points once it has turned to a place; empty for a sensor that stands still.
+     * Where its positioner points once it has turned to a position; empty for a sensor on a fixed mount.
      *
-     * @param place m
+     * @param place position, m
      */
     default Optional<Pointing> turnedTo(Position place) {
         return Optional.empty();
     }
 
     /**
-     * These settings as a mount points the sensor; the same for a sensor that stands still.
+     * These settings as its positioner points the sensor; unchanged for a sensor on a fixed mount.
      *
-     * @param pointing where, and with which field of view
+     * @param pointing direction and field of view
      */
     default SensorSettings<S> pointed(Pointing pointing) {
         return this;
@@ -87,12 +87,15 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
         return Optional.empty();
     }
 
-    /** How many pixels its picture has; none unless a kind of sensor takes pictures. Java must have memory for all of them. */
+    /**
+     * The number of pixels of its picture; none unless a kind of sensor takes pictures. Java must have memory for all
+     * of them.
+     */
     default long pixels() {
         return 0;
     }
 
-    /** What is said of a drone of which it has too little, such as {@code too quiet}. */
+    /** The words for a drone whose signal is insufficient, such as {@code too quiet}. */
     default String weakness() {
         return "too weak";
     }
@@ -112,7 +115,7 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
         return Map.of();
     }
 
-    /** Whether it matters to this sensor what the world's surfaces are to sound. */
+    /** Whether the world's acoustic surfaces matter to this sensor. */
     default boolean hearsSurfaces() {
         return false;
     }

@@ -1,13 +1,13 @@
 package org.dronewatch.sensor;
 
 /**
- * Everything one needs to know to make a thing: an immutable record, changed by its {@code with...} methods. One real
- * sensor is swapped for another by swapping its settings.
+ * Everything needed to create a thing: an immutable record, changed by its {@code with...} methods. One real sensor is
+ * swapped for another by swapping its settings.
  *
- * @param <T> what the settings make
+ * @param <T> what the settings create
  */
 public interface Settings<T> {
 
-    /** A new thing of these settings. */
+    /** Creates a thing with these settings. */
     T create();
 }

@@ -27,7 +27,8 @@ import org.dronewatch.world.World;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * A camera for visible light. Keeps its last picture, and scratch memory for the drones before it: one thread at a time.
+ * A camera for visible light. Keeps its last picture, and scratch memory for the drones in front of it: one thread at a
+ * time.
  */
 public final class CameraSensor implements AssessableSensor {
     private final CameraSettings settings;
@@ -38,17 +39,17 @@ public final class CameraSensor implements AssessableSensor {
     private World world;
     private Cover cover;
 
-    /** The way to the sun as long as the camera sees it. */
+    /** The vector to the sun, as long as the camera sees it. */
     private Optional<Vector3d> sun = Optional.empty();
 
-    /** A camera of some settings. */
+    /** A camera with the given settings. */
     public CameraSensor(CameraSettings settings) {
         this.settings = settings;
         this.ownAim = new DronePicture(new CameraObject(settings));
         this.picture = ownAim;
     }
 
-    /** Counts the pixels of each drone that is nearer than the world and the other drones. */
+    /** Counts each drone's pixels that are nearer than the world and the other drones. */
     @Override
     public List<Observation> observe(World site, List<Drone> drones, Sample sample) {
         turn(site, sample.pointing());
@@ -122,7 +123,7 @@ public final class CameraSensor implements AssessableSensor {
                 : observation;
     }
 
-    /** A picture tells the direction, to a pixel or better, and nothing of the range. */
+    /** A picture gives the direction, to a pixel or better, but no range. */
     private Sighting sighting(Drone drone) {
         Position way = Position.of(drone.position()).minus(settings.position());
         return new Sighting(settings.position(), Direction.of(way), OptionalDouble.empty());
@@ -142,7 +143,10 @@ public final class CameraSensor implements AssessableSensor {
         return new DroneView(pixels, range, focalLength, crossing, world.light(), sunAngle);
     }
 
-    /** How fast the way to a drone turns against the camera, which a mount may turn as well, rad/s. */
+    /**
+     * The angular rate of the line of sight to a drone relative to the camera, which a positioner may turn as well,
+     * rad/s.
+     */
     private double turning(Drone drone, double range) {
         Vector3d velocity = drone.velocity();
         Direction to = Direction.of(Position.of(drone.position()).minus(settings.position()));
@@ -157,7 +161,7 @@ public final class CameraSensor implements AssessableSensor {
         return Math.hypot(panLeft * Math.cos(to.elevation()), tiltLeft);
     }
 
-    /** The way to the sun, when the camera sees it, in its picture or not. */
+    /** The vector to the sun, when the camera sees it, in its picture or not. */
     private Optional<Vector3d> wayToSun() {
         Position at = settings.position();
         return world.light()
@@ -182,7 +186,7 @@ public final class CameraSensor implements AssessableSensor {
         return ownAim.pixels(site, drones);
     }
 
-    /** How many pixels show a drone along the camera's own aim, when it is the only one. */
+    /** The number of pixels that show a drone along the camera's own aim, if it is the only one. */
     public int pixels(World site, Drone drone) {
         ownAim.draw(site, List.of(drone));
         return ownAim.pixels(0);
@@ -193,7 +197,7 @@ public final class CameraSensor implements AssessableSensor {
         return ownAim.camera();
     }
 
-    /** What this camera was made from. */
+    /** The settings of this camera. */
     public CameraSettings settings() {
         return settings;
     }

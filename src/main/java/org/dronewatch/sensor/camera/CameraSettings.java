@@ -52,7 +52,9 @@ public record CameraSettings(
         PictureSensorSettings.checkZoom(fov, positioner);
     }
 
-    /** A full HD camera, 0.6918 rad (39.6 degrees) vertically, 10 frames a second, detecting from 12 pixels on. */
+    /**
+     * A full HD camera, 0.6918 rad (39.6 degrees) vertically, 10 frames per second, detecting at 12 pixels and above.
+     */
     @Defaults("position")
     public static CameraSettings at(Position position) {
         return new CameraSettings(
@@ -67,7 +69,7 @@ public record CameraSettings(
                 Optional.empty());
     }
 
-    /** These settings at another place; a camera that points at a place keeps looking there. */
+    /** These settings at another position; a camera that points at a position keeps pointing there. */
     public CameraSettings withPosition(Position place) {
         return new CameraSettings(place, aim, width, height, fov, fovAxis, rate, detection, positioner);
     }
@@ -99,17 +101,17 @@ public record CameraSettings(
                 position, aim, width, height, angle, FieldOfView.HORIZONTAL, rate, detection, positioner);
     }
 
-    /** These settings with another number of frames a second, Hz. */
+    /** These settings with another frame rate, Hz. */
     public CameraSettings withRate(double framesPerSecond) {
         return new CameraSettings(position, aim, width, height, fov, fovAxis, framesPerSecond, detection, positioner);
     }
 
-    /** These settings with another way to decide. */
+    /** These settings with another detection function. */
     public CameraSettings withDetection(DetectionFunction function) {
         return new CameraSettings(position, aim, width, height, fov, fovAxis, rate, function, positioner);
     }
 
-    /** These settings on a mount that turns. */
+    /** These settings on a positioner. */
     public CameraSettings withPositioner(PositionerSettings mount) {
         return new CameraSettings(position, aim, width, height, fov, fovAxis, rate, detection, Optional.of(mount));
     }

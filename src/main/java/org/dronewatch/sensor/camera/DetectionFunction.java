@@ -5,7 +5,7 @@ import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
 import org.dronewatch.sensor.Condition;
 
-/** Decides whether a camera detects a drone: a value from the drone's view, and what it must reach. */
+/** Decides whether a camera detects a drone: a value from the drone's view, and the threshold that it must reach. */
 public interface DetectionFunction {
 
     /** The value that is compared with the threshold. */
@@ -15,7 +15,7 @@ public interface DetectionFunction {
     double threshold();
 
     /**
-     * What the value must reach in one frame; the same in all unless a function decides by chance.
+     * What the value must reach in one frame; the same in all frames unless a function decides by chance.
      *
      * @param random the frame's random numbers
      */
@@ -28,7 +28,7 @@ public interface DetectionFunction {
         return false;
     }
 
-    /** How likely one frame is to detect the drone, 0 to 1; empty when that is not known. */
+    /** The probability that one frame detects the drone, 0 to 1; empty if not known. */
     default OptionalDouble probability(DroneView view) {
         return OptionalDouble.empty();
     }

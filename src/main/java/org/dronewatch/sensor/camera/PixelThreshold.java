@@ -14,7 +14,7 @@ import org.dronewatch.setting.Quantity;
  */
 public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) double pixels)
         implements DetectionFunction {
-    /** Calibrated in the thesis that this project began with: 12 pixels. */
+    /** Calibrated in the thesis that this project grew from: 12 pixels. */
     @Defaults
     public static final PixelThreshold DEFAULT = new PixelThreshold(12.0);
 
@@ -33,7 +33,7 @@ public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) d
         return pixels;
     }
 
-    /** A count of pixels knows neither weather nor light. */
+    /** A count of pixels takes no account of weather and light. */
     @Override
     public Map<Condition, String> ignoredConditions() {
         String other = "cameras with 'detection: {kind: target-task}' take it into account";

@@ -12,16 +12,17 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * How likely it is that a person, or a program as good as one, can do something with a drone's picture: notice it,
- * recognise it as a drone, or identify which drone it is. Johnson's criteria say how many line pairs across the target
- * that takes (Johnson 1958); the target transfer probability function says how likely it is with more or fewer (Howe,
- * in "The Infrared and Electro-Optical Systems Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with {@code x = N
- * / N50} and {@code E = 2.7 + 0.7 x}.
+ * recognise it as a drone, or identify which drone it is. Johnson's criteria state how many line pairs across the
+ * target that takes (Johnson 1958); the target transfer probability function gives the probability for more or fewer
+ * (Howe, in "The Infrared and Electro-Optical Systems Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with {@code
+ * x = N / N50} and {@code E = 2.7 + 0.7 x}.
  *
- * <p>The line pairs resolved are half the square root of the drone's pixels, fewer the weaker its contrast and the faster it
- * crosses the picture: {@code N = sqrt(pixels) / 2 * (1 - Ct / C) * (1 + b^2)^(-1/4)}. C is its contrast after the air has
- * taken its part (Koschmieder). Ct is the least contrast that the camera tells from none; in poor light, where photons are
- * few, it grows as the square root of the light that is missing. b is the blur in pixels, in one of two directions. The
- * dependence on contrast is a straight line in place of a camera's measured curve of minimum resolvable contrast.
+ * <p>The line pairs resolved are half the square root of the drone's pixels, fewer the weaker its contrast and the
+ * faster it crosses the picture: {@code N = sqrt(pixels) / 2 * (1 - Ct / C) * (1 + b^2)^(-1/4)}. C is its contrast
+ * reduced by the air (Koschmieder). Ct is the least contrast that the camera can detect; in poor light, where photons
+ * are few, it grows as the square root of the ratio of good to actual light. b is the blur in pixels, in one of two
+ * directions. The dependence on contrast is a straight line instead of a camera's measured curve of minimum resolvable
+ * contrast.
  *
  * @param task what the picture must allow
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by
@@ -44,8 +45,9 @@ public record TargetTask(
         @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 2) double glare)
         implements DetectionFunction {
     /**
-     * Detection at one half, of a drone of half contrast, by a camera that tells 2 % from none down to 100 lx, gathers light
-     * for a hundredth of a second and is blind within 5 degrees about the sun. All assumed but for the task.
+     * Detection at a probability of 0.5, of a drone of contrast 0.5, by a camera that detects a contrast of 2 % down to
+     * 100 lx, exposes for a hundredth of a second and is blind within 5 degrees of the sun. All assumed except the
+     * task.
      */
     @Defaults
     public static final TargetTask DEFAULT =
@@ -64,7 +66,7 @@ public record TargetTask(
         return new TargetTask(other, probability, byChance, contrast, leastContrast, goodLight, exposure, glare);
     }
 
-    /** These settings with another probability from which on the task counts as done. */
+    /** These settings with another probability at which the task counts as done. */
     public TargetTask withProbability(double least) {
         return new TargetTask(task, least, byChance, contrast, leastContrast, goodLight, exposure, glare);
     }
@@ -74,17 +76,17 @@ public record TargetTask(
         return new TargetTask(task, probability, drawn, contrast, leastContrast, goodLight, exposure, glare);
     }
 
-    /** These settings for a drone of another contrast. */
+    /** These settings for a drone with another contrast. */
     public TargetTask withContrast(double ofDrone) {
         return new TargetTask(task, probability, byChance, ofDrone, leastContrast, goodLight, exposure, glare);
     }
 
-    /** These settings with another time for a frame to gather light, s. */
+    /** These settings with another exposure time, s. */
     public TargetTask withExposure(double seconds) {
         return new TargetTask(task, probability, byChance, contrast, leastContrast, goodLight, seconds, glare);
     }
 
-    /** Line pairs that are resolved across a drone. */
+    /** The line pairs resolved across a drone. */
     public double resolved(DroneView view) {
         if (view.sunAngle() < glare) {
             return 0.0;
@@ -109,7 +111,7 @@ public record TargetTask(
         return byChance ? EVEN_CHANCE : probability;
     }
 
-    /** By chance: what the frame draws, so that it succeeds as often as its probability says. */
+    /** By chance: the number that the frame draws, so that it succeeds as often as its probability states. */
     @Override
     public double threshold(RandomGenerator random) {
         // Above 0: what cannot be seen is not detected by luck.

@@ -1,2 +1,2 @@
-/** Cameras for visible light: how much of a drone's picture is enough. */
+/** Cameras for visible light, and how much of a drone's picture is enough for a detection. */
 package org.dronewatch.sensor.camera;

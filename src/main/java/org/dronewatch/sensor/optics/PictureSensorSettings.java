@@ -15,7 +15,7 @@ import org.dronewatch.setting.Quantity;
  * Settings of a sensor that takes pictures: what it looks into is a pyramid, a picture tells directions, and a mount may turn
  * it about its aim.
  *
- * @param <S> the sensor that they make
+ * @param <S> the sensor that they create
  */
 public interface PictureSensorSettings<S extends Sensor> extends SensorSettings<S>, PictureSettings {
 

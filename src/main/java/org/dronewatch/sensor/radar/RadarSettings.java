@@ -146,7 +146,7 @@ public record RadarSettings(
         return with(Map.of("budget", other));
     }
 
-    /** These settings with another way to decide. */
+    /** These settings with another detection function. */
     public RadarSettings withDetection(RadarDetection other) {
         return with(Map.of("detection", other));
     }

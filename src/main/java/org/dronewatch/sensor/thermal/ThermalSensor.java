@@ -41,7 +41,7 @@ public final class ThermalSensor implements AssessableSensor {
     private Cover cover;
     private Outline outline;
 
-    /** A camera of some settings. */
+    /** A camera with the given settings. */
     public ThermalSensor(ThermalSettings settings) {
         this.settings = settings;
     }
@@ -140,7 +140,7 @@ public final class ThermalSensor implements AssessableSensor {
                 : 0.0;
     }
 
-    /** What this camera was made from. */
+    /** The settings of this camera. */
     public ThermalSettings settings() {
         return settings;
     }

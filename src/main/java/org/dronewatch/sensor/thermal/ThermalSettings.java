@@ -132,7 +132,7 @@ public record ThermalSettings(
         return with(Map.of("byChance", drawn));
     }
 
-    /** These settings on a mount that turns. */
+    /** These settings on a positioner. */
     public ThermalSettings withPositioner(PositionerSettings mount) {
         return with(Map.of("positioner", Optional.of(mount)));
     }
