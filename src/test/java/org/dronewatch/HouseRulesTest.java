@@ -4,14 +4,20 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
+import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
+import java.util.Set;
 import org.dronewatch.House.Storey;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Detection;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.tracking.PerfectAssociation;
@@ -64,6 +70,36 @@ class HouseRulesTest {
             .areAssignableTo(ThreatLabel.class)
             .orShould()
             .callMethod(DroneSettings.class, "label");
+
+    /**
+     * Description, run and simulator can each be read from the first file to the last. {@code Scene.run()} is a convenience of
+     * one line for {@code new GateWatch().run()}, and the only exception.
+     */
+    @ArchTest
+    static final ArchRule NO_CIRCLES_OF_FILES = slices().assignedFrom(new FileOfTheRun())
+            .should()
+            .beFreeOfCycles()
+            .ignoreDependency(Scene.class, SceneRunner.class);
+
+    /** Puts each file of description, run and simulator into a slice of its own. */
+    private static final class FileOfTheRun implements SliceAssignment {
+        private static final Set<String> ROOMS =
+                Set.of("org.dronewatch.scenario", "org.dronewatch.run", "org.dronewatch.scene");
+
+        @Override
+        public SliceIdentifier getIdentifierOf(JavaClass one) {
+            JavaClass file = one;
+            while (file.getEnclosingClass().isPresent()) {
+                file = file.getEnclosingClass().get();
+            }
+            return ROOMS.contains(one.getPackageName()) ? SliceIdentifier.of(file.getName()) : SliceIdentifier.ignore();
+        }
+
+        @Override
+        public String getDescription() {
+            return "files of scenario, run and scene";
+        }
+    }
 
     /** From what mounts and alerts are handed, the truth cannot be reached. */
     @ArchTest

@@ -26,11 +26,11 @@ public sealed interface SweepSettings {
     /**
      * The value that the swept setting has.
      *
-     * @param settings those of one run of the sweep
+     * @param settings those of one run of the sweep: a {@code SceneSettings}
      * @return a number in the setting's unit, or another single value; what was written for anything else, such as the name
      *     of a sensor
      */
-    default Object valueIn(SceneSettings settings) {
+    default Object valueIn(Record settings) {
         SettingsPath path = new SettingsPath(parameter());
         Object value = path.read(settings);
         return value instanceof Record ? values(path.quantity(settings)).get(0) : value;
