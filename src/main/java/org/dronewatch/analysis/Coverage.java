@@ -1,9 +1,11 @@
 package org.dronewatch.analysis;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
@@ -11,21 +13,28 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.positioner.Pointing;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Explanation;
+import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.World;
 
 /**
- * Where over a site each sensor detects a drone. The drone is put at every point of a grid, its nose and its speed towards
- * the sensor, and the sensor looks once: what stands in the way, pixels, levels and echoes are those of a run.
+ * Where over a site each sensor detects a drone, and why not elsewhere. The drone is put at every point of a grid, its nose and
+ * its speed towards the sensor, and the sensor looks once: what stands in the way, pixels, levels and echoes are those of a run.
  */
 public final class Coverage {
     private final CoverageGrid grid;
     private final Map<String, SensorSettings<?>> sensors;
     private final Map<String, boolean[]> reached = new LinkedHashMap<>();
+    private final Map<String, Prober> probers = new LinkedHashMap<>();
 
     private Coverage(CoverageGrid grid, Map<String, SensorSettings<?>> sensors) {
         this.grid = grid;
@@ -61,7 +70,9 @@ public final class Coverage {
                     sample,
                     sensor,
                     id,
-                    settings.run().seed());
+                    settings.run().seed(),
+                    new Assessor(id, sensor, stage.world()));
+            coverage.probers.put(id, prober);
             tasks.add(() -> prober.probe(progress));
         });
         boolean[][] results = new boolean[tasks.size()][];
@@ -86,6 +97,33 @@ public final class Coverage {
     /** Whether a sensor detects the drone in a cell: columns from the west, rows from the north. */
     public boolean isReached(String sensor, int column, int row) {
         return reached.get(sensor)[row * grid.cells() + column];
+    }
+
+    /**
+     * What a sensor has of the drone in a cell, with the random rays of its look there; empty where there is no ground. Where
+     * the sensor decides by chance, {@link #isReached} is one draw from it. One thread at a time.
+     */
+    public Optional<Assessment> assess(String sensor, int column, int row) {
+        return probers.get(sensor).assess(column, row);
+    }
+
+    /**
+     * Why a sensor does not detect the drone: in how many cells each cause holds, without those in which it does, and those
+     * without ground. Microphones trace nothing for it. One thread at a time.
+     */
+    public Map<Cause, Integer> causes(String sensor) {
+        Map<Cause, Integer> causes = new EnumMap<>(Cause.class);
+        for (int row = 0; row < grid.cells(); row++) {
+            Workers.checkInterrupted();
+            for (int column = 0; column < grid.cells(); column++) {
+                if (!isReached(sensor, column, row)) {
+                    probers.get(sensor)
+                            .explain(column, row)
+                            .ifPresent(missed -> causes.merge(missed.cause(), 1, Integer::sum));
+                }
+            }
+        }
+        return causes;
     }
 
     /** How many sensors of a kind detect the drone in a cell. */
@@ -142,7 +180,8 @@ public final class Coverage {
             Drone drone,
             SensorSettings<?> settings,
             String id,
-            long seed) {
+            long seed,
+            Assessor assessor) {
 
         boolean[] probe(IntConsumer progress) {
             Sensor sensor = settings.create();
@@ -151,25 +190,47 @@ public final class Coverage {
                 Workers.checkInterrupted();
                 for (int column = 0; column < grid.cells(); column++) {
                     int cell = row * grid.cells() + column;
-                    double ground = heights.height[cell];
-                    if (!Double.isNaN(ground)) {
-                        Position place = new Position(grid.x(column), grid.y(row), ground + grid.height());
-                        Sample look = Sample.of(seed, id, cell, 0.0).withPointing(settings.turnedTo(place));
-                        cells[cell] = sensor.observe(world, List.of(comingFrom(place)), look)
-                                .get(0)
-                                .isDetected();
-                    }
+                    Optional<Drone> there = comingFrom(column, row);
+                    cells[cell] = there.isPresent()
+                            && sensor.observe(world, List.of(there.get()), look(cell, there.get()))
+                                    .get(0)
+                                    .isDetected();
                 }
                 progress.accept(grid.cells());
             }
             return cells;
         }
 
-        private Drone comingFrom(Position place) {
+        Optional<Assessment> assess(int column, int row) {
+            return comingFrom(column, row).map(there -> {
+                Sample look = look(row * grid.cells() + column, there);
+                return assessor.assess(there, look.pointing(), look.random(there.id(), RaySensor.RAYS));
+            });
+        }
+
+        Optional<Explanation> explain(int column, int row) {
+            return comingFrom(column, row).map(there -> assessor.explainMiss(there, turnedTo(there)));
+        }
+
+        private Sample look(int cell, Drone there) {
+            return Sample.of(seed, id, cell, 0.0).withPointing(turnedTo(there));
+        }
+
+        private Optional<Pointing> turnedTo(Drone there) {
+            return settings.turnedTo(Position.of(there.position()));
+        }
+
+        /** The drone in a cell; empty where there is no ground. */
+        private Optional<Drone> comingFrom(int column, int row) {
+            double ground = heights.height[row * grid.cells() + column];
+            if (Double.isNaN(ground)) {
+                return Optional.empty();
+            }
+            Position place = new Position(grid.x(column), grid.y(row), ground + grid.height());
             Position way = settings.position().minus(place);
             double length = Math.max(way.length(), Double.MIN_NORMAL);
             Position velocity = way.times(drone.settings().speed() / length);
-            return drone.at(new FlightState(place, velocity, Math.atan2(way.x(), way.y())));
+            return Optional.of(drone.at(new FlightState(place, velocity, Math.atan2(way.x(), way.y()))));
         }
     }
 }

@@ -7,6 +7,7 @@ import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.geometry.Position;
@@ -16,6 +17,8 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -81,6 +84,45 @@ class CoverageTest {
         assertThat(coverage.isReached("round", 50, 80))
                 .as("as far on the other side")
                 .isTrue();
+    }
+
+    /** The same geometry, by what is missing: a ring sector behind the wall, the rest of the square, three quarters of a disc. */
+    @Test
+    void whatIsMissingHasTheCauseOfItsGeometry() {
+        Coverage coverage = coverage(2);
+        double disc = Math.PI * 150 * 150;
+        double half = Math.atan2(10, 50);
+        Map<Cause, Integer> round = coverage.causes("round");
+        Map<Cause, Integer> east = coverage.causes("east");
+        Map<Cause, Integer> ear = coverage.causes("ear");
+
+        assertThat(area(round, Cause.HIDDEN_BY_BUILDING)).isCloseTo(half * 150 * 150 - 500, within(0.01 * disc));
+        assertThat(area(round, Cause.OUT_OF_RANGE)).isCloseTo(400 * 400 - disc, within(0.01 * disc));
+        assertThat(round).containsOnlyKeys(Cause.HIDDEN_BY_BUILDING, Cause.OUT_OF_RANGE);
+        assertThat(area(east, Cause.OUT_OF_VIEW)).isCloseTo(0.75 * disc, within(0.01 * disc));
+        assertThat(east).containsOnlyKeys(Cause.OUT_OF_VIEW, Cause.OUT_OF_RANGE);
+        assertThat(area(ear, Cause.HIDDEN_BY_BUILDING)).isCloseTo(half * 60 * 60 - 500, within(0.01 * disc));
+        assertThat(ear).containsOnlyKeys(Cause.HIDDEN_BY_BUILDING, Cause.TOO_WEAK);
+        assertThat(coverage.area("ear") + area(ear, Cause.TOO_WEAK) + area(ear, Cause.HIDDEN_BY_BUILDING))
+                .isEqualTo(400 * 400);
+    }
+
+    private static double area(Map<Cause, Integer> causes, Cause cause) {
+        return causes.get(cause) * GRID.cellArea();
+    }
+
+    @Test
+    void aCellIsReachedWhereItIsAssessedAsDetected() {
+        Coverage coverage = coverage(2);
+        for (String sensor : settings.sensors().keySet()) {
+            for (int cell = 0; cell < GRID.cells() * GRID.cells(); cell += 7) {
+                Assessment one = coverage.assess(sensor, cell % GRID.cells(), cell / GRID.cells())
+                        .orElseThrow();
+                boolean reached = coverage.isReached(sensor, cell % GRID.cells(), cell / GRID.cells());
+                assertThat(one.cause() == Cause.DETECTED).isEqualTo(reached);
+                assertThat(one.probability()).isEqualTo(reached ? 1.0 : 0.0);
+            }
+        }
     }
 
     /** A mount that turns all round makes of a camera's wedge a disc of the range that its narrowest field of view gives. */
