@@ -1,23 +1,20 @@
 package org.dronewatch.run;
 
 import java.util.Optional;
-import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /** What is between sensors and places: whether a sensor looks there at all, and whether something stands in the way. */
 public final class Sightline {
-    private final World world;
-    private final RayTracer traversal;
+    private final Visibility visibility;
 
     /** In a world, for one thread. */
     public Sightline(World world) {
-        this.world = world;
-        this.traversal = world.newRayTracer();
+        this.visibility = new Visibility(world);
     }
 
     /** Whether a sensor has a field of view at all; microphones have none. */
@@ -38,28 +35,13 @@ public final class Sightline {
                 .orElse(true);
     }
 
-    /** Whether a sensor looks farther than a place is away; always for one whose range has no end. */
-    public static boolean isInRange(SensorSettings<?> sensor, Position place) {
-        return !(sensor.outline().orElse(null) instanceof Outline.Sector sector)
-                || place.distance(sensor.position()) <= sector.maxRange();
-    }
-
     /** Whether a sensor could look at a place: wherever its mount can turn it. */
     public boolean isPossible(SensorSettings<?> sensor, Position place) {
-        return isInField(sensor, sensor.turnedTo(place), place)
-                && obstacle(sensor.position(), place).isEmpty();
-    }
-
-    /** The number of the triangle that hides a place first, in the world's mesh; empty where nothing does. */
-    public OptionalInt obstacle(Position from, Position place) {
-        Position way = place.minus(from);
-        boolean hidden = traversal.closestHit(
-                from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), World.SURFACE, 1.0 - World.SURFACE);
-        return hidden ? OptionalInt.of(traversal.triangle()) : OptionalInt.empty();
+        return isInField(sensor, sensor.turnedTo(place), place) && visibility.isFree(sensor.position(), place);
     }
 
     /** The world that it is in. */
     public World world() {
-        return world;
+        return visibility.world();
     }
 }

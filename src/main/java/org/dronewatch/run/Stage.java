@@ -81,15 +81,6 @@ public final class Stage {
         return colours;
     }
 
-    /**
-     * The file of the model to which a triangle belongs.
-     *
-     * @param triangle number in the world's mesh
-     */
-    public String modelOf(int triangle) {
-        return world.obstacle(triangle).model().file();
-    }
-
     /** The drones at a time, seconds since the start of the run. */
     public List<Drone> dronesAt(double time) {
         return fliers.stream().map(flier -> flier.drone.at(flier.path.at(time))).toList();

@@ -62,7 +62,7 @@ public final class Assessor {
             return sector.beyond(way);
         }
         return outline.get().contains(way)
-                ? cover.explain(drone, true, () -> false)
+                ? cover.explain(drone, () -> true, () -> false)
                 : Explanation.of(Cause.OUT_OF_VIEW);
     }
 }

@@ -51,16 +51,22 @@ public final class Cover {
     }
 
     /**
-     * Why a drone is missed that is in range and in view: hidden, or too weak.
+     * Why a drone is missed that is in range and in view: hidden, or too weak. What costs more than a ray is asked only where
+     * it matters.
      *
      * @param invisible whether the sensor has nothing of it
-     * @param detectedInTheOpen whether it would be detected if nothing stood in the way; only asked where it matters
+     * @param detectedInTheOpen whether it would be detected if nothing stood in the way
      */
-    public Explanation explain(Drone drone, boolean invisible, BooleanSupplier detectedInTheOpen) {
-        Optional<Obstacle> before = invisible ? ofOrigin(drone) : Optional.empty();
-        if (before.isEmpty() && detectedInTheOpen.getAsBoolean()) {
+    public Explanation explain(Drone drone, BooleanSupplier invisible, BooleanSupplier detectedInTheOpen) {
+        Optional<Obstacle> before = ofOrigin(drone);
+        boolean hidden = before.isPresent()
+                ? invisible.getAsBoolean() || detectedInTheOpen.getAsBoolean()
+                : detectedInTheOpen.getAsBoolean();
+        if (hidden && before.isEmpty()) {
             before = of(drone);
         }
-        return before.map(Explanation::hiddenBy).orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
+        return before.filter(obstacle -> hidden)
+                .map(Explanation::hiddenBy)
+                .orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
     }
 }

@@ -3,7 +3,6 @@ package org.dronewatch.sensor;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Positioner;
@@ -78,19 +77,7 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
         return this;
     }
 
-    /**
-     * Why this sensor cannot notice a drone even where it looks, in words such as {@code too slow for it}; empty when it could.
-     *
-     * @param drone as it flies now
-     */
-    default Optional<String> blindTo(Drone drone) {
-        return Optional.empty();
-    }
-
-    /**
-     * The number of pixels of its picture; none unless a kind of sensor takes pictures. Java must have memory for all
-     * of them.
-     */
+    /** How many pixels its picture has; none unless a kind of sensor takes pictures. Java must have memory for all of them. */
     default long pixels() {
         return 0;
     }

@@ -7,18 +7,18 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.run.Pointings;
 import org.dronewatch.run.Sightline;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
@@ -32,7 +32,7 @@ final class Reasons {
     private final SceneSettings settings;
     private final Stage stage;
     private final Pointings pointings;
-    private final Sightline sightline;
+    private final Map<String, Assessor> assessors = new HashMap<>();
     private final List<Map<String, Drone>> moments = new ArrayList<>();
     private final double step;
 
@@ -45,7 +45,6 @@ final class Reasons {
         this.settings = settings;
         this.stage = stage;
         this.pointings = pointings;
-        this.sightline = new Sightline(stage.world());
         this.step = simulated / MOMENTS;
         for (int i = 0; i <= MOMENTS; i++) {
             Map<String, Drone> drones = new HashMap<>();
@@ -98,6 +97,7 @@ final class Reasons {
 
     private Shares shares(String sensor, List<String> drones, String weak, double from) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
+        Assessor assessor = assessors.computeIfAbsent(sensor, id -> new Assessor(id, missing, stage.world()));
         Map<String, Integer> counts = new LinkedHashMap<>();
         Map<String, Set<String>> materials = new HashMap<>();
         double nearest = Double.POSITIVE_INFINITY;
@@ -110,37 +110,25 @@ final class Reasons {
                 Position place = Position.of(flying.position());
                 nearest = Math.min(nearest, place.distance(missing.position()));
                 gliding += flying.isPowered() ? 0 : 1;
-                counts.merge(reason(missing, pointing, flying, place, materials).orElse(weak), 1, Integer::sum);
+                counts.merge(reason(assessor, pointing, flying, weak, materials), 1, Integer::sum);
             }
         }
         return new Shares(named(counts, materials), counts.getOrDefault(weak, 0), nearest, gliding);
     }
 
-    /** Why it cannot notice the drone now, if there is a reason besides weakness. */
-    private Optional<String> reason(
-            SensorSettings<?> sensor,
+    /** Why a sensor misses a drone now, in words. */
+    private static String reason(
+            Assessor sensor,
             Optional<Pointing> pointing,
             Drone drone,
-            Position place,
+            String weak,
             Map<String, Set<String>> materials) {
-        if (!Sightline.isInRange(sensor, place)) {
-            return Optional.of("out of range");
-        }
-        if (!Sightline.isInField(sensor, pointing, place)) {
-            return Optional.of("out of its field of view");
-        }
-        if (Sightline.looks(sensor)) {
-            OptionalInt triangle = sightline.obstacle(sensor.position(), place);
-            if (triangle.isPresent()) {
-                TriangleMesh mesh = stage.world().mesh();
-                String hidden = "hidden by " + stage.modelOf(triangle.getAsInt());
-                materials
-                        .computeIfAbsent(hidden, model -> new TreeSet<>())
-                        .add(mesh.materialNames().get(mesh.material(triangle.getAsInt())));
-                return Optional.of(hidden);
-            }
-        }
-        return sensor.blindTo(drone);
+        Explanation explanation = sensor.explainMiss(drone, pointing);
+        String words = CauseWords.of(explanation, drone, weak);
+        explanation.obstacle().ifPresent(obstacle -> materials
+                .computeIfAbsent(words, model -> new TreeSet<>())
+                .add(obstacle.material()));
+        return words;
     }
 
     /** Models that hide, with the materials that do. */

@@ -88,9 +88,13 @@ public final class CameraSensor implements AssessableSensor {
         if (!picture.camera().outline().contains(way)) {
             return Explanation.of(Cause.OUT_OF_VIEW);
         }
-        picture.draw(world, List.of(drone));
-        return cover.explain(drone, picture.pixels(0) == 0, () -> signal(view(drone, picture.pixelsInTheOpen(drone)))
+        return cover.explain(drone, () -> !isInPicture(drone), () -> signal(view(drone, picture.pixelsInTheOpen(drone)))
                 .isDetected());
+    }
+
+    private boolean isInPicture(Drone drone) {
+        picture.draw(world, List.of(drone));
+        return picture.pixels(0) > 0;
     }
 
     private Signal signal(DroneView view) {

@@ -1,6 +1,5 @@
 package org.dronewatch.sensor.radar;
 
-import java.util.Locale;
 import java.util.Optional;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
@@ -50,21 +49,6 @@ final class FieldOfRegard {
                 slow
                         ? Explanation.beyond(Cause.TOO_SLOW, settings.minSpeed())
                         : Explanation.beyond(Cause.TOO_FAST, fastest));
-    }
-
-    /** Why its speed hides a drone, in words; empty when it does not. */
-    Optional<String> blindness(Drone drone) {
-        double radial = radialSpeed(drone);
-        if (hasSpeed(radial)) {
-            return Optional.empty();
-        }
-        boolean slow = Math.abs(radial) < settings.minSpeed();
-        return Optional.of(String.format(
-                Locale.ROOT,
-                slow
-                        ? "too slow for it (radial speed below %.1f m/s)"
-                        : "too fast for it (radial speed above %.0f m/s)",
-                slow ? settings.minSpeed() : fastest));
     }
 
     /** Whether a drone comes or goes fast enough to be told from the ground, and not too fast. */

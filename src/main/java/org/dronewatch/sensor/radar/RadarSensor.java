@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.radar;
 
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -33,6 +34,7 @@ public final class RadarSensor implements AssessableSensor {
     private World world;
     private VisibleShare visible;
     private Cover cover;
+    private final Map<RadarSignature.Fluctuation, Double> thresholds = new EnumMap<>(RadarSignature.Fluctuation.class);
 
     /** A radar of some settings. */
     public RadarSensor(RadarSettings settings) {
@@ -64,9 +66,10 @@ public final class RadarSensor implements AssessableSensor {
     public Explanation explainMiss(World site, Drone drone, Optional<Pointing> pointing) {
         enter(site);
         return field.miss(drone)
-                .orElseGet(() ->
-                        cover.explain(drone, visible.of(drone) == 0.0, () -> signal(drone, crossSection(drone, 1.0))
-                                .isDetected()));
+                .orElseGet(() -> cover.explain(
+                        drone,
+                        () -> visible.of(drone) == 0.0,
+                        () -> echo(drone, crossSection(drone, 1.0)) >= threshold(drone)));
     }
 
     /** Of what shows of a drone, and is looked for. */
@@ -74,7 +77,12 @@ public final class RadarSensor implements AssessableSensor {
         RadarSignature.Fluctuation fluctuation = drone.settings().radar().fluctuation();
         double echo = echo(drone, area);
         double probability = settings.detection().probability(echo, fluctuation);
-        return Signal.of(probability, echo, UNIT, settings.detection().evenThreshold(fluctuation));
+        return Signal.of(probability, echo, UNIT, threshold(drone));
+    }
+
+    /** What an echo must reach to count in every other look, dB; kept, as it takes long to find for one that decides by chance. */
+    private double threshold(Drone drone) {
+        return thresholds.computeIfAbsent(drone.settings().radar().fluctuation(), settings.detection()::evenThreshold);
     }
 
     /** How much of a drone shows, 0 to 1; 0 for one that the radar does not look for. */

@@ -3,7 +3,6 @@ package org.dronewatch.sensor.radar;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Outline;
@@ -175,11 +174,6 @@ public record RadarSettings(
                 elevationWidth,
                 minRange,
                 maxRange);
-    }
-
-    @Override
-    public Optional<String> blindTo(Drone drone) {
-        return new FieldOfRegard(this).blindness(drone);
     }
 
     @Override

@@ -1,12 +1,9 @@
 package org.dronewatch.sensor.rf;
 
 import java.util.List;
-import java.util.Optional;
-import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -102,14 +99,6 @@ public record RfSettings(
     @Override
     public String weakness() {
         return "its signal too weak";
-    }
-
-    @Override
-    public Optional<String> blindTo(Drone drone) {
-        RadioLink link = drone.settings().radio();
-        return link.emits()
-                ? Optional.empty()
-                : Optional.of("radio-silent (" + Choices.name(link.control().name()) + ")");
     }
 
     @Override

@@ -75,7 +75,7 @@ public final class ThermalSensor implements AssessableSensor {
         if (!outline.contains(Position.of(drone.position()).minus(settings.position()))) {
             return Explanation.of(Cause.OUT_OF_VIEW);
         }
-        return cover.explain(drone, area.of(drone) == 0.0, () -> signal(drone, area.inTheOpen(drone))
+        return cover.explain(drone, () -> area.of(drone) == 0.0, () -> signal(drone, area.inTheOpen(drone))
                 .isDetected());
     }
 

@@ -494,10 +494,12 @@ class HtmlReportTest {
         assertThat(reasons.of("camera", QUADROTOR, weak))
                 .contains("too small or too faint: at best 7 px (needs 12), 30 m away");
         assertThat(reasons.of("microphone", QUADROTOR, Optional.of(new Look(1, 30, 41.26, 45, "dB"))))
-                .isEqualTo("always too quiet: at best 41.3 dB (needs 45), 30 m away");
+                .as("behind the wall it would be heard if the wall were not there")
+                .isEqualTo("66 % of the time hidden by yard.obj (brick); 34 % of the time too quiet: at best 41.3 dB"
+                        + " (needs 45), 30 m away");
         assertThat(reasons.of(
                         "microphone", QUADROTOR, Optional.of(new Look(1, 30, Double.NEGATIVE_INFINITY, 45, "dB"))))
-                .startsWith("always too quiet for any reading; the closest approach was");
+                .contains("34 % of the time too quiet for any reading; the closest approach was");
         assertThat(reasons.of("camera", QUADROTOR, Optional.of(new Look(1, 30, 0.031, 0.5, ""))))
                 .contains("at best 3.1 % (needs 50 %), 30 m away");
     }
