@@ -31,6 +31,7 @@ import picocli.CommandLine.Spec;
             RunCommand.class,
             ViewCommand.class,
             CheckCommand.class,
+            SaveCommand.class,
             RenderCommand.class,
             CoverageCommand.class,
             BenchCommand.class,

@@ -60,6 +60,11 @@ public final class WholeFile {
         }
     }
 
+    /** The file, from the root on. */
+    public Path path() {
+        return file;
+    }
+
     /**
      * Writes the file; an older one is replaced.
      *

@@ -11,6 +11,7 @@ import org.dronewatch.catalog.Catalog;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.Overrides;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenario.SceneWriter;
 import org.dronewatch.scenario.SweepSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsPath;
@@ -40,6 +41,11 @@ final class ConfiguredScene {
 
     Path directory() {
         return directory;
+    }
+
+    /** Settings of the scene as a scene file. */
+    String text(SceneSettings settings, Path file) {
+        return SceneWriter.text(scene.name(), settings, directory, file);
     }
 
     /** What the settings were made from: their files, without the models. */

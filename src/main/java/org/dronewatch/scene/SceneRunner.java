@@ -159,6 +159,17 @@ public final class SceneRunner {
         return configured.settingsOfRuns(settings());
     }
 
+    /**
+     * Settings as the text of a scene file, which has the same results.
+     *
+     * @param settings those of the scene, or of one of its runs
+     * @param file that is to hold the text; models must be beside it or below
+     * @throws InputException when a setting cannot be written
+     */
+    public String text(SceneSettings settings, Path file) {
+        return configured.text(settings, file);
+    }
+
     /** What the last run was made from, with the models that are loaded so far; before any run, the scene as it is now. */
     public InputFiles inputs() {
         InputFiles known = inputs.orElseGet(() -> configured.inputs(settings()));

@@ -113,7 +113,13 @@ public final class Viewer implements AutoCloseable {
         onEventThread(() -> ViewerWindow.setLook(layout.isDark()));
         onEventThread(() -> viewer.pane = viewer.paneOf(subject));
         onEventThread(() -> viewer.window = new ViewerWindow(
-                title, viewer.pane, layout, viewer.opening, viewer::closing, viewer.closed::countDown));
+                title,
+                viewer.pane,
+                layout,
+                subject.runner()::text,
+                viewer.opening,
+                viewer::closing,
+                viewer.closed::countDown));
         onEventThread(viewer.window::show);
         onEventThread(viewer.window::divide);
         return viewer;
@@ -179,7 +185,7 @@ public final class Viewer implements AutoCloseable {
             // A window that has been closed meanwhile has ended its own pane.
             if (!closing) {
                 pane = paneOf(chosen);
-                ending[0] = window.replace(chosen.scene().name(), pane);
+                ending[0] = window.replace(chosen.scene().name(), pane, chosen.runner()::text);
             }
         });
         ending[0].run();

@@ -22,12 +22,14 @@ final class ViewerMenus {
     private final Consumer<Boolean> darkChosen;
     private final Runnable closeChosen;
     private final FilmExport films;
+    private final SceneSaving saving;
     private final Optional<SceneOpening> opening;
     private final Runnable keysChosen;
 
     /**
      * For a pane.
      *
+     * @param saving writes the scene
      * @param opening opens other scenes; empty where the run is fixed
      * @param keysChosen opens the page of keys
      */
@@ -35,6 +37,7 @@ final class ViewerMenus {
             ViewerPane pane,
             Exports exports,
             FilmExport films,
+            SceneSaving saving,
             Optional<SceneOpening> opening,
             Consumer<Boolean> darkChosen,
             Runnable keysChosen,
@@ -44,6 +47,7 @@ final class ViewerMenus {
         this.darkChosen = darkChosen;
         this.closeChosen = closeChosen;
         this.films = films;
+        this.saving = saving;
         this.opening = opening;
         this.keysChosen = keysChosen;
     }
@@ -66,6 +70,11 @@ final class ViewerMenus {
         JMenu menu = new JMenu("File");
         menu.setMnemonic('F');
         opening.ifPresent(scenes -> addOpening(menu, scenes));
+        menu.add(item(
+                "Save scene as ...",
+                "Writes the settings of the run that is shown as a scene file",
+                null,
+                saving::ask));
         menu.add(item(
                 "Save picture of the site ...",
                 "Writes the 3D view as PNG",

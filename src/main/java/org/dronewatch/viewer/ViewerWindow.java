@@ -9,11 +9,14 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import javax.swing.JFrame;
 import javax.swing.JSplitPane;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
+import org.dronewatch.scenario.SceneSettings;
 
 /** The window about a pane: menus, look, clock, and where the user left it. All methods are for the event thread. */
 final class ViewerWindow {
@@ -41,6 +44,7 @@ final class ViewerWindow {
      * A window that is not shown yet.
      *
      * @param layout how the user left it
+     * @param text gives settings as the text of a scene file
      * @param opening opens other scenes; empty where the run is fixed
      * @param closing is told when the user closes it
      * @param closed is told when it is gone, with all threads of the pane
@@ -49,6 +53,7 @@ final class ViewerWindow {
             String title,
             ViewerPane pane,
             ViewerLayout layout,
+            BiFunction<SceneSettings, Path, String> text,
             Optional<SceneOpening> opening,
             Runnable closing,
             Runnable closed) {
@@ -64,19 +69,20 @@ final class ViewerWindow {
                 close();
             }
         });
-        fill(title, pane);
+        fill(title, pane, text);
         frame.setMinimumSize(Scaled.size(640, 420));
         place();
     }
 
-    private void fill(String title, ViewerPane content) {
+    private void fill(String title, ViewerPane content, BiFunction<SceneSettings, Path, String> text) {
         pane = content;
         frame.setTitle(title + " - dronewatch");
         Exports exports = new Exports(pane, pane::tell);
         films = new FilmExport(pane, exports, pane::tell);
-        frame.setJMenuBar(
-                new ViewerMenus(pane, exports, films, opening, this::setDark, () -> KeysPage.open(frame), this::close)
-                        .bar(layout.isDark()));
+        SceneSaving saving = new SceneSaving(pane, title, text);
+        ViewerMenus menus = new ViewerMenus(
+                pane, exports, films, saving, opening, this::setDark, () -> KeysPage.open(frame), this::close);
+        frame.setJMenuBar(menus.bar(layout.isDark()));
         frame.setContentPane(pane);
     }
 
@@ -85,13 +91,13 @@ final class ViewerWindow {
      *
      * @return what ends the threads of the scene before; it may wait for them, so not on the event thread
      */
-    Runnable replace(String title, ViewerPane content) {
+    Runnable replace(String title, ViewerPane content, BiFunction<SceneSettings, Path, String> text) {
         ViewerPane old = pane;
         FilmExport oldFilms = films;
         int[] places = pane.dividers().stream()
                 .mapToInt(JSplitPane::getDividerLocation)
                 .toArray();
-        fill(title, content);
+        fill(title, content, text);
         frame.validate();
         for (int i = 0; i < places.length; i++) {
             pane.dividers().get(i).setDividerLocation(places[i]);

@@ -334,7 +334,8 @@ class CommandLineTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "list", "run", "check", "view", "render", "coverage", "bench", "costs", "models"})
+    @ValueSource(
+            strings = {"", "list", "run", "check", "save", "view", "render", "coverage", "bench", "costs", "models"})
     void helpBreaksNoNameOrValueInTwo(String name) {
         String help = commandIn(name + " --help").out();
 

@@ -63,7 +63,7 @@ class FailureTest {
     @Test
     void everyCommandKnowsVerbose() {
         for (String command :
-                List.of("list", "run", "view", "check", "render", "coverage", "bench", "costs", "models")) {
+                List.of("list", "run", "view", "check", "save", "render", "coverage", "bench", "costs", "models")) {
             assertThat(Program.run(command, "--help").out()).as(command).contains("--verbose");
         }
     }

@@ -25,7 +25,7 @@ class DocCommandsTest {
     private static final Pattern COMMAND = Pattern.compile(
             "(?m)^ {4}(?:mvn .*compile exec:java -Dexec\\.args=\"([^\"]*)\"|dronewatch (.*)|java .*-all\\.jar (.*))$");
     private static final Pattern WORD = Pattern.compile("(?:[^\\s\"']|\"[^\"]*\"|'[^']*')+");
-    private static final Set<String> OF_SCENES = Set.of("run", "view", "check", "render", "coverage");
+    private static final Set<String> OF_SCENES = Set.of("run", "view", "check", "save", "render", "coverage");
     /** A reader's own file, of which the pages do not show all. */
     private static final String NOT_SHOWN = "site.yaml";
 

@@ -31,6 +31,9 @@ import org.junit.jupiter.api.io.TempDir;
 class RandomScenesTest {
     private static final int SCENES = Integer.getInteger("dronewatch.scenes", 1000);
     private static final long SEED = Long.getLong("dronewatch.seed", 20_240_517L);
+    /** Of so many scenes one runs again from its saved file. */
+    private static final int SAVED_RUNS = 100;
+
     private static final Kinds KINDS = SensorKinds.kinds(Catalog.packaged());
 
     @TempDir
@@ -85,8 +88,9 @@ class RandomScenesTest {
             String text = RandomScenes.yaml(seed);
             Path file = Files.writeString(directory.resolve("scene.yaml"), text);
             SceneRunner runner = new SceneRunner(new SceneFile(file)).threads(1);
+            SceneSettings read;
             try {
-                SceneSettings read = runner.settings();
+                read = runner.settings();
                 assertThat(read).as("scene of seed %d, written and read", seed).isEqualTo(RandomScenes.of(seed));
                 runner.stage(read);
             } catch (InputException e) {
@@ -96,6 +100,7 @@ class RandomScenesTest {
             }
             accepted++;
             run(runner, seed, text);
+            checkSaved(runner, read, seed, accepted % SAVED_RUNS == 0);
             runner.settings().sensors().values().forEach(sensor -> kinds.merge(sensor.kind(), 1, Integer::sum));
         }
         assertThat(refused)
@@ -104,6 +109,19 @@ class RandomScenesTest {
         assertThat(kinds.keySet())
                 .as("kinds of sensors in the scenes: %s", kinds)
                 .containsExactlyInAnyOrderElementsOf(SensorKinds.all().keySet());
+    }
+
+    /** Written as a file and read again, the settings are the same; the runs of some are compared as well. */
+    private void checkSaved(SceneRunner runner, SceneSettings settings, long seed, boolean runs) throws IOException {
+        Path file = directory.resolve("saved.yaml");
+        SceneRunner saved =
+                new SceneRunner(new SceneFile(Files.writeString(file, runner.text(settings, file)))).threads(1);
+        assertThat(saved.settings()).as("seed %d", seed).isEqualTo(settings);
+        if (runs) {
+            assertThat(saved.run().runs())
+                    .as("seed %d", seed)
+                    .isEqualTo(runner.run().runs());
+        }
     }
 
     private static void run(SceneRunner runner, long seed, String text) {

@@ -25,7 +25,9 @@ import org.dronewatch.render.FilmMaker;
 import org.dronewatch.render.Films;
 import org.dronewatch.render.Yard;
 import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scenes.CameraRange;
 import org.dronewatch.setting.InputException;
@@ -131,6 +133,28 @@ class ViewerPaneTest {
         assertThat(table.getValueAt(0, 3)).isEqualTo("detects");
         assertThat((String) table.getValueAt(0, 6)).isEqualTo("12 px");
         assertThat(pane.log().text()).contains("camera gains quadrotor at");
+    }
+
+    @Test
+    void theSceneOfTheRunIsSavedAndWhatIsWrongIsShown() throws Exception {
+        CameraRange scene = new CameraRange();
+        open(scene, "run.duration=0.5");
+        SceneSettings shown = pane.viewed().orElseThrow().settings();
+        assertThat(pane.notice().isVisible()).isFalse();
+        SceneSaving saving = new SceneSaving(pane, "camera-range", new SceneRunner(scene)::text);
+        Path file = directory.resolve("first.yaml");
+        onEventThread(() -> {
+            saving.write(file.toString());
+            return null;
+        });
+        assertThat(new SceneRunner(new SceneFile(file)).settings()).isEqualTo(shown);
+
+        onEventThread(() -> {
+            saving.write(directory.resolve("none").resolve("first.yaml").toString());
+            return null;
+        });
+        settle(() -> pane.notice().isVisible());
+        assertThat(pane.log().text()).contains("there is no directory");
     }
 
     private static long colours(BufferedImage image) {

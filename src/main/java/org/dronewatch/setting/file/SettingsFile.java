@@ -3,10 +3,12 @@ package org.dronewatch.setting.file;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import org.dronewatch.setting.CanonicalSettings;
 import org.dronewatch.setting.InputException;
 
-/** Reads a settings record from a YAML file that a person wrote. */
+/** Reads a settings record from a YAML file that a person wrote, and writes one. */
 public final class SettingsFile {
     private SettingsFile() {}
 
@@ -65,5 +67,39 @@ public final class SettingsFile {
         Optional<Object> settings = new SettingsReader(kinds, directory, problems).read(type, part);
         problems.throwIfAny();
         return type.cast(settings.orElseThrow());
+    }
+
+    /**
+     * A record as a file that says the same, in YAML: numbers exactly, in the units in which they are kept, and without what is
+     * as it would be by default.
+     *
+     * @param kinds among which to choose where the record has an interface
+     * @param from directory where names of files in the settings start
+     * @param file that is to hold the text; names of files in it start from its directory
+     * @return the text, which has been read back and is equal to the settings
+     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or below it
+     */
+    public static <T extends Record> String text(T settings, Kinds kinds, Path from, Path file) {
+        Path directory = file.toAbsolutePath().resolveSibling("");
+        T moved = new RelocatedFiles(from, directory).of(settings);
+        String text = YamlText.of(new SettingsWriter(kinds).write(moved));
+        Problems problems = new Problems();
+        Node.Mapping document = YamlFile.read(file.toString(), text, problems);
+        Optional<Object> read = new SettingsReader(kinds, directory, problems).read(settings.getClass(), document);
+        problems.throwIfAny();
+        if (!read.equals(Optional.of(moved))) {
+            throw new InputException(file + ": what would be written does not read back as it is: "
+                    + difference(moved, (Record) read.orElseThrow()));
+        }
+        return text;
+    }
+
+    private static String difference(Record wanted, Record read) {
+        List<String> lines = CanonicalSettings.of(read).lines().toList();
+        return CanonicalSettings.of(wanted)
+                .lines()
+                .filter(line -> !lines.contains(line))
+                .findFirst()
+                .orElse("a value of a kind that has no text");
     }
 }

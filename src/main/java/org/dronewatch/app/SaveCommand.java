@@ -1,0 +1,76 @@
+package org.dronewatch.app;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.dronewatch.report.WholeFile;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Writes a scene with its overrides, or one run of its sweep, as a scene file. */
+@Command(
+        name = "save",
+        mixinStandardHelpOptions = true,
+        description =
+                "Writes a scene with its overrides, or one run of its sweep, as a scene file that has the same results.",
+        footer = {"", "Example:", "  dronewatch save camera-range --run 2 --set run.duration=30s --out third.yaml"})
+final class SaveCommand implements Callable<Integer> {
+    @Mixin
+    private SceneChoice choice;
+
+    @Option(
+            names = "--run",
+            paramLabel = "N",
+            description = "Run of a sweep, from 0, with its own seed; the whole sweep unless given.")
+    private Integer run;
+
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
+    private Long seed;
+
+    @Option(
+            names = "--out",
+            required = true,
+            paramLabel = "FILE",
+            description = "File to write, .yaml or .yml; the scene's own models must be beside it or below.")
+    private String out;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        if (!SceneFile.isFileName(out)) {
+            throw new InputException("--out " + PlainText.value(out) + ": must end in .yaml or .yml");
+        }
+        WholeFile target = new WholeFile("--out", out);
+        Scene scene = choice.create();
+        SceneRunner runner = choice.runner(scene);
+        if (seed != null) {
+            runner.seed(seed);
+        }
+        byte[] text = runner.text(chosen(runner), target.path()).getBytes(StandardCharsets.UTF_8);
+        target.write(stream -> stream.write(text));
+        spec.commandLine().getErr().println("scene in " + PlainText.value(out));
+        return 0;
+    }
+
+    private SceneSettings chosen(SceneRunner runner) {
+        if (run == null) {
+            return runner.settings();
+        }
+        List<SceneSettings> runs = runner.settingsOfRuns();
+        if (run < 0 || run >= runs.size()) {
+            throw new InputException("--run " + run + ": must be 0 to " + (runs.size() - 1));
+        }
+        return runs.get(run);
+    }
+}

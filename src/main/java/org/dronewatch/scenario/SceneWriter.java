@@ -1,0 +1,28 @@
+package org.dronewatch.scenario;
+
+import java.nio.file.Path;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.file.SettingsFile;
+
+/** Writes settings as a scene file, wherever they come from: Java, another file, overrides, one run of a sweep. */
+public final class SceneWriter {
+    private SceneWriter() {}
+
+    /**
+     * A scene file that says the same. Sensors that were taken from a catalogue are written out in full.
+     *
+     * @param name what the first line calls the scene
+     * @param settings of the scene, or of one of its runs
+     * @param from directory where the names of its models start
+     * @param file that is to hold the text; the models must be beside it or below
+     * @return the text, which has been read back and is equal to the settings
+     * @throws org.dronewatch.setting.InputException when a setting cannot be written: a function, or a kind that no file can name
+     */
+    public static String text(String name, SceneSettings settings, Path from, Path file) {
+        String text = SettingsFile.text(settings, SensorKinds.kinds(Catalog.packaged()), from, file);
+        return "# " + PlainText.value(name)
+                + ", as saved by dronewatch: numbers without a unit are in SI units, angles in radians.\n" + text;
+    }
+}

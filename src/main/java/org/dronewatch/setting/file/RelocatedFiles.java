@@ -1,0 +1,99 @@
+package org.dronewatch.setting.file;
+
+import java.io.File;
+import java.lang.reflect.RecordComponent;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.setting.FileName;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.SettingsForm;
+
+/** Settings whose names of files start from another directory, and mean the same files. */
+final class RelocatedFiles {
+    private final Path from;
+    private final Path to;
+
+    /**
+     * A move of settings.
+     *
+     * @param from where names start
+     * @param to where they are to start
+     */
+    RelocatedFiles(Path from, Path to) {
+        this.from = from.toAbsolutePath().normalize();
+        this.to = to.toAbsolutePath().normalize();
+    }
+
+    /**
+     * Settings with the new names.
+     *
+     * @throws InputException when a file is not in the new directory or below it, where a settings file may name it
+     */
+    <T extends Record> T of(T settings) {
+        @SuppressWarnings("unchecked")
+        T moved = (T) record(settings, "");
+        return moved;
+    }
+
+    private Record record(Record settings, String path) {
+        SettingsForm form = SettingsForm.of(settings.getClass());
+        Map<String, Object> changed = new LinkedHashMap<>();
+        for (RecordComponent part : form.parts()) {
+            Object value = SettingsForm.get(settings, part);
+            String here = path.isEmpty() ? part.getName() : path + "." + part.getName();
+            FileName rule = part.getAnnotation(FileName.class);
+            Object moved = rule == null ? value(value, here) : name(value.toString(), rule, here);
+            if (!moved.equals(value)) {
+                changed.put(part.getName(), moved);
+            }
+        }
+        return changed.isEmpty() ? settings : form.with(settings, changed);
+    }
+
+    private Object value(Object value, String path) {
+        if (value instanceof Optional<?> optional) {
+            return optional.map(inside -> value(inside, path));
+        }
+        if (value instanceof List<?> list) {
+            Object[] items = new Object[list.size()];
+            for (int i = 0; i < items.length; i++) {
+                items[i] = value(list.get(i), path + "." + i);
+            }
+            return List.of(items);
+        }
+        if (value instanceof Map<?, ?> map) {
+            Map<Object, Object> values = new LinkedHashMap<>();
+            map.forEach((key, inside) -> values.put(key, value(inside, path + "." + key)));
+            return values;
+        }
+        return value instanceof Record settings ? record(settings, path) : value;
+    }
+
+    private String name(String name, FileName rule, String path) {
+        if (name.startsWith(rule.unless())) {
+            return name;
+        }
+        Path file = resolved(name, path);
+        if (!file.startsWith(to)) {
+            throw new InputException(
+                    path + ": file '" + PlainText.value(file) + "' is neither in " + PlainText.value(to)
+                            + " nor below it, where a scene file may name it: write the scene beside its models");
+        }
+        boolean isSameName = from.equals(to) && !Path.of(name).isAbsolute();
+        return isSameName ? name : to.relativize(file).toString().replace(File.separatorChar, '/');
+    }
+
+    private Path resolved(String name, String path) {
+        try {
+            return from.resolve(name).normalize();
+        } catch (InvalidPathException e) {
+            throw new InputException(
+                    path + ": file '" + PlainText.value(name) + "' is not a path: " + e.getReason(), e);
+        }
+    }
+}

@@ -1,0 +1,61 @@
+package org.dronewatch.viewer;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import javax.swing.JFileChooser;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import org.dronewatch.report.WholeFile;
+import org.dronewatch.scenario.SceneSettings;
+
+/** Writes the settings of the run that is shown as a scene file. All methods are for the event thread. */
+final class SceneSaving {
+    private static final String ENDING = ".yaml";
+
+    private final ViewerPane pane;
+    private final String name;
+    private final BiFunction<SceneSettings, Path, String> text;
+
+    /**
+     * For a pane.
+     *
+     * @param name of the scene, which a file is called unless the user says otherwise
+     * @param text gives settings as the text of a file; throws InputException when they cannot be written
+     */
+    SceneSaving(ViewerPane pane, String name, BiFunction<SceneSettings, Path, String> text) {
+        this.pane = pane;
+        this.name = name;
+        this.text = text;
+    }
+
+    /** Asks for a file and writes the scene. */
+    void ask() {
+        JFileChooser chooser = new JFileChooser();
+        chooser.setDialogTitle("Save the scene of this run");
+        chooser.setFileFilter(new FileNameExtensionFilter("Scene files (*.yaml, *.yml)", "yaml", "yml"));
+        chooser.setSelectedFile(new java.io.File(name + ENDING));
+        if (chooser.showSaveDialog(pane) == JFileChooser.APPROVE_OPTION) {
+            String file = chooser.getSelectedFile().getPath();
+            boolean hasEnding = file.toLowerCase(Locale.ROOT).matches(".*\\.ya?ml");
+            write(hasEnding ? file : file + ENDING);
+        }
+    }
+
+    /** Writes the scene of the run that is shown; what is wrong is shown in the pane. */
+    void write(String file) {
+        Optional<ViewedRun> viewed = pane.viewed();
+        if (viewed.isEmpty()) {
+            return;
+        }
+        try {
+            WholeFile target = new WholeFile("scene", file);
+            byte[] bytes = text.apply(viewed.get().settings(), target.path()).getBytes(StandardCharsets.UTF_8);
+            target.write(stream -> stream.write(bytes));
+            pane.note("scene written to " + file);
+        } catch (RuntimeException e) {
+            pane.tell(e);
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A saved scene gives the same files. */
+class SaveCommandTest {
+    private static final List<String> SETTINGS =
+            List.of("--set", "run.duration=3", "--set", "drones.quadrotor.flight.from.y=30 m");
+
+    @TempDir
+    private Path directory;
+
+    private String command(int code, Stream<String> words) {
+        StringWriter err = new StringWriter();
+        String[] all = words.toArray(String[]::new);
+        int actual = Main.execute(new PrintWriter(new StringWriter()), new PrintWriter(err, true), all);
+        assertThat(actual).as("%s: %s", List.of(all), err).isEqualTo(code);
+        return err.toString();
+    }
+
+    private String path(String name) {
+        return directory.resolve(name).toString();
+    }
+
+    private void run(String scene, List<String> settings, String out) {
+        Stream<String> run = Stream.of("run", scene, "--observations", "--out", path(out));
+        command(0, Stream.concat(run, settings.stream()));
+    }
+
+    private String text(String file) throws IOException {
+        return Files.readString(directory.resolve(file));
+    }
+
+    @Test
+    void aSavedSceneGivesTheSameBytes() throws IOException {
+        run("camera-range", SETTINGS, "packaged");
+        command(
+                0,
+                Stream.concat(
+                        Stream.of("save", "camera-range", "--out", path("camera-range.yaml")), SETTINGS.stream()));
+        run(path("camera-range.yaml"), List.of(), "saved");
+
+        for (String file : List.of("observations.csv", "detections.csv", "result.json")) {
+            assertThat(text("saved/" + file)).as(file).isEqualTo(text("packaged/" + file));
+        }
+    }
+
+    @Test
+    void oneRunOfASweepGivesItsRows() throws IOException {
+        run("camera-range", SETTINGS, "sweep");
+        command(
+                0,
+                Stream.concat(
+                        Stream.of("save", "camera-range", "--run", "2", "--out", path("third.yml")),
+                        SETTINGS.stream()));
+        run(path("third.yml"), List.of(), "third");
+
+        for (String file : List.of("observations.csv", "detections.csv")) {
+            List<String> rows = text("sweep/" + file)
+                    .lines()
+                    .filter(row -> row.startsWith("2,"))
+                    .map(row -> row.replaceFirst("^2", "0"))
+                    .toList();
+            assertThat(text("third/" + file).lines().skip(1))
+                    .as(file)
+                    .isNotEmpty()
+                    .isEqualTo(rows);
+        }
+    }
+
+    @Test
+    void theSeedIsSaved() throws IOException {
+        command(0, Stream.of("save", "acoustic-range", "--seed", "77", "--out", path("a.yaml")));
+
+        assertThat(text("a.yaml")).contains("\n  seed: 77\n");
+    }
+
+    @Test
+    void whatCannotBeWrittenIsRefusedInOneLineAndNothingIsWritten() throws IOException {
+        assertRefused("must end in .yaml or .yml", "save", "camera-range", "--out", path("scene.txt"));
+        assertRefused("--run 5: must be 0 to 4", "save", "camera-range", "--run", "5", "--out", path("s.yaml"));
+        assertRefused(
+                "which is none of the kinds camera, acoustic, radar, rf, thermal, cannot be written into a file",
+                "save",
+                "org.dronewatch.app.FaultyScenes$Asserting",
+                "--out",
+                path("s.yaml"));
+        assertRefused("there is no directory", "save", "camera-range", "--out", path("none/s.yaml"));
+    }
+
+    private void assertRefused(String part, String... words) throws IOException {
+        String err = command(2, Stream.of(words));
+        assertThat(err.strip()).contains(part).doesNotContain("\n");
+        try (Stream<Path> left = Files.list(directory)) {
+            assertThat(left).isEmpty();
+        }
+    }
+}

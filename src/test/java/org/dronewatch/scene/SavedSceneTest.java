@@ -1,0 +1,271 @@
+package org.dronewatch.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.examples.GateWatch;
+import org.dronewatch.flight.FlightPathSettings.Hover;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.RunResult;
+import org.dronewatch.scenario.RunSettings;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenes.CameraRange;
+import org.dronewatch.scenes.PackagedScene;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.camera.DetectionFunction;
+import org.dronewatch.sensor.camera.DroneView;
+import org.dronewatch.sensor.radar.LinkBudget;
+import org.dronewatch.sensor.radar.RadarSettings;
+import org.dronewatch.setting.InputException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What is saved is read again as it was, and runs as it did. */
+class SavedSceneTest {
+    @TempDir
+    private Path directory;
+
+    private SceneRunner saved(SceneRunner runner, SceneSettings settings) throws IOException {
+        Path file = directory.resolve("saved.yaml");
+        return new SceneRunner(new SceneFile(Files.writeString(file, runner.text(settings, file))));
+    }
+
+    static Stream<Scene> scenes() throws IOException {
+        List<Scene> scenes = new ArrayList<>();
+        PackagedScene.all().forEach(scene -> scenes.add(scene.factory().get()));
+        try (Stream<Path> files = Files.list(Path.of("scenes"))) {
+            files.filter(file -> file.toString().endsWith(".yaml"))
+                    // That is no scene but an entry of a catalogue, which one of the scenes uses.
+                    .filter(file -> !file.endsWith("roof-camera.yaml"))
+                    .sorted()
+                    .forEach(file -> scenes.add(new SceneFile(file)));
+        }
+        scenes.add(new GateWatch());
+        scenes.add(new Odd());
+        scenes.add(new Swept());
+        return scenes.stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void everySceneReadsBackAsItWas(Scene scene) throws IOException {
+        SceneRunner runner = new SceneRunner(scene);
+        SceneSettings settings = runner.settings();
+
+        assertThat(saved(runner, settings).settings()).isEqualTo(settings);
+        List<SceneSettings> runs = runner.settingsOfRuns();
+        assertThat(saved(runner, settings).settingsOfRuns()).isEqualTo(runs);
+        SceneSettings last = runs.get(runs.size() - 1);
+        assertThat(saved(runner, last).settings()).isEqualTo(last);
+        assertThat(saved(runner, last).settingsOfRuns()).containsExactly(last);
+    }
+
+    /** Numbers without a short decimal form, a sensor that is off, prices, a positioner, names that need quotes. */
+    private static final class Odd extends Scene {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected void build() {
+            loadWorld(loadPackaged("hill.obj").withHeading(Math.PI / 7.0).withScale(0.1 + 0.2));
+            surface("null", "grass_turf");
+            surface("a: \"b\" #c, [d] \u00fc \u2028\ud83d\ude00", "brick_rough");
+            setRain(1.0 / 3.0);
+            setBackgroundNoise(Math.nextUp(31.0));
+            add(
+                    "drone",
+                    DroneSettings.of(loadPackaged("quadrotor.obj"), Hover.at(new Position(-0.0, 1e-300, 4e3 / 7.0)))
+                            .withSpeed(Math.E));
+            Position mast = new Position(0, 0, 144);
+            add(
+                    "radar",
+                    RadarSettings.at(mast, LinkBudget.DataSheet.of(1234.5, 0.01))
+                            .withFieldOfView(1.1, 0.3));
+            add("eye", CameraSettings.at(mast).withHorizontalFov(Math.toRadians(33.3)));
+            add("off", Catalog.packaged().settings("spotterrf-c550", java.util.Map.of("position", mast)));
+            disable("off");
+            setAlert(AlertSettings.DEFAULT);
+            setRun(RunSettings.DEFAULT.withDuration(1.0).withSeed(123_456_789_012_345_678L));
+        }
+    }
+
+    private static final class Swept extends Scene {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected void build() {
+            loadWorld(loadPackaged("hill.obj"));
+            add("drone", DroneSettings.of(loadPackaged("quadrotor.obj"), Hover.at(new Position(0, 20, 144))));
+            add("eye", CameraSettings.at(new Position(0, 0, 144)));
+            setRun(RunSettings.DEFAULT.withDuration(0.3));
+            sweep("sensors.eye.rate", 5.0, 10.0, 1.0 / 3.0);
+        }
+    }
+
+    private static List<Observation> observations(SceneRunner runner) {
+        List<Observation> all = new ArrayList<>();
+        runner.onFrame((Frame frame) -> all.addAll(frame.observations())).run();
+        return all;
+    }
+
+    @Test
+    void theThirdRunOfASweepRunsAloneAsItDidAmongTheOthers() throws IOException {
+        SceneRunner sweep = new SceneRunner(new CameraRange())
+                .set("run.duration", "2")
+                .set("drones.quadrotor.flight.from.y", "40 m");
+        SceneSettings third = sweep.settingsOfRuns().get(2);
+        assertThat(third.run().seed()).isNotEqualTo(sweep.settings().run().seed());
+        SceneRunner saved = saved(sweep, third);
+        RunResult alone = saved.run().runs().get(0);
+        RunResult among = sweep.only(2).run().runs().get(0);
+
+        assertThat(alone.settings()).isEqualTo(among.settings());
+        assertThat(alone.events().stream().map(DetectionEvent::observation))
+                .isNotEmpty()
+                .isEqualTo(
+                        among.events().stream().map(DetectionEvent::observation).toList());
+        assertThat(observations(saved)).isEqualTo(observations(sweep));
+    }
+
+    @Test
+    void aJavaSceneRunsTheSameFromItsFile() throws IOException {
+        SceneRunner java = new SceneRunner(new GateWatch()).set("run.duration", "5");
+
+        List<Observation> expected = observations(java);
+        assertThat(observations(saved(java, java.settings())))
+                .isEqualTo(expected)
+                .isNotEmpty();
+    }
+
+    @Test
+    void sensorsOfACatalogueBesideTheSceneAreWrittenOut() throws IOException {
+        Path site = Files.createDirectory(directory.resolve("site"));
+        Files.writeString(
+                site.resolve("gate-camera.yaml"),
+                """
+                title: Gate camera
+                source: none
+                basis: assumed
+                coverage: ahead
+                ranges: []
+                sensor: {kind: camera, width: 640, height: 360}
+                """);
+        Path file = Files.writeString(
+                site.resolve("scene.yaml"),
+                """
+                world: {models: [packaged:hill.obj]}
+                sensors:
+                  gate: {use: gate-camera, position: [0, 0, 144]}
+                """);
+        SceneRunner runner = new SceneRunner(new SceneFile(file));
+        String text = runner.text(runner.settings(), directory.resolve("saved.yaml"));
+
+        assertThat(text).contains("kind: camera", "width: 640").doesNotContain("use:");
+        assertThat(saved(runner, runner.settings()).settings()).isEqualTo(runner.settings());
+    }
+
+    @Test
+    void modelsAreFoundFromWhereTheFileIs() throws IOException {
+        Path site = Files.createDirectories(directory.resolve("site/models"));
+        Files.writeString(site.resolve("site.obj"), RandomScenes.MODEL_TEXT);
+        Path file = Files.writeString(
+                directory.resolve("site/scene.yaml"), "world: {models: [models/site.obj, packaged:house.obj]}\n");
+        SceneRunner runner = new SceneRunner(new SceneFile(file));
+        SceneSettings settings = runner.settings();
+
+        assertThat(runner.text(settings, directory.resolve("site/other.yaml")))
+                .contains("models: [models/site.obj, packaged:house.obj]");
+        assertThat(runner.text(settings, directory.resolve("above.yaml")))
+                .contains("models: [site/models/site.obj, packaged:house.obj]");
+        assertThat(runner.text(settings, site.resolve("below.yaml")))
+                .contains("models: [site.obj, packaged:house.obj]");
+        SceneRunner above = saved(runner, settings);
+        assertThat(above.stage(above.settings()).world().mesh().triangleCount())
+                .isEqualTo(runner.stage(settings).world().mesh().triangleCount());
+
+        Path elsewhere = Files.createDirectory(directory.resolve("elsewhere"));
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> runner.text(settings, elsewhere.resolve("s.yaml")))
+                .withMessageContaining("world.models.0.file: file '")
+                .withMessageContaining("write the scene beside its models");
+    }
+
+    @Test
+    void whatNoFileCanNameIsRefused() {
+        Path file = directory.resolve("saved.yaml");
+        SceneRunner own = new SceneRunner(new HillScene());
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> own.text(own.settings(), file))
+                .withMessage("sensors.dice: " + DiceSettings.class.getName()
+                        + ", which is none of the kinds camera, acoustic, radar, rf, thermal, cannot be written into a"
+                        + " file");
+
+        SceneRunner nameless = new SceneRunner(new Swept());
+        SceneSettings settings = nameless.settings();
+        CameraSettings eye = (CameraSettings) settings.sensors().get("eye");
+        SceneSettings changed = settings.withSensor("eye", eye.withDetection(new AnyPixel()));
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> nameless.text(changed, file))
+                .withMessageStartingWith(
+                        "sensors.eye.detection: " + AnyPixel.class.getName() + ", which is none of the kinds ");
+    }
+
+    private static final class AnyPixel implements DetectionFunction {
+        @Override
+        public double value(DroneView view) {
+            return view.pixels();
+        }
+
+        @Override
+        public double threshold() {
+            return 1.0;
+        }
+
+        @Override
+        public String unit() {
+            return "px";
+        }
+    }
+
+    @Test
+    void theFileIsWrittenAsPeopleWouldWriteIt() {
+        SceneRunner runner = new SceneRunner(new Swept());
+
+        assertThat(runner.text(runner.settingsOfRuns().get(2), directory.resolve("saved.yaml")))
+                .isEqualTo(
+                        """
+                        # swept, as saved by dronewatch: numbers without a unit are in SI units, angles in radians.
+                        world:
+                          models: [packaged:hill.obj]
+                        drones:
+                          drone:
+                            model: packaged:quadrotor.obj
+                            flight: {kind: hover, position: [0, 20, 144]}
+                        sensors:
+                          eye:
+                            kind: camera
+                            position: [0, 0, 144]
+                            rate: 0.3333333333333333
+                        run:
+                          duration: 0.3
+                          seed: 1454173614451846
+                        sweep:
+                          kind: values
+                          parameter: sensors.eye.rate
+                          values: [0.3333333333333333]
+                        """);
+    }
+}
