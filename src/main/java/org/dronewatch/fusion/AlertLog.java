@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.tracking.ContactLook;
 
-/** Follows the looks of one run at its contacts, in order of time, and notices the first moment of alert for each contact. */
+/** Follows the looks of one run at its contacts, in order of time, and records the first alert for each contact. */
 public final class AlertLog {
     private final AlertSettings settings;
     private final Map<Integer, Map<String, SensorTrack>> tracks = new LinkedHashMap<>();
@@ -17,7 +17,7 @@ public final class AlertLog {
         this.settings = settings;
     }
 
-    /** Takes the sensors' looks of one time. */
+    /** Adds the sensors' looks of one time. */
     public void add(List<ContactLook> looks) {
         for (ContactLook look : looks) {
             if (!alerts.containsKey(look.contact())) {
@@ -43,7 +43,7 @@ public final class AlertLog {
         }
     }
 
-    /** The alert to a contact, if there was one so far. */
+    /** The alert to a contact, if there has been one. */
     public Optional<Alert> alert(int contact) {
         return Optional.ofNullable(alerts.get(contact));
     }

@@ -15,7 +15,7 @@ public sealed interface AlertRule {
     /**
      * The sensors on which an alert rests now; none when there is none.
      *
-     * @param tracks what each sensor has of the drone
+     * @param tracks what each sensor has observed of the drone
      * @param time now, s
      */
     List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time);

@@ -1,6 +1,6 @@
 package org.dronewatch.fusion;
 
-/** The last looks of one sensor at one contact. */
+/** The latest looks of one sensor at one contact. */
 final class ConfirmedLooks {
     private final boolean[] last;
     private final int needed;

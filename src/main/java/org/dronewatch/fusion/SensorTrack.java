@@ -2,7 +2,7 @@ package org.dronewatch.fusion;
 
 import org.dronewatch.tracking.ContactLook;
 
-/** What one sensor has of one contact so far. */
+/** What one sensor has observed of one contact so far. */
 public final class SensorTrack {
     private final String sensor;
     private final ConfirmedLooks looks;

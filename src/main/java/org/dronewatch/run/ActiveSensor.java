@@ -14,7 +14,9 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.world.World;
 
-/** A sensor while a run goes on, with the mount that turns it: when it looks next, where it points, what its mount has learnt. */
+/**
+ * A sensor during a run, with its positioner: when it looks next, where it points, what its positioner has been told.
+ */
 final class ActiveSensor {
     private final String id;
     private final SensorSettings<?> settings;
@@ -48,7 +50,7 @@ final class ActiveSensor {
         return nextIndex / rate;
     }
 
-    /** Turns the mount to where it points at a time, and begins the next look. */
+    /** Turns the positioner to where it points at a time, and begins the next look. */
     Sample nextLook(long seed, double time) {
         Optional<Pointing> pointing = positioner.map(mount -> mount.moveTo(time));
         return Sample.of(seed, id, nextIndex++, time).withPointing(pointing);
@@ -62,7 +64,7 @@ final class ActiveSensor {
         return observations;
     }
 
-    /** Tells its mount what the sensor saw itself, and what the sensors detected that cue the mount. */
+    /** Passes to its positioner what the sensor saw itself, and what the sensors that cue it detected. */
     void learn(List<ContactLook> looks) {
         positioner.ifPresent(mount ->
                 looks.forEach(look -> look.measurements().forEach(measured -> learn(mount, look.contact(), measured))));

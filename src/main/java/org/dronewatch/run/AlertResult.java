@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import org.dronewatch.fusion.Alert;
 
 /**
- * How early the site was alerted to one drone in one run.
+ * The alert to one drone in one run, and how early it was.
  *
  * @param run number of the run in a sweep, from 0
  * @param drone name of the drone
@@ -14,11 +14,11 @@ import org.dronewatch.fusion.Alert;
  *     of view and range, s; empty for never, and where no sensor has a field of view
  * @param alert the alert, or empty when there was none
  * @param zoneDistance how far it was from the protected zone at the alert, m; empty without zone or alert
- * @param warning how long it needed from there straight to the zone at its cruise speed, s; 0 when it had been there already;
- *     empty without zone or alert
+ * @param warning how long it would need from there in a straight line to the zone at its cruise speed, s; 0 if it had
+ *     already been there; empty without zone or alert
  * @param entered when its flight reached the zone, s; empty when it did not in the run's time
- * @param inTime whether the warning leaves the time that is needed and came before the drone did; empty when no time was
- *     asked for or nothing is protected
+ * @param inTime whether the warning leaves the time that the response needs and came before the drone; empty if no time
+ *     is required or nothing is protected
  */
 public record AlertResult(
         int run,
@@ -41,8 +41,8 @@ public record AlertResult(
     }
 
     /**
-     * From the moment when a sensor could have seen it to the alert, s: 0 when it was heard before, or a part of it seen; empty
-     * when there was no such moment or no alert.
+     * The time from the moment when a sensor could have seen it to the alert, s: 0 if it was heard or partly seen
+     * before; empty if there was no such moment or no alert.
      */
     public OptionalDouble timeToAlert() {
         return alert.isPresent() && firstSight.isPresent()

@@ -19,9 +19,12 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.world.World;
 
-/** Follows one run for its alerts: when each drone could first have been seen, when the site was alerted, how early that was. */
+/**
+ * Follows one run for its alerts: when each drone could first have been seen, when there was an alert, and how early
+ * that was.
+ */
 public final class AlertWatch {
-    /** A flight is taken for so many straight pieces of the same time. */
+    /** A flight is approximated by this number of straight pieces of equal duration. */
     private static final int MOMENTS = 10_000;
 
     private final int run;
@@ -39,7 +42,7 @@ public final class AlertWatch {
     }
 
     /**
-     * Takes one moment of the run.
+     * Adds one moment of the run.
      *
      * @param stage the run's stage, which has just looked
      */
@@ -73,7 +76,7 @@ public final class AlertWatch {
     /**
      * The alerts of the run, one for each drone.
      *
-     * @param simulated how far the run went, s
+     * @param simulated how long the run was, s
      */
     public List<AlertResult> results(Stage stage, double simulated) {
         List<AlertResult> results = new ArrayList<>();
@@ -111,7 +114,7 @@ public final class AlertWatch {
         return new AlertResult(run, drone.id(), firstSight, alert, distance, warning, entered, inTime);
     }
 
-    /** By straight pieces of its flight, so that none is too fast to be noticed. */
+    /** Tests straight pieces of its flight, so that no drone is too fast to be noticed. */
     private static OptionalDouble entered(String drone, ProtectedZone zone, Stage stage, double simulated) {
         Position before = stage.placeOf(drone, 0.0);
         double step = simulated / MOMENTS;

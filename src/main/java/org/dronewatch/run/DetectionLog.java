@@ -9,7 +9,9 @@ import java.util.function.Consumer;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 
-/** Follows the observations of one run: notices when a sensor gains or loses a drone, and keeps first and best. */
+/**
+ * Follows the observations of one run: records when a sensor gains or loses a drone, and its first and best detections.
+ */
 public final class DetectionLog {
     private final int run;
     private final Consumer<DetectionEvent> target;
@@ -19,7 +21,7 @@ public final class DetectionLog {
     /**
      * A log of all pairs of a scene.
      *
-     * @param target is told each event at once
+     * @param target receives each event at once
      */
     public DetectionLog(int run, SceneSettings settings, Consumer<DetectionEvent> target) {
         this.run = run;
@@ -30,8 +32,8 @@ public final class DetectionLog {
     }
 
     /**
-     * Takes what all sensors observed at one time. A sensor that observed a drone several times detected it if it did so once;
-     * false measurements are nobody's detection.
+     * Adds what all sensors observed at one time. A sensor that observed a drone several times detected it if it did so
+     * once; false measurements are nobody's detection.
      */
     public void add(List<Observation> observations) {
         Map<List<String>, Observation> looks = new LinkedHashMap<>();

@@ -4,9 +4,9 @@ import java.util.OptionalDouble;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.geometry.Position;
 
-/** When a drone gave off what reaches a sensor now, for signals that take their time. */
+/** When a drone emitted what reaches a sensor now, for signals that take time to arrive. */
 public final class EmissionTime {
-    /** Enough to halve a day to a nanosecond. */
+    /** Enough bisections to reduce a day to a nanosecond. */
     private static final int HALVINGS = 48;
 
     private EmissionTime() {}

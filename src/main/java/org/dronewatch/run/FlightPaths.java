@@ -8,7 +8,10 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.world.Ground;
 
-/** Makes the paths of a scene's drones; a swarm shares its leader's, which may have been laid over the ground at length. */
+/**
+ * Creates the paths of a scene's drones; a swarm shares its leader's, which may have been costly to lay over the
+ * ground.
+ */
 final class FlightPaths {
     private final Ground ground;
     private final Map<DroneSettings, FlightPath> leaders = new HashMap<>();

@@ -14,8 +14,8 @@ import org.dronewatch.sensor.Observation;
  * @param run number of the run in a sweep, from 0
  * @param time seconds since the start of the run
  * @param drones the drones as they are now
- * @param observations what the sensors that looked now have observed
- * @param pointings where the mounts of those that looked now pointed, by name of the sensor
+ * @param observations of the sensors that looked at this time
+ * @param pointings where the positioners of the sensors that looked at this time pointed, by name of the sensor
  */
 public record Frame(
         int run, double time, List<Drone> drones, List<Observation> observations, Map<String, Pointing> pointings) {
@@ -31,7 +31,7 @@ public record Frame(
         return observations.stream().filter(one -> !one.isFalse()).toList();
     }
 
-    /** A frame of sensors that stand still. */
+    /** A frame of sensors on fixed mounts. */
     public Frame(int run, double time, List<Drone> drones, List<Observation> observations) {
         this(run, time, drones, observations, Map.of());
     }

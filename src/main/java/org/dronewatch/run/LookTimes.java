@@ -5,7 +5,7 @@ import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.LongAdder;
 
-/** How long the sensors of each kind looked, all threads together. Shared by all threads. */
+/** How long the sensors of each kind looked, summed over all threads. Shared by all threads. */
 public final class LookTimes {
     private static final double NANO = 1e-9;
 

@@ -21,8 +21,8 @@ import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
 
 /**
- * Loads each model and builds each tree once, however many runs need them, and measures how long that took. Any thread may
- * ask; one at a time is served.
+ * Loads each model and builds each tree once, however many runs need them, and measures how long that takes.
+ * Thread-safe; one thread at a time is served.
  */
 public final class ModelCache {
     private static final double NANO = 1e-9;
@@ -39,8 +39,8 @@ public final class ModelCache {
     /**
      * An empty cache.
      *
-     * @param directory where relative paths start
-     * @param notes is told in a line what was read, and each warning
+     * @param directory of relative paths
+     * @param notes receives a line for each file read, and each warning
      */
     public ModelCache(Path directory, Consumer<String> notes) {
         this.loader = new ModelLoader(directory);
@@ -57,7 +57,7 @@ public final class ModelCache {
         return indexes.computeIfAbsent(settings, this::build);
     }
 
-    /** What the materials of some models look like, by name: red, green and blue in the lowest 24 bits. */
+    /** The colours of some models' materials, by name: red, green and blue in the lowest 24 bits. */
     synchronized Map<String, Integer> colours(List<ModelSettings> settings) {
         Map<String, Integer> colours = new HashMap<>();
         for (ModelSettings model : settings) {
@@ -103,7 +103,7 @@ public final class ModelCache {
         return model;
     }
 
-    /** Warns, once for each text. */
+    /** Warns, once for each message. */
     public synchronized void warn(String text) {
         if (noted.add(text)) {
             notes.accept("warning: " + text);

@@ -2,29 +2,29 @@ package org.dronewatch.run;
 
 import java.util.concurrent.TimeUnit;
 
-/** How simulated time keeps to the time on the wall. */
+/** How simulated time relates to wall-clock time. */
 @FunctionalInterface
 public interface Pace {
 
-    /** The least factor of real time. */
+    /** The least multiple of real time. */
     double SLOWEST = 0.001;
 
-    /** The largest factor of real time. */
+    /** The largest multiple of real time. */
     double FASTEST = 1e6;
 
     /** No waiting. */
     Pace AS_FAST_AS_POSSIBLE = time -> {};
 
     /**
-     * Waits until it is time.
+     * Waits until a simulated time is due.
      *
      * @param time simulated seconds since the start of the run
      */
     void await(double time);
 
     /**
-     * Simulated time runs by this factor faster than the wall clock, from the first call on; a simulation that is
-     * slower than that is late and does not wait.
+     * Simulated time runs faster than the wall clock by this factor, from the first call on; a simulation that is
+     * slower than that does not wait.
      *
      * @param factor 1 for real time; 0.001 to 1,000,000
      */

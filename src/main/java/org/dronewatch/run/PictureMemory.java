@@ -4,16 +4,18 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 
-/** Whether the pictures of a scene's cameras fit into Java's memory: each keeps how far away the site is in every pixel. */
+/**
+ * Whether the pictures of a scene's cameras fit into Java's memory: each keeps the distance of the site in every pixel.
+ */
 public final class PictureMemory {
     private static final int MEBIBYTE = 1 << 20;
 
     private PictureMemory() {}
 
     /**
-     * Checks it before anything is made.
+     * Checks it before anything is created.
      *
-     * @param most bytes that Java may take
+     * @param most bytes that Java may use
      * @throws InputException when there are too many pixels
      */
     public static void check(SceneSettings settings, long most) {

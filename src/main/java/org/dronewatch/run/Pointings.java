@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.dronewatch.positioner.Pointing;
 
-/** Remembers where the mounts of a run's sensors pointed. One thread at a time. */
+/** Remembers where the positioners of a run's sensors pointed. One thread at a time. */
 public final class Pointings {
     private final Map<String, TreeMap<Double, Pointing>> known = new HashMap<>();
     private final double interval;
@@ -17,7 +17,8 @@ public final class Pointings {
     }
 
     /**
-     * Remembers the last look of each interval, so that memory stays in bounds: {@link #at} is exact at whole multiples of it.
+     * Remembers the last look of each interval, so that memory stays bounded: {@link #at} is exact at whole multiples
+     * of it.
      *
      * @param interval s; 0 for every look
      */
@@ -25,7 +26,7 @@ public final class Pointings {
         this.interval = interval;
     }
 
-    /** Takes the pointings of a frame. */
+    /** Adds the pointings of a frame. */
     public void add(Frame frame) {
         frame.pointings()
                 .forEach((sensor, pointing) ->
@@ -39,12 +40,14 @@ public final class Pointings {
         looks.put(time, pointing);
     }
 
-    /** The interval that ends with its own multiple. */
+    /** The index of the interval, which ends at a multiple of its length. */
     private long index(double time) {
         return (long) Math.ceil(time / interval);
     }
 
-    /** Where the mount of a sensor pointed at its last look up to a time, s; empty for a sensor that stands still. */
+    /**
+     * Where the positioner of a sensor pointed at its last look up to a time, s; empty for a sensor on a fixed mount.
+     */
     public Optional<Pointing> at(String sensor, double time) {
         return Optional.ofNullable(known.get(sensor))
                 .flatMap(looks -> Optional.ofNullable(looks.floorEntry(time)))

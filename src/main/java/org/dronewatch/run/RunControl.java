@@ -3,14 +3,14 @@ package org.dronewatch.run;
 import java.util.function.BooleanSupplier;
 
 /**
- * How a run is driven: when it ends, how fast it goes, and who notes how long that takes. Nothing of it changes what is
- * computed up to where the run ends.
+ * How a run is driven: when it ends, how fast it goes, and what records the time taken. None of this changes what is
+ * computed up to the end of the run.
  *
- * @param until the last time at which sensors may look, seconds since the start of the run; infinite if whoever drives the run
- *     ends it
+ * @param until the last time at which sensors may look, seconds since the start of the run; infinite if the caller ends
+ *     the run
  * @param pace keeps time before each look
  * @param cancelled is asked before each look: once it is true, there are no more
- * @param times notes how long the sensors look
+ * @param times records how long the sensors look
  */
 public record RunControl(double until, Pace pace, BooleanSupplier cancelled, LookTimes times) {
 
@@ -19,7 +19,7 @@ public record RunControl(double until, Pace pace, BooleanSupplier cancelled, Loo
         return new RunControl(seconds, Pace.AS_FAST_AS_POSSIBLE, () -> false, new LookTimes());
     }
 
-    /** The same to another time. */
+    /** The same up to another time. */
     public RunControl withUntil(double seconds) {
         return new RunControl(seconds, pace, cancelled, times);
     }

@@ -3,10 +3,10 @@ package org.dronewatch.run;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * Which run begins.
+ * A run that begins.
  *
  * @param run its number in the sweep, from 0
  * @param runs how many runs there are
- * @param settings what it runs with
+ * @param settings the settings of the run
  */
 public record RunInfo(int run, int runs, SceneSettings settings) {}

@@ -8,14 +8,14 @@ import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * What one run of a scene gave.
+ * The result of one run of a scene.
  *
  * @param run its number in the sweep, from 0
- * @param settings what it ran with
+ * @param settings the settings of the run
  * @param simulated simulated time, s
  * @param events detections gained and lost, in order of time
- * @param pairs each sensor with each drone, in the order of the scene
- * @param alerts how early the site was alerted to each drone
+ * @param pairs the result of each sensor with each drone, in the order of the scene
+ * @param alerts the alert to each drone, and how early it was
  */
 public record RunResult(
         int run,
@@ -31,7 +31,7 @@ public record RunResult(
         alerts = List.copyOf(alerts);
     }
 
-    /** Of a run that was cancelled before it had a stage: nothing was simulated, nothing detected. */
+    /** For a run that was cancelled before it had a stage: nothing was simulated, nothing detected. */
     public static RunResult notBegun(RunInfo info) {
         List<PairResult> pairs = new DetectionLog(info.run(), info.settings(), event -> {}).pairs();
         return new RunResult(info.run(), info.settings(), 0.0, List.of(), pairs, List.of());

@@ -10,8 +10,8 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 
 /**
- * One run of a scene, look by look. The result depends on settings, seed and models only: not on who drives the run, how fast,
- * with how many threads, or who listens. For one thread; it looks with the {@link Workers} of that thread.
+ * One run of a scene, look by look. The result depends on settings, seed and models only: not on who drives the run,
+ * how fast, with how many threads, or who listens. For one thread; sensors look on the {@link Workers} of that thread.
  *
  * <pre>{@code
  * try (RunSession session = new RunSession(settings, seed, models)) {
@@ -34,9 +34,9 @@ public final class RunSession implements AutoCloseable {
     private Optional<RunResult> result = Optional.empty();
 
     /**
-     * Opens a run that lasts as long as its settings say: builds the world, creates drones and sensors.
+     * Opens a run with the duration in its settings: builds the world, creates drones and sensors.
      *
-     * @param settings of the run; what they sweep is not repeated
+     * @param settings of the run; their sweep is ignored
      * @param seed of all random numbers, instead of that of the settings
      * @param models where models come from
      * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
@@ -52,7 +52,7 @@ public final class RunSession implements AutoCloseable {
     /**
      * Opens one run of several.
      *
-     * @param info its number and settings
+     * @param info number and settings of the run
      * @param seed of all random numbers, instead of that of the settings
      * @param models where models come from
      * @param control when it ends, and how it is driven
@@ -70,7 +70,7 @@ public final class RunSession implements AutoCloseable {
     /**
      * Runs a scene to its end, as fast as possible.
      *
-     * @param settings of the run; what they sweep is not repeated
+     * @param settings of the run; their sweep is ignored
      * @param seed of all random numbers, instead of that of the settings
      * @param models where models come from
      * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
@@ -84,7 +84,10 @@ public final class RunSession implements AutoCloseable {
         }
     }
 
-    /** Adds a listener and tells it that the run has started; the looks that follow are told on the thread of the run. */
+    /**
+     * Adds a listener and tells it that the run has started; the looks that follow are reported on the thread of the
+     * run.
+     */
     public void listen(SceneListener listener) {
         listeners.add(listener);
         listener.runStarted(info, stage);
@@ -116,9 +119,9 @@ public final class RunSession implements AutoCloseable {
     }
 
     /**
-     * Lets the sensors look that are next, at their time and the run's pace, and tells the listeners.
+     * Lets the sensors that are due next look, at their time and at the run's pace, and tells the listeners.
      *
-     * @return the drones at that time, and what was observed
+     * @return the drones at that time, and the observations
      * @throws IllegalStateException when there are no more looks
      * @throws java.util.concurrent.CancellationException when the thread is interrupted; it stays so
      */
@@ -140,8 +143,8 @@ public final class RunSession implements AutoCloseable {
     }
 
     /**
-     * Ends the run and gives its result: up to the last look if there could have been more, else up to its end. The listeners
-     * are told once.
+     * Ends the run and returns its result: up to the last look if there could have been more, otherwise up to its end.
+     * The listeners are told once.
      *
      * @throws IllegalStateException when the run was closed without a result
      */
@@ -165,7 +168,7 @@ public final class RunSession implements AutoCloseable {
                 info.run(), info.settings(), simulated, log.events(), log.pairs(), alerts.results(stage, simulated));
     }
 
-    /** Ends the run, and lets go of its sensors. A result that was asked for before stays. */
+    /** Ends the run and releases its sensors. A result that was returned before remains valid. */
     @Override
     public void close() {
         closed = true;

@@ -1,13 +1,13 @@
 package org.dronewatch.run;
 
-/** Is told what happens in a scene, on the thread that runs it, in the order of simulated time. */
+/** Receives what happens in a scene, on the thread that runs it, in the order of simulated time. */
 public interface SceneListener {
 
     /**
      * A run begins: its models are loaded and its sensors created.
      *
      * @param run its number and settings
-     * @param stage its world and drones, which may be kept and asked by any thread
+     * @param stage its world and drones, which may be kept and queried by any thread
      */
     default void runStarted(RunInfo run, Stage stage) {}
 

@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * What all runs of a scene gave: keep it in a test, and a site's detection ranges cannot change unnoticed.
+ * The results of all runs of a scene: checked in a test, they keep a site's detection ranges from changing unnoticed.
  *
  * @param scene name of the scene
  * @param seed seed of its random numbers
  * @param threads how many threads looked
  * @param complete false when the run was cut short
  * @param runs the runs: one, or one for each value of a sweep
- * @param timing where the time went
+ * @param timing how the computing time was spent
  */
 public record SceneResult(String scene, long seed, int threads, boolean complete, List<RunResult> runs, Timing timing) {
     /** Keeps its own list. */
@@ -25,13 +25,13 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         return runs.stream().flatMap(run -> run.pairs().stream()).toList();
     }
 
-    /** All drones in all runs: how early the site was alerted to each. */
+    /** All drones in all runs: the alert to each, and how early it was. */
     public List<AlertResult> alerts() {
         return runs.stream().flatMap(run -> run.alerts().stream()).toList();
     }
 
     /**
-     * How early the site was alerted to a drone in the first run.
+     * The alert to a drone in the first run, and how early it was.
      *
      * @throws IllegalArgumentException when the scene has no such drone
      */

@@ -8,7 +8,10 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
-/** What is between sensors and places: whether a sensor looks there at all, and whether something stands in the way. */
+/**
+ * The line of sight between sensors and positions: whether a position is in a sensor's field of view, and whether
+ * something hides it.
+ */
 public final class Sightline {
     private final Visibility visibility;
 
@@ -28,14 +31,14 @@ public final class Sightline {
         return outline.filter(shape -> !(shape instanceof Outline.Ball));
     }
 
-    /** Whether a place is in a sensor's field of view and range now; everything is for a sensor without one. */
+    /** Whether a position is in a sensor's field of view and range now; always for a sensor without a field of view. */
     public static boolean isInField(SensorSettings<?> sensor, Optional<Pointing> pointing, Position place) {
         return field(sensor, pointing)
                 .map(shape -> shape.contains(place.minus(sensor.position())))
                 .orElse(true);
     }
 
-    /** Whether a sensor could look at a place: wherever its mount can turn it. */
+    /** Whether a sensor could look at a position, wherever its positioner can turn it. */
     public boolean isPossible(SensorSettings<?> sensor, Position place) {
         return isInField(sensor, sensor.turnedTo(place), place) && visibility.isFree(sensor.position(), place);
     }

@@ -15,7 +15,7 @@ import org.dronewatch.world.World;
 
 /**
  * Warns of settings that are allowed but do not fit the site: sensors inside walls or on surfaces, materials without a
- * surface, mounts that will not do what they are meant to.
+ * surface, positioners that will not do what they are meant to.
  */
 record SiteAdvice(SceneSettings settings, World world) {
 
@@ -41,7 +41,7 @@ record SiteAdvice(SceneSettings settings, World world) {
         }
     }
 
-    /** What is swept, if it is a switch: then others of the scene's runs may have sensors. */
+    /** The swept setting, if it is a switch: then other runs of the scene may have sensors. */
     private String switchedBy() {
         return settings.sweep()
                 .filter(sweep -> sweep.parameter().endsWith("." + Switchable.ENABLED))

@@ -27,8 +27,9 @@ import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. Only {@link #look}
- * changes it, and is for the thread that runs the scene; everything else any thread may ask, during the run and after it.
+ * A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. Only {@link
+ * #look} changes it, and is for the thread that runs the scene; everything else may be queried by any thread, during
+ * the run and after it.
  */
 public final class Stage {
     private final World world;
@@ -66,7 +67,10 @@ public final class Stage {
                 .toList();
     }
 
-    /** Lets go of the sensors, some of which keep large pictures: there are no more looks. Everything else can still be asked. */
+    /**
+     * Releases the sensors, some of which keep large pictures: no more looks are possible. Everything else can still be
+     * queried.
+     */
     void release() {
         active.clear();
     }
@@ -76,7 +80,7 @@ public final class Stage {
         return world;
     }
 
-    /** What the world's materials look like in daylight, by name: red, green and blue in the lowest 24 bits. */
+    /** The colours of the world's materials in daylight, by name: red, green and blue in the lowest 24 bits. */
     public Map<String, Integer> colours() {
         return colours;
     }
@@ -103,10 +107,11 @@ public final class Stage {
     }
 
     /**
-     * Lets every sensor that follows rays tell of all of them, as its first look would trace them if it did not stop early.
+     * Has every sensor that traces rays report all of them, as its first look would trace them if it did not stop
+     * early.
      *
      * @param time where the drones are, seconds since the start of the run
-     * @param target gives what records the rays of a sensor and a drone of these names
+     * @param target returns the recorder for the rays of a sensor and a drone of these names
      */
     public void traceRays(double time, BiFunction<String, String, RayRecorder> target) {
         for (String sensor : raySensors) {
@@ -116,17 +121,16 @@ public final class Stage {
         }
     }
 
-    /** Whether there are rays to trace: a sensor that follows rays, and a drone. */
+    /** Whether there are rays to trace: a sensor that traces rays, and a drone. */
     public boolean tracesRays() {
         return !fliers.isEmpty() && !raySensors.isEmpty();
     }
 
     /**
-     * Lets one sensor tell of all rays that lead from one drone to it, as its first look would trace them if it did not stop
-     * early.
+     * Has one sensor report all rays from one drone to it, as its first look would trace them if it did not stop early.
      *
      * @param time where the drone is, seconds since the start of the run
-     * @return whether there are such a drone and such a sensor, and it follows rays
+     * @return whether there are such a drone and such a sensor, and the sensor traces rays
      */
     public boolean traceRays(double time, String sensor, String drone, RayRecorder target) {
         for (Drone one : dronesAt(time)) {
@@ -138,23 +142,23 @@ public final class Stage {
         return false;
     }
 
-    /** By a new sensor: the run may go on meanwhile on another thread. */
+    /** The sensor is a new one: the run may continue meanwhile on another thread. */
     private void trace(String sensor, Drone drone, double time, RayRecorder target) {
         Sample sample = Sample.of(runSeed, sensor, 0, time);
         RaySensor fresh = (RaySensor) sensors.get(sensor).create();
         fresh.traceRays(world, drone, sample.random(drone.id(), RaySensor.RAYS), target);
     }
 
-    /** Names of the sensors that follow rays. */
+    /** Names of the sensors that trace rays. */
     public List<String> raySensors() {
         return raySensors;
     }
 
     /**
-     * Lets every sensor draw what it can of each drone.
+     * Has every sensor draw its curves for each drone.
      *
      * @param time where the drones are, seconds since the start of the run
-     * @param target is given each sensor's name with a curve
+     * @param target receives each sensor's name with a curve
      */
     public void draw(double time, BiConsumer<String, Curve> target) {
         sensors.forEach((id, settings) -> {
@@ -195,7 +199,7 @@ public final class Stage {
         return observations;
     }
 
-    /** The last looks by contact: what alerts and mounts know of them. */
+    /** The last looks by contact: what alerts and positioners receive. */
     List<ContactLook> contactLooks() {
         return contactLooks;
     }
@@ -205,12 +209,15 @@ public final class Stage {
         return association;
     }
 
-    /** Where the mounts of the sensors that looked last pointed, by name of the sensor. */
+    /** Where the positioners of the sensors that looked last pointed, by name of the sensor. */
     Map<String, Pointing> pointings() {
         return pointings;
     }
 
-    /** The drones as they were when what reaches a place now left them; without those of which nothing has arrived yet. */
+    /**
+     * The drones as they were when the signal that reaches a position now left them; without those whose signal has not
+     * arrived yet.
+     */
     private List<Drone> dronesReaching(Position place, double speed, double time) {
         List<Drone> reaching = new ArrayList<>();
         for (Flier flier : fliers) {

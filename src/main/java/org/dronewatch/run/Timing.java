@@ -5,12 +5,12 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Where the time of a scene's runs went, in seconds of a clock on the wall.
+ * How the computing time of a scene's runs was spent, in wall-clock seconds.
  *
  * @param load reading models
  * @param build building trees
  * @param wall simulating, after loading and building
- * @param looking how long the sensors of each kind looked, all threads together
+ * @param looking how long the sensors of each kind looked, summed over all threads
  */
 public record Timing(double load, double build, double wall, Map<String, Double> looking) {
     /** Keeps its own map. */

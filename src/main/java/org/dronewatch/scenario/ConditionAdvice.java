@@ -14,7 +14,10 @@ import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.WorldSettings;
 
-/** Warns of weather and light that are without effect, because the models of a scene's sensors do not take them into account. */
+/**
+ * Warns of weather and light that have no effect, because the models of a scene's sensors do not take them into
+ * account.
+ */
 public final class ConditionAdvice {
     private static final int MOST_NAMES = 3;
 
@@ -26,8 +29,7 @@ public final class ConditionAdvice {
     private ConditionAdvice() {}
 
     /**
-     * A line for each condition and kind of sensor that ignores it; none for a scene whose weather and light are those by
-     * default.
+     * One line for each condition and kind of sensor that ignores it; none for a scene with default weather and light.
      *
      * @param runs the settings of all runs of a scene
      */
@@ -61,7 +63,7 @@ public final class ConditionAdvice {
         return lines;
     }
 
-    /** The setting of a condition with its value, unless it is the one by default. */
+    /** The setting of a condition with its value, unless it is the default. */
     private static Optional<String> setting(WorldSettings world, Condition condition) {
         Light light = world.light();
         Light day = Light.DAY;

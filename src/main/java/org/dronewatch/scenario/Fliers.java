@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.dronewatch.drone.DroneSettings;
 
-/** What flies in a scene: its drones, and for a swarm each drone of it. */
+/** What flies in a scene: its drones, and each drone of its swarms. */
 final class Fliers {
     private static final int MOST = 1000;
 

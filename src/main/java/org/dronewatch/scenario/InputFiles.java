@@ -14,10 +14,10 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * What a scene was run from, as it was when it was read.
+ * The input of a scene's run, as it was when it was read.
  *
  * @param settingsHash SHA-256 of the effective settings, with all overrides, as {@link CanonicalSettings} writes them
- * @param scene the files in which the scene is described, the scene file first; none for a scene in Java
+ * @param scene the files that describe the scene, the scene file first; none for a scene in Java
  * @param models the files of each model that was loaded, its own first and then its material libraries, by the name that the
  *     settings give it
  */
@@ -28,12 +28,12 @@ public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, 
         models = Collections.unmodifiableMap(new LinkedHashMap<>(models));
     }
 
-    /** Settings that came from no file that is known. */
+    /** Settings that came from no known file. */
     public static InputFiles of(SceneSettings settings) {
         return new InputFiles(FileHash.ofText(CanonicalSettings.of(settings)), List.of(), Map.of());
     }
 
-    /** These inputs with more files in which the scene is described; one that is known already stays as it is. */
+    /** These inputs with more files that describe the scene; one that is already known is kept. */
     public InputFiles withScene(List<FileHash> described, List<Path> more) {
         List<FileHash> all = new ArrayList<>(described);
         more.stream().map(InputFiles::hash).filter(file -> !all.contains(file)).forEach(all::add);

@@ -7,7 +7,7 @@ import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * What looks odd about a sensor's mount, though it is not wrong.
+ * What looks odd about a sensor's positioner, although it is not wrong.
  *
  * @param scene where it stands
  * @param id name of the sensor

@@ -14,11 +14,11 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.SettingsPath;
 
-/** Writes single settings of a scene: a value by its path, or a whole sensor by its name in the catalogue. */
+/** Changes single settings of a scene: a value by its path, or a whole sensor by its name in the catalogue. */
 public final class Overrides {
     private static final String SENSORS = "sensors.";
 
-    /** What another sensor takes over from the one whose place it takes. */
+    /** What a sensor takes over from the one that it replaces. */
     private static final List<String> POSE = List.of("position", "aim", "positioner");
 
     private final Catalog catalog;
@@ -28,7 +28,7 @@ public final class Overrides {
     }
 
     /**
-     * The scene with one more setting written.
+     * The scene with one more setting changed.
      *
      * @throws InputException when the path leads nowhere or the value does not fit
      */

@@ -17,7 +17,7 @@ import org.dronewatch.world.Light;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.WorldSettings;
 
-/** Collects what a scene's {@code build()} says. */
+/** Collects what a scene's {@code build()} describes. */
 public final class SceneBuilder {
     private SceneSettings whole;
     private WorldSettings world;

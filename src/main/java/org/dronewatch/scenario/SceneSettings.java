@@ -41,7 +41,7 @@ public record SceneSettings(
         PriceSettings prices,
         RunSettings run,
         Optional<SweepSettings> sweep) {
-    /** How often one sensor may look in a run: ten times a second for more than a hundred days. */
+    /** The most looks of one sensor in a run: ten per second for more than a hundred days. */
     public static final int MOST_LOOKS = 100_000_000;
 
     /** Checks ids and keeps its own maps. */
@@ -74,7 +74,7 @@ public record SceneSettings(
                 sensor.positioner().ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
     }
 
-    /** More would take days even of the cheapest sensor. */
+    /** More would take days even for the fastest sensor. */
     private static void checkLooks(String id, double rate, double duration) {
         double looks = rate * duration;
         if (looks > MOST_LOOKS) {
@@ -183,7 +183,7 @@ public record SceneSettings(
         return new SceneSettings(world, drones, sensors, off, alert, prices, run, sweep);
     }
 
-    /** These settings with a sensor in the place of the one of this id. */
+    /** These settings with the sensor of this id replaced. */
     public SceneSettings withSensor(String id, SensorSettings<?> sensor) {
         Map<String, SensorSettings<?>> others = new LinkedHashMap<>(sensors);
         others.put(id, sensor);
@@ -191,8 +191,8 @@ public record SceneSettings(
     }
 
     /**
-     * These settings as one run of a sweep: what is swept has this value only, and the seed is the run's own, which the
-     * first takes as it is.
+     * These settings as one run of a sweep: the swept setting has this value only, and the seed is that of the run; the
+     * first run keeps the given seed.
      */
     public SceneSettings asRunWith(int number, String value) {
         Optional<SweepSettings> one = sweep.map(all -> new SweepSettings.Values(all.parameter(), List.of(value)));

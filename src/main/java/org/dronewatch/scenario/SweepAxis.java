@@ -3,7 +3,7 @@ package org.dronewatch.scenario;
 import java.util.function.ToDoubleFunction;
 
 /**
- * What a plot of a sweep has on its horizontal axis.
+ * The horizontal axis of a plot of a sweep.
  *
  * @param label quantity with its unit, as in {@code drone over background [dB]}
  * @param value its value in one run

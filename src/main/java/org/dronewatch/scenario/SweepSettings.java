@@ -9,14 +9,14 @@ import org.dronewatch.setting.SettingsPath;
 
 /** A setting that takes one value after another, with one run for each. */
 public sealed interface SweepSettings {
-    /** How many runs a sweep may have. */
+    /** The most runs of a sweep. */
     int MAX_RUNS = 10_000;
 
     /** Path of the setting, such as {@code sensors.camera.fov}. */
     String parameter();
 
     /**
-     * What it takes, written as for {@code --set}.
+     * Its values, written as for {@code --set}.
      *
      * @param quantity what the setting is measured in
      * @throws IllegalArgumentException when a value is none of that quantity

@@ -3,7 +3,7 @@ package org.dronewatch.scenario;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsPath;
 
-/** The value that a swept setting has in one run, as people read it. */
+/** The value of a swept setting in one run, for people to read. */
 public final class SweptValue {
     private final String parameter;
     private final Object value;
@@ -27,7 +27,7 @@ public final class SweptValue {
         return (parameter + "=" + number() + " " + quantity.toldUnit()).strip();
     }
 
-    /** With the setting's own name only: {@code fov 30 deg}. */
+    /** With the name of the setting only: {@code fov 30 deg}. */
     public String shortText() {
         return name() + " " + value();
     }

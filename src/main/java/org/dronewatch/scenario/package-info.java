@@ -1,2 +1,2 @@
-/** What is to be run: the tree of settings, overrides, sweeps, and advice on settings that do not fit together. */
+/** What to run: the tree of settings, overrides, sweeps, and advice on settings that do not fit together. */
 package org.dronewatch.scenario;

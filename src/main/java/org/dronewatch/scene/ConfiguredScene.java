@@ -16,7 +16,7 @@ import org.dronewatch.scenario.SweepSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsPath;
 
-/** A scene with its overrides: the settings of its runs, each with the place where it was set. Nothing is loaded. */
+/** A scene with its overrides: the settings of its runs, and where each was set. Nothing is loaded. */
 final class ConfiguredScene {
     private final Scene scene;
     private final Map<String, String> overrides = new LinkedHashMap<>();
@@ -28,12 +28,12 @@ final class ConfiguredScene {
         directory(scene.directory());
     }
 
-    /** Overrides a setting, over what was set before. */
+    /** Overrides a setting, taking precedence over earlier overrides. */
     void set(String path, String value) {
         overrides.put(path, value);
     }
 
-    /** Sets where relative paths start, and the user's catalogue files lie. */
+    /** Sets the directory of relative paths and of the user's catalogue files. */
     void directory(Path path) {
         this.directory = path;
         this.catalog = Catalog.beside(path);
@@ -48,7 +48,7 @@ final class ConfiguredScene {
         return SceneWriter.text(scene.name(), settings, directory, file);
     }
 
-    /** What the settings were made from: their files, without the models. */
+    /** The files in which the settings are written, without the models. */
     InputFiles inputs(SceneSettings settings) {
         return InputFiles.of(settings).withScene(scene.files(), catalog.filesRead());
     }
@@ -110,7 +110,7 @@ final class ConfiguredScene {
         return runs;
     }
 
-    /** What a message about a setting begins with: the option that set it or what it is part of, or its line in a file. */
+    /** The beginning of a message about a setting: the option that set it or its parent, or its line in a file. */
     private String placeOf(String path) {
         return placeOf(path, set -> path.equals(set) || path.startsWith(set + "."));
     }

@@ -14,11 +14,11 @@ import org.dronewatch.run.SceneListener;
 /**
  * The runs of a scene, one after the other on the caller's thread, driven by the scene's own simulator.
  *
- * @param scene what runs
- * @param simulator its own
+ * @param scene the scene to run
+ * @param simulator the scene's own simulator
  * @param models where models come from
  * @param listeners are told of each run
- * @param control of each run, which ends no later than its settings say
+ * @param control of each run, which ends no later than its settings state
  */
 record DrivenRuns(
         Scene scene, SceneSimulator simulator, ModelCache models, List<SceneListener> listeners, RunControl control) {

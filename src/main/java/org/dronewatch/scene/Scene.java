@@ -37,13 +37,13 @@ import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.Light;
 
 /**
- * A site, what flies over it and what watches. Users extend it and override {@link #build()}, in which {@code load...}
- * names models and {@code add} takes settings; nothing is loaded or created there. {@link #run()} runs it here and now;
- * {@link SceneRunner} runs it with other settings, threads or pace.
+ * A site, what flies over it and what watches it. Users extend it and override {@link #build()}, in which {@code
+ * load...} names models and {@code add} takes settings; nothing is loaded or created there. {@link #run()} runs it on
+ * the calling thread; {@link SceneRunner} runs it with other settings, threads or pace.
  *
- * <p>A scene is a DSOL model: given to a DSOL simulator of one's own, it runs beside other DSOL models and under DSOL's
- * experiments, whose replications each have their own seed. It then fires {@link #OBSERVATION} to its listeners. A sweep
- * is {@link SceneRunner}'s doing; under another simulator the scene runs with its settings as they are.
+ * <p>A scene is a DSOL model: given to your own DSOL simulator, it runs beside other DSOL models and under DSOL's
+ * experiments, whose replications each have their own seed. It then fires {@link #OBSERVATION} to its listeners. Sweeps
+ * are run by {@link SceneRunner}; under another simulator the scene runs with its settings as they are.
  */
 public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInterface<Double>> {
     /** The event of one sensor having looked at one drone, with the {@link Observation}. */
@@ -60,7 +60,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     private transient ModelCache models;
     private transient RunSession session;
 
-    /** A scene with a simulator of its own, for {@link #run()} and {@link SceneRunner}. */
+    /** A scene with its own simulator, for {@link #run()} and {@link SceneRunner}. */
     protected Scene() {
         this(SceneSimulator.create("dronewatch"));
     }
@@ -70,10 +70,13 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         super(simulator);
     }
 
-    /** Says what the scene is: calls {@code loadWorld}, {@code add}, {@code runFor}. Called once for each description. */
+    /** Describes the scene: calls {@code loadWorld}, {@code add}, {@code runFor}. Called once for each description. */
     protected abstract void build();
 
-    /** The scene's name in results: the class's name in small letters with dashes, {@code CameraRange} camera-range. */
+    /**
+     * The scene's name in results: the class's name in lower case with hyphens, {@code camera-range} for {@code
+     * CameraRange}.
+     */
     public String name() {
         return getClass()
                 .getSimpleName()
@@ -81,13 +84,14 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
                 .toLowerCase(Locale.ROOT);
     }
 
-    /** Where relative names of files start: the working directory unless the scene itself is a file. */
+    /** The directory of relative file names: the working directory unless the scene itself is a file. */
     public Path directory() {
         return Path.of("");
     }
 
     /**
-     * The files in which it is described, as they were when it was last described; none unless the scene itself is a file.
+     * The files in which the scene is described, as they were when they were last read; none unless the scene itself is
+     * a file.
      */
     public List<FileHash> files() {
         return List.of();
@@ -104,12 +108,12 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         return OptionalDouble.empty();
     }
 
-    /** What the plot of this scene's sweep has on its horizontal axis: the swept setting unless a scene knows better. */
+    /** The horizontal axis of the plot of this scene's sweep: the swept setting unless overridden. */
     public Optional<SweepAxis> sweepAxis() {
         return Optional.empty();
     }
 
-    /** Names a model file: y up, metres, unless changed by the settings' {@code with...} methods. */
+    /** Names a model file, with y up and in metres unless changed by the settings' {@code with...} methods. */
     protected final ModelSettings load(String file) {
         return ModelSettings.of(file);
     }
@@ -119,7 +123,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         return ModelSettings.packaged(name);
     }
 
-    /** Adds a model to the world: a hill, then a house on it. */
+    /** Adds a model to the world, such as a hill, then a house on it. */
     protected final void loadWorld(ModelSettings model) {
         building().addToWorld(model);
     }
@@ -144,18 +148,18 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().setRain(millimetresPerHour);
     }
 
-    /** Sets how far and by which light one sees; a clear day unless set. */
+    /** Sets visibility and daylight; a clear day unless set. */
     protected final void setLight(Light light) {
         building().setLight(light);
     }
 
-    /** Says where on earth the world's origin lies; nowhere unless set. With it a run writes maps. */
+    /** Sets where on earth the scene's origin lies; unknown unless set. If set, a run writes maps. */
     protected final void setOrigin(Origin place) {
         building().setOrigin(place);
     }
 
     /**
-     * Names what a material of the models is to sound.
+     * Assigns an acoustic surface to a material of the models.
      *
      * @param ofTheModel name in the model's MTL file
      * @param ofTheTable name of a surface that comes with the library, such as {@code brick_rough}
@@ -178,18 +182,20 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
      * Switches a sensor off, as {@code enabled: false} does in a scene file: it stays in the scene, observes nothing and costs
      * nothing. {@code --set sensors.ID.enabled=true} switches it on again.
      *
-     * @param sensor id of a sensor that is added before or after
+     * @param sensor id of a sensor, added before or after this call
      */
     protected final void disable(String sensor) {
         building().disableSensor(sensor);
     }
 
-    /** Sets when the site is alerted, and what is to be protected; any detection of any sensor is an alert unless set. */
+    /**
+     * Sets when an alert is raised, and what is to be protected; any detection of any sensor is an alert unless set.
+     */
     protected final void setAlert(AlertSettings alert) {
         building().setAlert(alert);
     }
 
-    /** Notes what the sensors cost, for the report. */
+    /** Sets the prices of the sensors, for the report. */
     protected final void setPrices(PriceSettings prices) {
         building().setPrices(prices);
     }
@@ -200,7 +206,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * Lets a setting take one value after another, a run for each.
+     * Sweeps a setting over values, with one run for each.
      *
      * @param parameter path of the setting, such as {@code sensors.camera.fov}
      * @param values numbers in the setting's unit
@@ -210,7 +216,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().setSweep(new SweepSettings.Values(parameter, texts));
     }
 
-    /** Takes settings that are complete already. */
+    /** Uses settings that are already complete. */
     final void set(SceneSettings settings) {
         building().setAll(settings);
     }
@@ -234,7 +240,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * Where a setting stands that a message is about.
+     * The position of the setting that a message is about.
      *
      * @param path of the setting
      * @return file, line and column, as {@code site.yaml:3:12}; empty for a scene in Java
@@ -243,7 +249,9 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         return Optional.empty();
     }
 
-    /** Runs the scene to its end on this thread, as fast as possible, with as many helpers as there are cores. */
+    /**
+     * Runs the scene to its end on this thread, as fast as possible, with as many worker threads as there are cores.
+     */
     public final SceneResult run() {
         return new SceneRunner(this).run();
     }
@@ -272,7 +280,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         return new RunSession(info, seed, models, RunControl.until(Double.POSITIVE_INFINITY));
     }
 
-    /** Lets go of the last run, which somebody else closes. */
+    /** Releases the last run, which its owner closes. */
     final void forgetSession() {
         session = null;
     }

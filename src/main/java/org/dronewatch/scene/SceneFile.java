@@ -21,21 +21,21 @@ public final class SceneFile extends Scene {
     private transient List<FileHash> files = List.of();
 
     /**
-     * The scene of a file. It is read when the scene is described, so a wrong file is found there.
+     * The scene of a file. The file is read when the scene is described, so that is when mistakes in it are found.
      *
-     * @param file of at most 1 MiB, in UTF-8; names of files in it start from its directory
+     * @param file of at most 1 MiB, in UTF-8; file names in it are relative to its directory
      */
     public SceneFile(Path file) {
         this.file = file;
     }
 
-    /** Whether a name that a person gives to a command looks like that of a scene file. */
+    /** Whether a name on the command line looks like that of a scene file. */
     public static boolean isFileName(String name) {
         String small = name.toLowerCase(Locale.ROOT);
         return small.endsWith(".yaml") || small.endsWith(".yml");
     }
 
-    /** The file's name without its ending. */
+    /** The file's name without its extension. */
     @Override
     public String name() {
         Path name = file.getFileName();

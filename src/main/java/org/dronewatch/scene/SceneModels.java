@@ -16,7 +16,7 @@ final class SceneModels {
     /**
      * No models yet.
      *
-     * @param notes is given what is read and what looks odd, a line each; first of all, which settings do not go together
+     * @param notes receives one line for each file read and for each oddity; first, which settings do not fit together
      */
     SceneModels(ConfiguredScene scene, Consumer<String> notes) {
         this.scene = scene;
@@ -28,7 +28,7 @@ final class SceneModels {
         return models;
     }
 
-    /** How long models were read and trees built so far, s. */
+    /** The time taken so far to read models and build trees, s. */
     double seconds() {
         return models.loadSeconds() + models.buildSeconds();
     }

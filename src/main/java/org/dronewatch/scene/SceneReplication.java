@@ -3,10 +3,7 @@ package org.dronewatch.scene;
 import nl.tudelft.simulation.dsol.experiment.Replication;
 import nl.tudelft.simulation.naming.context.JvmContext;
 
-/**
- * A replication with a naming context of its own: DSOL's shared root context is neither safe for threads nor ever
- * cleared.
- */
+/** A replication with a separate naming context: DSOL's shared root context is neither thread-safe nor ever cleared. */
 final class SceneReplication extends Replication<Double> {
     private static final long serialVersionUID = 1L;
 

@@ -27,8 +27,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Runs a scene on the caller's thread: once, or once for each value of its sweep. The results depend on the scene, its
- * settings and the seed only, not on threads or pace. One use by one thread.
+ * Runs a scene on the caller's thread: once, or once for each value of its sweep. The results depend only on the scene,
+ * its settings and the seed, not on threads or pace. For a single use by one thread.
  */
 public final class SceneRunner {
     private static final double NANO = 1e-9;
@@ -45,13 +45,13 @@ public final class SceneRunner {
     private OptionalInt only = OptionalInt.empty();
     private double until = Double.POSITIVE_INFINITY;
 
-    /** A runner of a scene that has a simulator of its own. */
+    /** A runner of a scene that has its own simulator. */
     public SceneRunner(Scene scene) {
         this.scene = scene;
         this.configured = new ConfiguredScene(scene);
     }
 
-    /** Overrides a setting; setting what the scene sweeps ends the sweep. */
+    /** Overrides a setting; overriding the swept setting ends the sweep. */
     public SceneRunner set(String path, String value) {
         configured.set(path, value);
         return this;
@@ -63,7 +63,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Sets how many threads let sensors look.
+     * Sets on how many threads sensors look.
      *
      * @throws IllegalArgumentException when below 1 or above 1024
      */
@@ -75,7 +75,9 @@ public final class SceneRunner {
         return this;
     }
 
-    /** Sets where relative model paths start, and the user's catalogue files lie; the scene's directory unless set. */
+    /**
+     * Sets the directory of relative model paths and of the user's catalogue files; the scene's directory unless set.
+     */
     public SceneRunner directory(Path path) {
         configured.directory(path);
         return this;
@@ -93,7 +95,7 @@ public final class SceneRunner {
         return this;
     }
 
-    /** Is given each frame: every sampling time with its drones and observations. */
+    /** Receives each frame: every sampling time with its drones and observations. */
     public SceneRunner onFrame(Consumer<Frame> target) {
         return listener(new SceneListener() {
             @Override
@@ -104,8 +106,8 @@ public final class SceneRunner {
     }
 
     /**
-     * Asked before each look: once it is true, the run ends with what it has. Interrupt the running thread as well, and loading
-     * or a long look ends early, too.
+     * Queried before each look: once it is true, the run ends with what it has. If the running thread is interrupted as
+     * well, loading or a long look also ends early.
      */
     public SceneRunner cancelWhen(BooleanSupplier condition) {
         this.cancelled = condition;
@@ -113,7 +115,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Runs one of the scene's runs alone, with the random numbers that it has among the others.
+     * Runs a single one of the scene's runs, with the same random numbers as in the whole sweep.
      *
      * @param run its index in the sweep, from 0; {@link #run()} checks it
      */
@@ -123,7 +125,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Ends each run after this time, looks at it included; up to there nothing differs from the whole run.
+     * Ends each run after this time, including looks at this time; up to then nothing differs from the whole run.
      *
      * @param seconds simulated time since the start of the run, 0 or more; beyond the duration it changes nothing
      * @throws IllegalArgumentException when negative or not a number
@@ -137,8 +139,8 @@ public final class SceneRunner {
     }
 
     /**
-     * Is given what was read and what looked odd, a line each. Names in it that come from files are shortened, and their
-     * control characters made visible, so that a line can go to a terminal as it is.
+     * Receives one line for each file read and for each oddity. Names that come from files are shortened, and their
+     * control characters escaped, so that a line can safely be printed to a terminal.
      */
     public SceneRunner notes(Consumer<String> target) {
         this.notes = note -> target.accept(PlainText.line(note));
@@ -170,7 +172,7 @@ public final class SceneRunner {
         return configured.text(settings, file);
     }
 
-    /** What the last run was made from, with the models that are loaded so far; before any run, the scene as it is now. */
+    /** The input of the last run, with the models loaded so far; before any run, the scene as it is now. */
     public InputFiles inputs() {
         InputFiles known = inputs.orElseGet(() -> configured.inputs(settings()));
         return known.withModels(models().cache().files());
@@ -184,7 +186,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Loads the models and creates what one of the scene's runs shows, without running it.
+     * Loads the models and creates the stage of one of the scene's runs, without running it.
      *
      * @param settings one of {@link #settingsOfRuns()}
      * @throws CancellationException when the thread is interrupted; it stays so
@@ -198,13 +200,13 @@ public final class SceneRunner {
     }
 
     /**
-     * Runs the scene. An {@link Error} of the scene or of a sensor passes unchanged. After a run that failed or was interrupted
-     * this runner can run again.
+     * Runs the scene. An {@link Error} thrown by the scene or a sensor passes unchanged. After a run that failed or was
+     * interrupted this runner can run again.
      *
      * @throws CancellationException when the thread is interrupted, before the run or at any moment of it; it stays so
      * @throws InputException when an override or a model is wrong
      * @throws IllegalArgumentException when the scene has no run of the index given to {@link #only}
-     * @throws IllegalStateException when the scene was made for a simulator of the user's
+     * @throws IllegalStateException when the scene was created for another simulator
      */
     public SceneResult run() {
         return Interrupts.surfacing(this::runAll);
@@ -237,7 +239,7 @@ public final class SceneRunner {
         return new SceneResult(scene.name(), settings.run().seed(), threads, complete, results, timing);
     }
 
-    /** All of the runs, or the one that is to run alone. */
+    /** All runs, or the single one that is to run. */
     private List<RunInfo> chosen(List<SceneSettings> all) {
         List<RunInfo> runs = new ArrayList<>();
         for (int run = 0; run < all.size(); run++) {

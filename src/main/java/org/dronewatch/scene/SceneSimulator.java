@@ -12,8 +12,8 @@ import nl.tudelft.simulation.dsol.simulators.SimulatorInterface;
 import org.dronewatch.run.RunSession;
 
 /**
- * A DSOL simulator that runs on the caller's thread and lets what an event throws surface there, unchanged. DSOL's own
- * start() runs on a worker thread and only logs failures.
+ * A DSOL simulator that runs on the caller's thread and passes on what an event throws, unchanged. DSOL's own start()
+ * runs on a worker thread and only logs failures.
  */
 final class SceneSimulator extends DevsSimulator<Double> {
     private static final long serialVersionUID = 1L;
@@ -54,7 +54,7 @@ final class SceneSimulator extends DevsSimulator<Double> {
         }
     }
 
-    /** The run that is to be driven; empty when this simulator is started as any other. */
+    /** The run to drive; empty when this simulator is started like any other. */
     Optional<RunSession> session() {
         return Optional.ofNullable(session);
     }

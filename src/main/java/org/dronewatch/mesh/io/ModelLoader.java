@@ -11,7 +11,7 @@ public final class ModelLoader {
     /**
      * A loader of models by name.
      *
-     * @param directory where relative paths start
+     * @param directory of relative paths
      */
     public ModelLoader(Path directory) {
         this.directory = directory;
