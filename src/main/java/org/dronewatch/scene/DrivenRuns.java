@@ -70,6 +70,8 @@ record DrivenRuns(
             if (!isCancelled()) {
                 throw e;
             }
+        } finally {
+            scene.forgetSession();
         }
     }
 }

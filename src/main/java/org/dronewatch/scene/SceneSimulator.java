@@ -5,7 +5,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import nl.tudelft.simulation.dsol.SimRuntimeException;
 import nl.tudelft.simulation.dsol.experiment.Replication;
+import nl.tudelft.simulation.dsol.model.DsolModel;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulator;
+import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import nl.tudelft.simulation.dsol.simulators.ReplicationState;
 import nl.tudelft.simulation.dsol.simulators.RunState;
 import nl.tudelft.simulation.dsol.simulators.SimulatorInterface;
@@ -39,7 +41,7 @@ final class SceneSimulator extends DevsSimulator<Double> {
      *
      * @param open the run, which the caller closes
      */
-    void run(Scene scene, SceneReplication replication, RunSession open) {
+    void run(DsolModel<Double, DevsSimulatorInterface<Double>> scene, SceneReplication replication, RunSession open) {
         caller = Thread.currentThread();
         failure = null;
         session = open;
@@ -48,7 +50,6 @@ final class SceneSimulator extends DevsSimulator<Double> {
             runToEnd();
         } finally {
             cleanUp();
-            scene.forgetSession();
             session = null;
             caller = null;
         }
@@ -60,7 +61,8 @@ final class SceneSimulator extends DevsSimulator<Double> {
     }
 
     /** DSOL swallows interrupts while it initializes, which takes a millisecond: so another thread does that. */
-    private void initializeApart(Scene scene, SceneReplication replication) {
+    private void initializeApart(
+            DsolModel<Double, DevsSimulatorInterface<Double>> scene, SceneReplication replication) {
         try {
             // Waits through an interrupt and keeps it.
             CompletableFuture.runAsync(() -> initializeAlone(scene, replication), SceneSimulator::start)
@@ -73,7 +75,8 @@ final class SceneSimulator extends DevsSimulator<Double> {
         }
     }
 
-    private void initializeAlone(Scene scene, SceneReplication replication) {
+    private void initializeAlone(
+            DsolModel<Double, DevsSimulatorInterface<Double>> scene, SceneReplication replication) {
         synchronized (CONSTRUCTION) {
             initialize(scene, replication);
         }
