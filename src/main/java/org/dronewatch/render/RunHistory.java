@@ -1,18 +1,14 @@
 package org.dronewatch.render;
 
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.Pointings;
 import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.Stage;
-import org.dronewatch.sensor.Observation;
 
 /**
  * What pictures need to know of one run: its site, where positioners pointed and which sensor detected which drone, at any
@@ -21,7 +17,7 @@ import org.dronewatch.sensor.Observation;
 public final class RunHistory implements SceneListener {
     private Optional<Stage> stage = Optional.empty();
     private final Pointings pointings = new Pointings();
-    private final Map<List<String>, List<DetectionEvent>> events = new HashMap<>();
+    private final DetectionIntervals intervals = new DetectionIntervals();
 
     @Override
     public void runStarted(RunInfo run, Stage itsStage) {
@@ -40,9 +36,7 @@ public final class RunHistory implements SceneListener {
 
     @Override
     public void detectionChanged(DetectionEvent event) {
-        Observation observation = event.observation();
-        events.computeIfAbsent(List.of(observation.sensor(), observation.drone()), pair -> new ArrayList<>())
-                .add(event);
+        intervals.add(event);
     }
 
     /**
@@ -61,13 +55,6 @@ public final class RunHistory implements SceneListener {
      * @param time seconds since the start of the run
      */
     public boolean isDetected(String sensor, String drone, double time) {
-        boolean detected = false;
-        for (DetectionEvent event : events.getOrDefault(List.of(sensor, drone), List.of())) {
-            if (event.observation().arrival() > time) {
-                break;
-            }
-            detected = event.gained();
-        }
-        return detected;
+        return intervals.isDetected(sensor, drone, time);
     }
 }

@@ -19,6 +19,7 @@ import org.dronewatch.render.SiteStyle;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.Pointings;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.Stage;
@@ -60,10 +61,11 @@ final class SitePictures {
                 .min();
         double time =
                 alert.orElse(first.map(event -> event.observation().arrival()).orElse(0.0));
+        DetectionIntervals intervals = DetectionIntervals.of(run.events());
         SiteState state = picture.state(
                 title,
                 time,
-                (sensor, drone) -> isDetected(sensor, drone, time),
+                (sensor, drone) -> intervals.isDetected(sensor, drone, time),
                 sensor -> pointings.at(sensor, time),
                 Optional.empty(),
                 Optional.empty());
@@ -119,17 +121,6 @@ final class SitePictures {
                 corners.stream().mapToDouble(Position::x).max().orElseThrow(),
                 corners.stream().mapToDouble(Position::y).max().orElseThrow(),
                 corners.stream().mapToDouble(Position::z).max().orElseThrow());
-    }
-
-    private boolean isDetected(String sensor, String drone, double time) {
-        boolean detected = false;
-        for (DetectionEvent event : run.events()) {
-            boolean same = event.observation().sensor().equals(sensor)
-                    && event.observation().drone().equals(drone)
-                    && event.observation().arrival() <= time;
-            detected = same ? event.gained() : detected;
-        }
-        return detected;
     }
 
     private Figure figure(Orbit orbit, SiteState state, String caption) throws IOException {

@@ -77,7 +77,10 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
         return this;
     }
 
-    /** How many pixels its picture has; none unless a kind of sensor takes pictures. Java must have memory for all of them. */
+    /**
+     * The number of pixels of its picture; none unless a kind of sensor takes pictures. Java must have memory for all
+     * of them.
+     */
     default long pixels() {
         return 0;
     }

@@ -22,7 +22,8 @@ import javax.swing.SwingConstants;
 import javax.swing.UIManager;
 import org.dronewatch.render.KindColours;
 import org.dronewatch.run.DetectionEvent;
-import org.dronewatch.sensor.Observation;
+import org.dronewatch.run.DetectionIntervals;
+import org.dronewatch.run.DetectionIntervals.Interval;
 
 /**
  * A run from its start to its end: a row for each sensor, with its name on the left, a bar while it detects a drone, a
@@ -51,6 +52,7 @@ final class TimeLine extends JPanel implements Scrollable {
 
     private final transient Playback playback;
     private final transient List<DetectionEvent> events = new ArrayList<>();
+    private transient DetectionIntervals intervals = new DetectionIntervals();
     private transient RecordedRun run;
     private transient List<String> sensors = List.of();
     private transient KindColours colours;
@@ -147,6 +149,7 @@ final class TimeLine extends JPanel implements Scrollable {
         if (playback.run() != run) {
             run = playback.run();
             events.clear();
+            intervals = new DetectionIntervals();
             sensors = run == null
                     ? List.of()
                     : List.copyOf(run.info().settings().sensors().keySet());
@@ -156,7 +159,9 @@ final class TimeLine extends JPanel implements Scrollable {
                     : KindColours.of(run.info().settings().sensors().values());
         }
         if (run != null) {
-            events.addAll(run.eventsFrom(events.size()));
+            List<DetectionEvent> next = run.eventsFrom(events.size());
+            events.addAll(next);
+            next.forEach(intervals::add);
         }
         repaint();
     }
@@ -239,26 +244,8 @@ final class TimeLine extends JPanel implements Scrollable {
             String sensor = sensors.get(row);
             Color colour =
                     colours.of(run.info().settings().sensors().get(sensor).kind());
-            List<String> held = new ArrayList<>();
-            double from = 0.0;
-            for (DetectionEvent event : events) {
-                Observation o = event.observation();
-                if (!o.sensor().equals(sensor)) {
-                    continue;
-                }
-                double x = xOf(o.arrival());
-                if (event.gained()) {
-                    from = held.isEmpty() ? x : from;
-                    held.add(o.drone());
-                } else {
-                    held.remove(o.drone());
-                    if (held.isEmpty()) {
-                        bar(g, row, from, x, colour);
-                    }
-                }
-            }
-            if (!held.isEmpty()) {
-                bar(g, row, from, reached, colour);
+            for (Interval held : intervals.ofSensor(sensor, run.reached())) {
+                bar(g, row, xOf(held.from()), xOf(held.to()), colour);
             }
             paintName(g, row, sensor);
             paintMarks(g, row, sensor, colour);

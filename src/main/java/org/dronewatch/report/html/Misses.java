@@ -8,7 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.sensor.Observation;
@@ -74,22 +74,13 @@ final class Misses {
 
     /** Sensors that lost a drone for the rest of the run. */
     private String lost() {
-        Map<List<String>, Observation> lost = new LinkedHashMap<>();
-        for (DetectionEvent event : run.events()) {
-            Observation o = event.observation();
-            List<String> pair = List.of(o.sensor(), o.drone());
-            lost.remove(pair);
-            if (!event.gained()) {
-                lost.put(pair, o);
-            }
-        }
+        DetectionIntervals intervals = DetectionIntervals.of(run.events());
         List<List<String>> rows = new ArrayList<>();
         int left = 0;
         for (String sensor : run.settings().enabledSensors().keySet()) {
             for (DroneGroup group : groups) {
                 List<Observation> of = group.members().stream()
-                        .filter(drone -> lost.containsKey(List.of(sensor, drone)))
-                        .map(drone -> lost.get(List.of(sensor, drone)))
+                        .flatMap(drone -> intervals.lostForGood(sensor, drone).stream())
                         .toList();
                 if (of.isEmpty()) {
                     continue;

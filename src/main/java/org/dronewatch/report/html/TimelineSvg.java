@@ -5,9 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.dronewatch.render.KindColours;
-import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.DetectionIntervals;
+import org.dronewatch.run.DetectionIntervals.Interval;
 import org.dronewatch.run.RunResult;
-import org.dronewatch.sensor.Observation;
 
 /** A run over time as a drawing: a row for each sensor, with a bar for each stretch in which it detects a drone. */
 final class TimelineSvg {
@@ -19,11 +19,13 @@ final class TimelineSvg {
     private final RunResult run;
     private final KindColours colours;
     private final double duration;
+    private final DetectionIntervals intervals;
 
     TimelineSvg(RunResult run) {
         this.run = run;
         this.colours = KindColours.of(run.settings().enabledSensors().values());
         this.duration = run.settings().run().duration();
+        this.intervals = DetectionIntervals.of(run.events());
     }
 
     private double x(double time) {
@@ -55,25 +57,8 @@ final class TimelineSvg {
         svg.append(format(
                 "<rect x=\"%.1f\" y=\"%d\" width=\"%.1f\" height=\"%d\" fill=\"#eef0f2\"/>%n",
                 x(0), top + 3, x(run.simulated()) - x(0), ROW - 6));
-        List<String> held = new ArrayList<>();
-        double from = 0.0;
-        for (DetectionEvent event : run.events()) {
-            Observation o = event.observation();
-            if (!o.sensor().equals(sensor)) {
-                continue;
-            }
-            if (event.gained()) {
-                from = held.isEmpty() ? o.arrival() : from;
-                held.add(o.drone());
-            } else {
-                held.remove(o.drone());
-                if (held.isEmpty()) {
-                    bar(svg, top, from, o.arrival(), colour);
-                }
-            }
-        }
-        if (!held.isEmpty()) {
-            bar(svg, top, from, run.simulated(), colour);
+        for (Interval held : intervals.ofSensor(sensor, run.simulated())) {
+            bar(svg, top, held.from(), held.to(), colour);
         }
     }
 

@@ -1,0 +1,102 @@
+package org.dronewatch.run;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronewatch.sensor.Observation;
+
+/**
+ * From when to when sensors hold drones in one run: from an event that gains a drone to the one that loses it. Times are those
+ * at which the sensor knew, so that sound counts from its arrival. Events are added in order of time. One thread at a time.
+ */
+public final class DetectionIntervals {
+    private final Map<List<String>, List<DetectionEvent>> ofPairs = new HashMap<>();
+    private final Map<String, Held> ofSensors = new HashMap<>();
+
+    /**
+     * An interval in which a sensor holds one drone at least.
+     *
+     * @param from seconds since the start of the run
+     * @param to seconds since the start of the run, not before {@code from}
+     */
+    public record Interval(double from, double to) {}
+
+    /** Of events in order of time. */
+    public static DetectionIntervals of(List<DetectionEvent> events) {
+        DetectionIntervals intervals = new DetectionIntervals();
+        events.forEach(intervals::add);
+        return intervals;
+    }
+
+    /** Takes one more event. */
+    public void add(DetectionEvent event) {
+        Observation o = event.observation();
+        ofPairs.computeIfAbsent(List.of(o.sensor(), o.drone()), pair -> new ArrayList<>())
+                .add(event);
+        ofSensors.computeIfAbsent(o.sensor(), sensor -> new Held()).add(event);
+    }
+
+    /**
+     * Whether a sensor holds a drone at a time, that of its gain included and that of its loss not.
+     *
+     * @param time seconds since the start of the run
+     */
+    public boolean isDetected(String sensor, String drone, double time) {
+        boolean detected = false;
+        for (DetectionEvent event : ofPairs.getOrDefault(List.of(sensor, drone), List.of())) {
+            if (event.observation().arrival() > time) {
+                break;
+            }
+            detected = event.gained();
+        }
+        return detected;
+    }
+
+    /**
+     * When a sensor holds any drone.
+     *
+     * @param end when an interval ends in which a drone is still held, seconds since the start of the run
+     */
+    public List<Interval> ofSensor(String sensor, double end) {
+        Held held = ofSensors.get(sensor);
+        return held == null ? List.of() : held.until(end);
+    }
+
+    /** The observation at which a sensor lost a drone for good so far; empty if it never had it, or has it. */
+    public Optional<Observation> lostForGood(String sensor, String drone) {
+        List<DetectionEvent> events = ofPairs.getOrDefault(List.of(sensor, drone), List.of());
+        return events.isEmpty() || events.get(events.size() - 1).gained()
+                ? Optional.empty()
+                : Optional.of(events.get(events.size() - 1).observation());
+    }
+
+    /** What one sensor holds. */
+    private static final class Held {
+        private final List<Interval> closed = new ArrayList<>();
+        private final Set<String> drones = new HashSet<>();
+        private double from;
+
+        void add(DetectionEvent event) {
+            double time = event.observation().arrival();
+            String drone = event.observation().drone();
+            if (event.gained()) {
+                from = drones.isEmpty() ? time : from;
+                drones.add(drone);
+            } else if (drones.remove(drone) && drones.isEmpty()) {
+                closed.add(new Interval(from, time));
+            }
+        }
+
+        List<Interval> until(double end) {
+            List<Interval> all = new ArrayList<>(closed);
+            if (!drones.isEmpty()) {
+                all.add(new Interval(from, end));
+            }
+            return all;
+        }
+    }
+}
