@@ -47,12 +47,12 @@ final class ListCommand implements Callable<Integer> {
             return 0;
         }
         for (PackagedScene scene : PackagedScene.all()) {
-            out.printf("scene     %-22s %s%n", scene.name(), scene.summary());
+            out.printf("scene      %-22s %s%n", scene.name(), scene.summary());
         }
         for (String name : Catalog.packagedNames()) {
             CatalogEntry entry = Catalog.packaged().entry(name).orElseThrow();
             out.printf(
-                    "%-9s %-22s %s; range %s; covers %s; %s%s%n",
+                    "%-10s %-22s %s; range %s; covers %s; %s%s%n",
                     entry.kind(),
                     name,
                     entry.title(),
@@ -63,7 +63,7 @@ final class ListCommand implements Callable<Integer> {
         }
         for (String name : Positioners.packagedNames()) {
             CatalogEntry entry = new Positioners().entry(name).orElseThrow();
-            out.printf("%-9s %-22s %s; covers %s%n", "mount", name, entry.title(), entry.coverage());
+            out.printf("%-10s %-22s %s; covers %s%n", "positioner", name, entry.title(), entry.coverage());
         }
         return 0;
     }

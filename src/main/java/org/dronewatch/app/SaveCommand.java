@@ -20,8 +20,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "save",
         mixinStandardHelpOptions = true,
-        description =
-                "Writes a scene with its overrides, or one run of its sweep, as a scene file that has the same results.",
+        description = "Writes a scene with its overrides, or one run of its sweep, as a scene file that has the same"
+                + " results.",
         footer = {"", "Example:", "  dronewatch save camera-range --run 2 --set run.duration=30s --out third.yaml"})
 final class SaveCommand implements Callable<Integer> {
     @Mixin
@@ -30,7 +30,7 @@ final class SaveCommand implements Callable<Integer> {
     @Option(
             names = "--run",
             paramLabel = "N",
-            description = "Run of a sweep, from 0, with its own seed; the whole sweep unless given.")
+            description = "Run of a sweep, from 0, with its own seed; the whole sweep by default.")
     private Integer run;
 
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")

@@ -39,21 +39,21 @@ public final class BuiltInKinds implements KindGroup {
 
     private static List<Kind<?>> detectionFunctions() {
         return List.of(
-                detection("pixel-threshold", PixelThreshold.class, "detects a drone that fills enough pixels"),
+                detection("pixel-threshold", PixelThreshold.class, "detects a drone that covers enough pixels"),
                 detection("target-task", TargetTask.class, "Johnson's criteria, with contrast, light and blur"));
     }
 
     private static List<Kind<?>> flights() {
         return List.of(
-                flight("hover", FlightPathSettings.Hover.class, "stays in one place"),
-                flight("approach", FlightPathSettings.Approach.class, "straight from one place to another"),
+                flight("hover", FlightPathSettings.Hover.class, "stays at one point"),
+                flight("approach", FlightPathSettings.Approach.class, "straight from one point to another"),
                 flight("inbound", FlightPathSettings.Inbound.class, "level and straight towards a target"),
                 flight("waypoints", FlightPathSettings.Waypoints.class, "from waypoint to waypoint"),
-                flight("glide", FlightPathSettings.Glide.class, "climbs under power, then glides silently"),
-                flight("orbit", FlightPathSettings.Orbit.class, "level circles round a place"),
-                flight("terrain-following", TerrainFollowing.class, "low over the ground, from place to place"),
+                flight("glide", FlightPathSettings.Glide.class, "climbs under power, then glides without motors"),
+                flight("orbit", FlightPathSettings.Orbit.class, "level circles round a point"),
+                flight("terrain-following", TerrainFollowing.class, "low over the ground, from point to point"),
                 flight("low-approach", LowApproach.class, "low over the ground towards a target"),
-                flight("dive", Dive.class, "level towards a target, then dives into it"),
+                flight("dive", Dive.class, "level towards a target, then dives onto it"),
                 flight("pop-up", PopUp.class, "hovers behind cover, then rises"));
     }
 

@@ -71,7 +71,7 @@ public final class TriangleMesh {
         for (int i = 0; i < indices.length; i++) {
             if (indices[i] < 0 || indices[i] >= limit) {
                 throw new IllegalArgumentException(
-                        what + " index " + indices[i] + " at place " + i + " must be at least 0 and below " + limit);
+                        what + " index " + indices[i] + " at entry " + i + " must be at least 0 and below " + limit);
             }
         }
     }

@@ -51,7 +51,7 @@ final class RangePlot {
 
     XYChart chart() {
         XYChart chart = Charts.chart(
-                result.scene() + ": what '" + sensor + "' measured over the range", "range [m]", valueAxis());
+                result.scene() + ": values measured by '" + sensor + "' over range", "range [m]", valueAxis());
         for (int i = 0; i < curves.size(); i++) {
             RangeCurve curve = curves.get(i);
             XYSeries series = chart.addSeries(unique(chart, nameOf(curve)), curve.ranges(), curve.values());
@@ -128,7 +128,7 @@ final class RangePlot {
             return curve.drone() + swept(runs);
         }
         return runs.size() > 1
-                ? curve.drone() + ", " + runs.size() + " runs alike"
+                ? curve.drone() + ", " + runs.size() + " identical runs"
                 : (curve.drone() + swept(runs)).strip();
     }
 

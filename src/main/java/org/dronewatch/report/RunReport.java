@@ -256,7 +256,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     private static String valueCaption(SceneResult result, String sensor) {
         SensorSettings<?> settings = result.runs().get(0).settings().sensors().get(sensor);
         return "What '" + sensor + "' (" + settings.kind()
-                + ") measured, over the distance of the drone, and the threshold that it had to reach.";
+                + ") measured as a function of the drone's distance, and the threshold that it had to reach.";
     }
 
     private Path plotFile(String name, String caption) {

@@ -107,7 +107,7 @@ public record SceneSettings(
     private static void checkCue(String id, String cue, Map<String, SensorSettings<?>> sensors) {
         String listens = "sensors." + id + ".positioner.cues: sensor '" + id + "' is cued by '" + cue + "'";
         if (cue.equals(id)) {
-            throw new IllegalArgumentException(listens + ", that is by itself: it follows what it sees in any case");
+            throw new IllegalArgumentException(listens + ", which is itself: it follows what it sees in any case");
         }
         if (!sensors.containsKey(cue)) {
             throw new IllegalArgumentException(

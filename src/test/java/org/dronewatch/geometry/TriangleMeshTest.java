@@ -81,7 +81,7 @@ class TriangleMeshTest {
     void refusesCornersThatAreNoVertices(int corner) {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> TriangleMesh.of(VERTICES, new int[] {0, 1, corner}))
-                .withMessageContaining("corner index " + corner + " at place 2");
+                .withMessageContaining("corner index " + corner + " at entry 2");
     }
 
     @Test

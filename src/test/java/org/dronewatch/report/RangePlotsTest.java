@@ -49,7 +49,7 @@ class RangePlotsTest {
         XYChart chart = chart("acoustic-range", "microphone");
         assertThat(names(chart))
                 .containsExactly(
-                        "quadrotor, 5 runs alike",
+                        "quadrotor, 5 identical runs",
                         "threshold 45 dB, backgroundNoise 30 dB",
                         "threshold 40 dB, backgroundNoise 25 dB",
                         "threshold 35 dB, backgroundNoise 20 dB",
@@ -90,7 +90,7 @@ class RangePlotsTest {
                 .contains("quadrotor, soundLevel 20 dB")
                 .doesNotHaveDuplicates();
         assertThat(names(chartOfSweep("[40 dB, 40 dB, 40 dB, 30 dB, 30 dB, 30 dB]", "soundLevel")))
-                .contains("quadrotor, 3 runs alike", "quadrotor, 3 runs alike (2)");
+                .contains("quadrotor, 3 identical runs", "quadrotor, 3 identical runs (2)");
         assertThat(names(chartOfSweep("[50.00001 dB, 50.00002 dB]", "soundLevel")))
                 .contains("quadrotor, soundLevel 50 dB", "quadrotor, soundLevel 50 dB (2)");
     }

@@ -164,7 +164,7 @@ class CuedCameraTest {
                 .hasMessageContaining("sensor 'cued' is cued by 'rdar': there is no such sensor; nearest are radar");
         assertThatThrownBy(() ->
                         runner().set("sensors.cued.positioner.cues", "cued").settings())
-                .hasMessageContaining("that is by itself");
+                .hasMessageContaining("which is itself");
         assertThatThrownBy(() -> runner().set("sensors.fixed", "droneshield-rfone")
                         .set("sensors.cued.positioner.cues", "fixed")
                         .settings())

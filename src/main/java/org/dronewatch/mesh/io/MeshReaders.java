@@ -27,7 +27,7 @@ public final class MeshReaders {
             for (String extension : reader.extensions()) {
                 if (!extension.matches("[a-z0-9]{1,16}")) {
                     throw new InputException("mesh reader from " + FoundKind.placeOf(reader.getClass())
-                            + ": extension '" + extension + "' must be 1 to 16 small letters and digits");
+                            + ": extension '" + extension + "' must be 1 to 16 lower-case letters and digits");
                 }
                 MeshReader former = byExtension.putIfAbsent(extension, reader);
                 if (former != null) {

@@ -73,7 +73,7 @@ class MeshReadersTest {
     void anEndingThatNoNameCanHaveIsRefused(String extension) {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new MeshReaders(List.of(new Square(Set.of(extension)))))
-                .withMessageContaining("must be 1 to 16 small letters and digits");
+                .withMessageContaining("must be 1 to 16 lower-case letters and digits");
     }
 
     @Test
