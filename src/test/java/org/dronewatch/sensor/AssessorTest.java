@@ -1,0 +1,117 @@
+package org.dronewatch.sensor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.dronewatch.sensor.Walls.assess;
+import static org.dronewatch.sensor.Walls.behind;
+import static org.dronewatch.sensor.Walls.cube;
+import static org.dronewatch.sensor.Walls.open;
+import static org.dronewatch.sensor.Walls.wall;
+
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.mesh.io.ModelRole;
+import org.dronewatch.world.Obstacle;
+import org.dronewatch.world.SiteModel;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Sensors of users' own, which only look: the cause comes from their outline and from what stands before the drone. */
+class AssessorTest {
+    private static final Position HERE = new Position(0, 0, 0);
+
+    /** Detects what is nearer than 100 m, and looks north, 60 degrees wide, from 10 to 500 m. */
+    private record Guard(boolean hasOutline) implements SensorSettings<Sensor> {
+        @Override
+        public Position position() {
+            return HERE;
+        }
+
+        @Override
+        public Optional<Outline> outline() {
+            return hasOutline
+                    ? Optional.of(new Outline.Sector(0, 0, Math.PI / 3, Math.PI / 3, 10, 500))
+                    : Optional.empty();
+        }
+
+        @Override
+        public double rate() {
+            return 1.0;
+        }
+
+        @Override
+        public String kind() {
+            return "guard";
+        }
+
+        @Override
+        public Sensor create() {
+            return (world, drones, sample) -> drones.stream()
+                    .map(drone -> new Observation(
+                            sample.sensor(),
+                            kind(),
+                            drone.id(),
+                            sample.index(),
+                            sample.time(),
+                            sample.time(),
+                            drone.distance(HERE),
+                            100.0 / drone.distance(HERE),
+                            1.0,
+                            "",
+                            Map.of(Observation.PROBABILITY, 0.25)))
+                    .toList();
+        }
+    }
+
+    private static Cause cause(World world, double east, double north) {
+        return assess(new Guard(true), world, cube(new Position(east, north, 0)))
+                .cause();
+    }
+
+    @Test
+    void aLookGivesProbabilityAndMargin() {
+        Assessment one = assess(new Guard(true), open(), cube(new Position(0, 50, 0)));
+
+        assertThat(one.cause()).isEqualTo(Cause.DETECTED);
+        assertThat(one.probability()).isEqualTo(0.25);
+        assertThat(one.margin()).isEqualTo(1.0);
+        assertThat(one.marginDb()).isEqualTo(10.0 * Math.log10(2.0));
+    }
+
+    @ParameterizedTest
+    @EnumSource(ModelRole.class)
+    void theOutlineAndTheLineOfSightGiveTheCause(ModelRole role) {
+        World world = behind(wall(150, -99, 99), role);
+
+        assertThat(cause(open(), 0, 200)).isEqualTo(Cause.TOO_WEAK);
+        assertThat(cause(world, 0, 200)).isEqualTo(Cause.hiddenBy(role));
+        assertThat(cause(world, 0, 501)).isEqualTo(Cause.OUT_OF_RANGE);
+        assertThat(cause(world, 300, 200)).isEqualTo(Cause.OUT_OF_VIEW);
+    }
+
+    @Test
+    void withoutAnOutlineAllThatIsMissedIsTooWeak() {
+        World world = behind(wall(150, -99, 99), ModelRole.TERRAIN);
+
+        assertThat(assess(new Guard(false), world, cube(new Position(0, 200, 0)))
+                        .cause())
+                .isEqualTo(Cause.TOO_WEAK);
+    }
+
+    @Test
+    void whatContradictsItselfIsRefused() {
+        Signal enough = Signal.certain(2.0, "dB", 1.0);
+
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Assessment(enough, Explanation.of(Cause.TOO_WEAK)))
+                .withMessageContaining("TOO_WEAK");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> Explanation.of(Cause.HIDDEN_BY_TERRAIN))
+                .withMessageContaining("obstacle");
+        Obstacle hill = new Obstacle(new SiteModel("hill.obj", ModelRole.TERRAIN), "grass");
+        assertThat(Explanation.hiddenBy(hill).cause()).isEqualTo(Cause.HIDDEN_BY_TERRAIN);
+    }
+}
