@@ -19,8 +19,8 @@ import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
-import org.dronewatch.sensor.acoustic.propagation.LevelModel;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel;
+import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.world.World;
 

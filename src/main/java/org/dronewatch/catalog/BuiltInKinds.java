@@ -9,6 +9,9 @@ import org.dronewatch.flight.PopUp;
 import org.dronewatch.flight.TerrainFollowing;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel;
+import org.dronewatch.sensor.acoustic.level.LevelModel;
+import org.dronewatch.sensor.acoustic.propagation.Propagation;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.camera.DetectionFunction;
 import org.dronewatch.sensor.camera.PixelThreshold;
@@ -23,7 +26,7 @@ import org.dronewatch.setting.KindGroup;
 public final class BuiltInKinds implements KindGroup {
     @Override
     public List<Kind<?>> kinds() {
-        return Stream.of(sensors(), detectionFunctions(), flights())
+        return Stream.of(sensors(), detectionFunctions(), flights(), propagations())
                 .<Kind<?>>flatMap(List::stream)
                 .toList();
     }
@@ -57,6 +60,12 @@ public final class BuiltInKinds implements KindGroup {
                 flight("pop-up", PopUp.class, "hovers behind cover, then rises"));
     }
 
+    private static List<Kind<?>> propagations() {
+        return List.of(
+                propagation("level-model", LevelModel.class, "whole levels along rays; calibrated, not physical"),
+                propagation("energy-model", EnergyModel.class, "energy in octave bands; physical"));
+    }
+
     private static Kind<?> sensor(String name, Class<? extends SensorSettings<?>> settings, String summary) {
         return Kind.of(SensorSettings.class, name, settings, summary);
     }
@@ -67,5 +76,9 @@ public final class BuiltInKinds implements KindGroup {
 
     private static Kind<?> flight(String name, Class<? extends FlightPathSettings> settings, String summary) {
         return Kind.of(FlightPathSettings.class, name, settings, summary);
+    }
+
+    private static Kind<?> propagation(String name, Class<? extends Propagation> settings, String summary) {
+        return Kind.of(Propagation.class, name, settings, summary);
     }
 }

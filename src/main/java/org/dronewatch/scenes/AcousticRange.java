@@ -10,8 +10,8 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SweepAxis;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
-import org.dronewatch.sensor.acoustic.propagation.LevelModel;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel;
+import org.dronewatch.sensor.acoustic.level.LevelModel;
 
 /**
  * How far away does a microphone hear a small quadrotor? It stands on a hill; the drone comes from the north at 5 m/s.

@@ -6,7 +6,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
-import org.dronewatch.sensor.acoustic.propagation.LevelModel;
+import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 
 /** Is a quadrotor that hovers in a church both seen and heard? A camera and a microphone stand 10 m from it. */

@@ -9,7 +9,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
-import org.dronewatch.sensor.acoustic.propagation.LevelModel;
+import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 
 /**

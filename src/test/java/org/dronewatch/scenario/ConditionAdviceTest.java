@@ -14,7 +14,7 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.camera.TargetTask;
 import org.dronewatch.sensor.radar.LinkBudget;

@@ -19,7 +19,7 @@ import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.camera.PixelThreshold;
 import org.dronewatch.setting.InputException;

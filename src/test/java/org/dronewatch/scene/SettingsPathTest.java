@@ -15,7 +15,7 @@ import org.dronewatch.flight.FlightPathSettings.Approach;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenes.AcousticRange;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsForm;

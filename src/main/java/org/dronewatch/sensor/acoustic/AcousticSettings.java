@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.acoustic;
 
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -7,8 +8,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
-import org.dronewatch.sensor.acoustic.propagation.LevelModel;
+import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -25,7 +25,7 @@ import org.dronewatch.world.World;
  * @param rate looks per second, above 0, Hz
  * @param threshold how far above the background a sound must be to be detected, dB
  * @param arrayGain gain in signal-to-noise ratio over a single microphone, 0 to 60 dB
- * @param propagation how sound propagates: {@link LevelModel} or {@link EnergyModel}
+ * @param propagation how sound propagates: {@link LevelModel}, {@link org.dronewatch.sensor.acoustic.energy.EnergyModel EnergyModel} or another
  */
 public record AcousticSettings(
         Position position,
@@ -98,10 +98,10 @@ public record AcousticSettings(
 
     @Override
     public Map<Condition, String> ignoredConditions() {
-        String rain = "raise world.backgroundNoise by the noise of the rain";
-        return propagation instanceof EnergyModel
-                ? Map.of(Condition.RAIN, rain)
-                : Map.of(Condition.RAIN, rain, Condition.AIR, "'propagation: energy-model' takes it into account");
+        Map<Condition, String> ignored = new EnumMap<>(Condition.class);
+        ignored.putAll(propagation.ignoredConditions());
+        ignored.put(Condition.RAIN, "raise world.backgroundNoise by the noise of the rain");
+        return ignored;
     }
 
     @Override
@@ -116,18 +116,12 @@ public record AcousticSettings(
 
     @Override
     public String measures() {
-        if (propagation instanceof EnergyModel model) {
-            return model.criterion() == EnergyModel.Criterion.BEST_BAND
-                    ? "level over the background in the best band"
-                    : "A-weighted sound level";
-        }
-        return "sound level";
+        return propagation.measures();
     }
 
-    /** By the energy model sound takes its time; the level model hears at once. */
     @Override
     public double signalSpeed(World world) {
-        return propagation instanceof EnergyModel ? world.atmosphere().speedOfSound() : Double.POSITIVE_INFINITY;
+        return propagation.signalSpeed(world);
     }
 
     @Override

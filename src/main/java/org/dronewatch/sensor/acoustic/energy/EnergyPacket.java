@@ -1,7 +1,6 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.random.RandomGenerator;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.OctaveBands;
 
 /**

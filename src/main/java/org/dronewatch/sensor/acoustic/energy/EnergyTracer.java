@@ -11,7 +11,6 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.Clearance;

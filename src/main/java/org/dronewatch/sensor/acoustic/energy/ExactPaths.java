@@ -5,7 +5,6 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 

@@ -3,7 +3,6 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.RayRecorder;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.world.World;
 
 /** Traces some rays of a reading and keeps what they found until it is asked for. One per thread. */

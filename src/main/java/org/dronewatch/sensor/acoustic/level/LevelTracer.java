@@ -12,7 +12,6 @@ import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
-import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.world.World;
 
 /**

@@ -6,7 +6,6 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
-import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.world.World;
 
 /** Traces a stretch of the waiting rays: what they bring to the sensor, and the rays that leave what they meet. One per thread. */

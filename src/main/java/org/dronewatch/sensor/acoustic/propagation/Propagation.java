@@ -1,4 +1,32 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
-/** How sound is followed from a drone to a sensor. */
-public sealed interface Propagation permits LevelModel, EnergyModel {}
+import java.util.Map;
+import org.dronewatch.sensor.Condition;
+import org.dronewatch.world.World;
+
+/**
+ * How sound is followed from a drone to a microphone. Implementations are immutable records; {@link org.dronewatch.setting.Kind}
+ * tells how files come to know a new one.
+ */
+public interface Propagation {
+
+    /** What follows sound to a microphone in a world. */
+    SoundTracer tracer(Microphone microphone, World world);
+
+    /** What is compared with the threshold, in words for a plot: {@code sound level}. */
+    String measures();
+
+    /** How fast sound comes to the microphone, m/s; infinity where it is heard at once. */
+    default double signalSpeed(World world) {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * Conditions of the site that would matter to real sound but not to this model; none unless a model knows better.
+     *
+     * @return by condition what to do instead, in words
+     */
+    default Map<Condition, String> ignoredConditions() {
+        return Map.of();
+    }
+}

@@ -10,7 +10,6 @@ import java.util.function.ToDoubleFunction;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.Directivity;

@@ -16,7 +16,6 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.propagation.Diffraction;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.Levels;

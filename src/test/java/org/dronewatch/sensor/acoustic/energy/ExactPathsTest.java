@@ -9,7 +9,6 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.propagation.Diffraction;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.Barrier;
 import org.dronewatch.sound.Directivity;

@@ -6,7 +6,6 @@ import static org.dronewatch.sensor.acoustic.energy.Sites.LOWEST;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.acoustic.propagation.EnergyModel;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.world.Clearance;
 import org.dronewatch.world.World;

@@ -18,7 +18,6 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
-import org.dronewatch.sensor.acoustic.propagation.LevelModel;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.SurfaceSettings;

@@ -1,9 +1,14 @@
-package org.dronewatch.sensor.acoustic.propagation;
+package org.dronewatch.sensor.acoustic.energy;
 
+import org.dronewatch.sensor.acoustic.propagation.Diffraction;
+import org.dronewatch.sensor.acoustic.propagation.Microphone;
+import org.dronewatch.sensor.acoustic.propagation.Propagation;
+import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.World;
 
 /**
  * How the energy model propagates sound: levels in octave bands fall by spreading, in the air and at surfaces, as in
@@ -90,5 +95,23 @@ public record EnergyModel(
     /** This model with another criterion. */
     public EnergyModel withCriterion(Criterion kind) {
         return new EnergyModel(rays, accuracy, roulette, maxOrder, mirrorOrder, diffraction, kind);
+    }
+
+    @Override
+    public SoundTracer tracer(Microphone microphone, World world) {
+        return new EnergyHearing(this, microphone, world);
+    }
+
+    @Override
+    public String measures() {
+        return criterion == Criterion.BEST_BAND
+                ? "level over the background in the best band"
+                : "A-weighted sound level";
+    }
+
+    /** Sound takes its time. */
+    @Override
+    public double signalSpeed(World world) {
+        return world.atmosphere().speedOfSound();
     }
 }

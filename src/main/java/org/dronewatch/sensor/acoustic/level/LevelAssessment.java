@@ -1,36 +1,22 @@
-package org.dronewatch.sensor.acoustic;
+package org.dronewatch.sensor.acoustic.level;
 
 import java.util.Arrays;
-import java.util.Optional;
 import java.util.random.RandomGenerator;
-import org.dronewatch.drone.Drone;
-import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.Cause;
-import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Signal;
-import org.dronewatch.sensor.acoustic.level.Listening;
-import org.dronewatch.sensor.acoustic.propagation.LevelModel;
-import org.dronewatch.world.Visibility;
 
-/** What a microphone by the level model has of a drone before chance decides, and what hides drones from any microphone. */
-final class AcousticAssessment {
+/** What a microphone by the level model has of a drone before chance decides. */
+final class LevelAssessment {
     /** How many times a look is repeated where it depends on its rays. */
     private static final int TRACES = 32;
 
     private static final String UNIT = "dB";
 
-    private AcousticAssessment() {}
+    private LevelAssessment() {}
 
     /** One look of the level model. */
     interface Look {
         /** Traces until the first ray that is loud enough. */
         Listening listen(RandomGenerator rays);
-    }
-
-    /** The level that comes straight from a drone if nothing stands in the way, dB. */
-    static double straightLevel(LevelModel model, Position sensor, Drone drone) {
-        return drone.soundLevel()
-                - model.attenuation() * Position.of(drone.position()).distance(sensor);
     }
 
     /**
@@ -39,7 +25,7 @@ final class AcousticAssessment {
      * random numbers. The quantity of an estimate is the median of the best levels, the upper of the two in the middle, so
      * that it reaches the threshold when half of the looks do.
      */
-    static Signal byLevel(double straightLevel, double threshold, RandomGenerator rays, Look look) {
+    static Signal signal(double straightLevel, double threshold, RandomGenerator rays, Look look) {
         if (straightLevel < threshold) {
             return Signal.certain(straightLevel, UNIT, threshold);
         }
@@ -68,14 +54,5 @@ final class AcousticAssessment {
         double no = TRACES - hits + 1.0;
         double all = TRACES + 2.0;
         return Math.sqrt((hits + 1.0) * no / (all * all * (all + 1.0)));
-    }
-
-    /** Sound comes by other ways, too: a drone behind something is hidden only if it would be heard in the open. */
-    static Explanation explainMiss(Visibility visibility, Position sensor, Drone drone, boolean heardInTheOpen) {
-        return Optional.of(heardInTheOpen)
-                .filter(heard -> heard)
-                .flatMap(heard -> visibility.obstacle(sensor, Position.of(drone.position())))
-                .map(Explanation::hiddenBy)
-                .orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
     }
 }

@@ -1,9 +1,15 @@
-package org.dronewatch.sensor.acoustic.propagation;
+package org.dronewatch.sensor.acoustic.level;
 
+import java.util.Map;
+import org.dronewatch.sensor.Condition;
+import org.dronewatch.sensor.acoustic.propagation.Microphone;
+import org.dronewatch.sensor.acoustic.propagation.Propagation;
+import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.World;
 
 /**
  * How the level model propagates sound: every ray carries the drone's full level, which is reduced only by the air and
@@ -50,5 +56,20 @@ public record LevelModel(
     /** This model with other ends: orders and pieces of rays. */
     public LevelModel withLimits(int orders, int budget) {
         return new LevelModel(initialRays, reflectionsPerHit, attenuation, orders, budget);
+    }
+
+    @Override
+    public SoundTracer tracer(Microphone microphone, World world) {
+        return new LevelHearing(this, microphone, world);
+    }
+
+    @Override
+    public String measures() {
+        return "sound level";
+    }
+
+    @Override
+    public Map<Condition, String> ignoredConditions() {
+        return Map.of(Condition.AIR, "'propagation: energy-model' takes it into account");
     }
 }

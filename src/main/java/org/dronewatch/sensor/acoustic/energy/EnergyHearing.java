@@ -1,0 +1,129 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.random.RandomGenerator;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Curve;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel.Criterion;
+import org.dronewatch.sensor.acoustic.propagation.Heard;
+import org.dronewatch.sensor.acoustic.propagation.Microphone;
+import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
+import org.dronewatch.sound.BandLevels;
+import org.dronewatch.world.World;
+
+/**
+ * Hears by the energy model: the A-weighted sound pressure level, or the signal-to-noise ratio of the best band. One thread at a
+ * time.
+ */
+public final class EnergyHearing implements SoundTracer {
+    private static final String UNIT = "dB";
+
+    /** Share of its first energy down to which a ray is followed for sure when a decay curve is drawn. */
+    private static final double PATIENCE = 1e-4;
+
+    /** As many rays as a decay curve needs: its reverberation time scatters by 2 % with them. */
+    private static final int DECAY_RAYS = 4_000;
+
+    /** Where more than this share of the sound leaves the site, it has no reverberation to speak of. */
+    private static final double OPEN = 0.5;
+
+    /** Below this level, dB, a decay curve is the end of the estimate and not of the sound. */
+    private static final double LOWEST_DECAY = -40.0;
+
+    private final EnergyModel model;
+    private final Microphone microphone;
+    private final World world;
+    private final BandLevels background;
+    private final EnergyTracer tracer;
+
+    EnergyHearing(EnergyModel model, Microphone microphone, World world) {
+        this.model = model;
+        this.microphone = microphone;
+        this.world = world;
+        this.background = world.backgroundNoise().spectrum();
+        this.tracer = new EnergyTracer(model, microphone.position(), microphone.radius(), world);
+    }
+
+    /**
+     * One look: levels in octave bands.
+     *
+     * @param recorder is told every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
+     */
+    public EnergyReading read(Drone drone, RandomGenerator random, RayRecorder recorder) {
+        return tracer.trace(sound(drone), random, recorder);
+    }
+
+    @Override
+    public Heard hear(Drone drone, RandomGenerator random) {
+        EnergyReading reading = read(drone, random, RayRecorder.NONE);
+        Signal signal = signal(reading);
+        return new Heard(signal.quantity(), signal.threshold(), reading.figures(background));
+    }
+
+    @Override
+    public Signal signal(Drone drone, RandomGenerator random) {
+        return signal(read(drone, random, RayRecorder.NONE));
+    }
+
+    private Signal signal(EnergyReading reading) {
+        double value = reading.aWeightedLevel();
+        double over = background.aWeighted();
+        if (model.criterion() == Criterion.BEST_BAND) {
+            int band = reading.bestBand(background);
+            value = reading.level(band) - background.level(band);
+            over = 0.0;
+        }
+        double threshold = microphone.detectionLevel(over);
+        return new Signal(value >= threshold ? 1.0 : 0.0, value, UNIT, threshold, reading.standardError(), 0.0);
+    }
+
+    @Override
+    public boolean isHeardInTheOpen(Drone drone) {
+        return signal(tracer.inTheOpen(sound(drone))).isDetected();
+    }
+
+    @Override
+    public void traceRays(Drone drone, RandomGenerator random, RayRecorder recorder) {
+        read(drone, random, recorder);
+    }
+
+    /** In a space that keeps at least half of the sound: how it dies away. */
+    @Override
+    public List<Curve> curves(Drone drone, RandomGenerator random) {
+        // Late sound is faint: rays must be followed for long, where levels need them only for a short while.
+        EnergyModel patient = model.withRays(Math.min(model.rays(), DECAY_RAYS))
+                .withRoulette(Math.min(model.roulette(), PATIENCE))
+                .withAccuracy(0.0);
+        EnergyReading reading = new EnergyTracer(patient, microphone.position(), microphone.radius(), world)
+                .trace(sound(drone), random, RayRecorder.NONE);
+        DecayCurve decay = reading.decay();
+        if (reading.audit().escaped() > OPEN || decay.t30().isEmpty()) {
+            return List.of();
+        }
+        List<Double> times = new ArrayList<>();
+        List<Double> shown = new ArrayList<>();
+        double[] curve = decay.levels();
+        for (int bin = 0; bin < curve.length && curve[bin] > LOWEST_DECAY; bin++) {
+            times.add(bin * DecayCurve.BIN);
+            shown.add(curve[bin]);
+        }
+        String title = String.format(
+                Locale.ROOT,
+                "sound of '%s' dying away, T30 = %.2f s",
+                drone.id(),
+                decay.t30().getAsDouble());
+        return List.of(new Curve("decay", title, "time [s]", "level of the remaining energy [dB]", times, shown));
+    }
+
+    private static SoundSource sound(Drone drone) {
+        return new SoundSource(
+                Position.of(drone.position()),
+                drone.soundPower(),
+                drone.settings().directivity());
+    }
+}

@@ -1,0 +1,67 @@
+package org.dronewatch.sensor.acoustic.level;
+
+import java.util.random.RandomGenerator;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.acoustic.propagation.Heard;
+import org.dronewatch.sensor.acoustic.propagation.Microphone;
+import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
+import org.dronewatch.world.World;
+
+/** Hears by the level model: the best undivided level received. One thread at a time. */
+public final class LevelHearing implements SoundTracer {
+    private final LevelModel model;
+    private final Position microphone;
+    private final double threshold;
+    private final LevelTracer tracer;
+
+    LevelHearing(LevelModel model, Microphone microphone, World world) {
+        this.model = model;
+        this.microphone = microphone.position();
+        this.threshold = microphone.detectionLevel(world.backgroundNoise().level());
+        this.tracer = new LevelTracer(model, microphone.position(), microphone.radius(), threshold, world);
+    }
+
+    /**
+     * One look.
+     *
+     * @param fully whether to go on after the first ray that is loud enough
+     * @param recorder is told every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
+     */
+    public Listening listen(Drone drone, RandomGenerator random, boolean fully, RayRecorder recorder) {
+        return tracer.trace(Position.of(drone.position()), drone.soundLevel(), random, fully, recorder);
+    }
+
+    private Listening listen(Drone drone, RandomGenerator random) {
+        return listen(drone, random, false, RayRecorder.NONE);
+    }
+
+    @Override
+    public Heard hear(Drone drone, RandomGenerator random) {
+        Listening listening = listen(drone, random);
+        return new Heard(listening.bestLevel(), threshold, listening.figures());
+    }
+
+    @Override
+    public Signal signal(Drone drone, RandomGenerator random) {
+        return LevelAssessment.signal(straightLevel(drone), threshold, random, rays -> listen(drone, rays));
+    }
+
+    @Override
+    public boolean isHeardInTheOpen(Drone drone) {
+        return straightLevel(drone) >= threshold;
+    }
+
+    /** The level that comes straight from a drone if nothing stands in the way, dB. */
+    private double straightLevel(Drone drone) {
+        return drone.soundLevel()
+                - model.attenuation() * Position.of(drone.position()).distance(microphone);
+    }
+
+    @Override
+    public void traceRays(Drone drone, RandomGenerator random, RayRecorder recorder) {
+        listen(drone, random, true, recorder);
+    }
+}

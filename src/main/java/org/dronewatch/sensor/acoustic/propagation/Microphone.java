@@ -1,0 +1,19 @@
+package org.dronewatch.sensor.acoustic.propagation;
+
+import org.dronewatch.geometry.Position;
+
+/**
+ * What a propagation model needs to know of a microphone.
+ *
+ * @param position its centre, m
+ * @param radius rays that pass within this distance are heard, above 0, m
+ * @param threshold how far above the background a sound must be, dB
+ * @param arrayGain how much better than one microphone an array hears, 0 or more, dB
+ */
+public record Microphone(Position position, double radius, double threshold, double arrayGain) {
+
+    /** The level from which on a sound is detected over a background: dB, as the background. */
+    public double detectionLevel(double background) {
+        return background + threshold - arrayGain;
+    }
+}

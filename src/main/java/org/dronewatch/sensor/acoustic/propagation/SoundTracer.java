@@ -1,0 +1,34 @@
+package org.dronewatch.sensor.acoustic.propagation;
+
+import java.util.List;
+import java.util.random.RandomGenerator;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.sensor.Curve;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.Signal;
+
+/** Follows sound from drones to one microphone in one world. May keep scratch memory: one thread at a time. */
+public interface SoundTracer {
+
+    /**
+     * One look.
+     *
+     * @param drone as it was when the sound left it
+     * @param random the random numbers of the look's rays
+     */
+    Heard hear(Drone drone, RandomGenerator random);
+
+    /** What there is of a drone before chance decides; draws from the same random numbers as a look. */
+    Signal signal(Drone drone, RandomGenerator random);
+
+    /** Whether a drone would be heard if nothing stood in the way. */
+    boolean isHeardInTheOpen(Drone drone);
+
+    /** Traces the rays of one look to their ends and tells the recorder every piece; nothing where there are no rays. */
+    default void traceRays(Drone drone, RandomGenerator random, RayRecorder recorder) {}
+
+    /** Curves about the sound of a drone; none unless a model has some. */
+    default List<Curve> curves(Drone drone, RandomGenerator random) {
+        return List.of();
+    }
+}
