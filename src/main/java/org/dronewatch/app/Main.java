@@ -125,9 +125,13 @@ public final class Main implements Runnable {
             return help;
         }
         commands.setOut(new PlainPrinter(commands.getOut()));
-        // What is wrong with the class path is said before anything is done.
-        KindRegistry.found();
-        MeshReaders.found();
+        try {
+            // What is wrong with the class path is said before anything is done.
+            KindRegistry.found();
+            MeshReaders.found();
+        } catch (InputException e) {
+            return failed(e, commands.getErr());
+        }
         try (Interruption watch = new Interruption()) {
             interruption = watch;
             return new CommandLine.RunLast().execute(parsed);

@@ -35,10 +35,18 @@ final class Program {
 
     /** Starts a command in a process. */
     static Child start(Path directory, List<String> javaOptions, String... arguments) throws IOException {
+        return startWith(directory, List.of(), javaOptions, arguments);
+    }
+
+    /** Starts a command in a process with more jars on its class path. */
+    static Child startWith(Path directory, List<Path> jars, List<String> javaOptions, String... arguments)
+            throws IOException {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.addAll(javaOptions);
-        command.addAll(List.of("-cp", absoluteClassPath(), Main.class.getName()));
+        List<String> classPath = new ArrayList<>(List.of(absoluteClassPath()));
+        jars.forEach(jar -> classPath.add(jar.toString()));
+        command.addAll(List.of("-cp", String.join(File.pathSeparator, classPath), Main.class.getName()));
         command.addAll(List.of(arguments));
         File out = directory.resolve("out.txt").toFile();
         File err = directory.resolve("err.txt").toFile();

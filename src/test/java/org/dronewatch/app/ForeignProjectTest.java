@@ -1,0 +1,195 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.jar.JarEntry;
+import java.util.jar.JarOutputStream;
+import java.util.stream.Stream;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A project of somebody else, whose jar adds one of each that can be added, and which the program has never seen. */
+class ForeignProjectTest {
+    private static final Path PROJECT = Path.of("src/test/resources/foreign-project");
+
+    @TempDir
+    private static Path built;
+
+    private static Path jar;
+
+    @TempDir
+    private Path directory;
+
+    @BeforeAll
+    static void buildTheJar() throws IOException {
+        Path classes = Files.createDirectories(built.resolve("classes"));
+        try (Stream<Path> sources = Files.walk(PROJECT.resolve("src/main/java"))) {
+            Stream<String> options =
+                    Stream.of("-d", classes.toString(), "-proc:none", "-cp", System.getProperty("java.class.path"));
+            Stream<String> files = sources.map(Path::toString).filter(file -> file.endsWith(".java"));
+            int failed = ToolProvider.getSystemJavaCompiler()
+                    .run(null, null, null, Stream.concat(options, files).toArray(String[]::new));
+            assertThat(failed).isZero();
+        }
+        jar = built.resolve("watch.jar");
+        write(jar, List.of(classes, PROJECT.resolve("src/main/resources")));
+    }
+
+    private static void write(Path target, List<Path> directories) throws IOException {
+        try (OutputStream bytes = Files.newOutputStream(target);
+                JarOutputStream out = new JarOutputStream(bytes)) {
+            for (Path root : directories) {
+                try (Stream<Path> files = Files.walk(root)) {
+                    for (Path file : files.filter(Files::isRegularFile).toList()) {
+                        out.putNextEntry(
+                                new JarEntry(root.relativize(file).toString().replace(File.separatorChar, '/')));
+                        Files.copy(file, out);
+                    }
+                }
+            }
+        }
+    }
+
+    private Program.Outcome run(List<Path> jars, String... arguments) throws IOException, InterruptedException {
+        try (Program.Child child = Program.startWith(directory, jars, List.of("-Xmx512m"), arguments)) {
+            return child.await();
+        }
+    }
+
+    private void copyTheScene() throws IOException {
+        for (String file : List.of("scene.yaml", "wall.stl")) {
+            Files.copy(PROJECT.resolve(file), directory.resolve(file));
+        }
+    }
+
+    @Test
+    void itsKindsAreListedWithTheirJar() throws IOException, InterruptedException {
+        Program.Outcome outcome = run(List.of(jar), "list", "--kinds");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.out().lines())
+                .contains(
+                        "sensor              camera              sees drones in daylight, by their pixels; built in",
+                        "sensor              spotter             someone with binoculars; " + jar,
+                        "flight path         zigzag              southward, swaying; " + jar,
+                        "propagation         spherical           spreading alone; " + jar,
+                        "detection function  any-pixel           one pixel is enough; " + jar,
+                        "model file          .stl                STL as text; " + jar);
+    }
+
+    @Test
+    void aSceneOfItsKindsRunsAndIsReported() throws IOException, InterruptedException {
+        copyTheScene();
+        Program.Outcome outcome = run(List.of(jar), "run", "scene.yaml", "--observations", "--out", "out");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        Path out = directory.resolve("out");
+        assertThat(Files.readString(out.resolve("report.html")))
+                .contains("spotter", "spherical", "any-pixel");
+
+        List<String> rows = Files.readAllLines(out.resolve("observations.csv"));
+        List<String> names = Arrays.asList(rows.get(0).split(","));
+        assertTheSpotterSeesAsFarAsItReaches(rows, names);
+        assertTheEarHearsSphericalSpreading(rows, names);
+        assertThat(rows.stream().filter(row -> row.contains(",camera,")))
+                .isNotEmpty()
+                .allMatch(row -> number(row, names, "threshold") == 1.0);
+    }
+
+    private static double number(String row, List<String> names, String column) {
+        return Double.parseDouble(row.split(",")[names.indexOf(column)]);
+    }
+
+    private static void assertTheSpotterSeesAsFarAsItReaches(List<String> rows, List<String> names) {
+        List<String> looks =
+                rows.stream().filter(row -> row.contains(",spotter,")).toList();
+        assertThat(looks).hasSizeGreaterThanOrEqualTo(60);
+        assertThat(looks).allSatisfy(row -> {
+            double time = number(row, names, "time_s");
+            double range = Math.sqrt(
+                    Math.pow(3.0 * Math.sin(time), 2) + Math.pow(190.0 - 5.0 * time, 2) + Math.pow(20.0 - 2.0, 2));
+            assertThat(number(row, names, "range_m")).isCloseTo(range, within(1e-3));
+            assertThat(number(row, names, "value")).isCloseTo(120.0 / range, within(1e-4));
+        });
+        assertThat(looks).anyMatch(row -> number(row, names, "value") < 1.0);
+        assertThat(looks).anyMatch(row -> number(row, names, "value") > 1.0);
+    }
+
+    private static void assertTheEarHearsSphericalSpreading(List<String> rows, List<String> names) {
+        List<String> looks =
+                rows.stream().filter(row -> row.contains(",acoustic,")).toList();
+        assertThat(looks).hasSizeGreaterThanOrEqualTo(300);
+        double atOneMetre =
+                number(looks.get(0), names, "value") + 20.0 * Math.log10(number(looks.get(0), names, "range_m"));
+        assertThat(looks).allSatisfy(row -> assertThat(
+                        number(row, names, "value") + 20.0 * Math.log10(number(row, names, "range_m")))
+                .isCloseTo(atOneMetre, within(1e-3)));
+    }
+
+    @Test
+    void aSensorIsSwappedForItsKindByOneSetting() throws IOException, InterruptedException {
+        copyTheScene();
+        Program.Outcome outcome =
+                run(List.of(jar), "run", "scene.yaml", "--set", "sensors.camera=spotter", "--out", "out");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(Files.readString(directory.resolve("out/detections.csv"))).contains(",camera,spotter,");
+    }
+
+    @Test
+    void itsLimitsHoldInFiles() throws IOException, InterruptedException {
+        copyTheScene();
+        Program.Outcome outcome = run(List.of(jar), "check", "scene.yaml", "--set", "sensors.eyes.reach=6 km");
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.complaints()).singleElement().asString().contains("reach 6000 m must be above 0 and at most 5000");
+    }
+
+    @Test
+    void withoutItsJarTheKindIsUnknownAndNoClassIsTaken() throws IOException, InterruptedException {
+        copyTheScene();
+        String scene = Files.readString(directory.resolve("scene.yaml"));
+        Program.Outcome outcome = run(List.of(), "check", "scene.yaml");
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.err()).contains("unknown kind 'spotter'").doesNotContain("\tat ");
+        Files.writeString(
+                directory.resolve("scene.yaml"), scene.replace("spotter", "org.example.watch.SpotterSettings"));
+        outcome = run(List.of(jar), "check", "scene.yaml");
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.err()).contains("unknown kind 'org.example.watch.SpotterSettings'");
+    }
+
+    @Test
+    void twoJarsWithTheSameKindAreRefusedInOneLineThatNamesBoth() throws IOException, InterruptedException {
+        // The same classes once more, but for a provider of its own.
+        Path other = directory.resolve("other.jar");
+        Path services = Files.createDirectories(directory.resolve("more/META-INF/services"));
+        Files.writeString(services.resolve("org.dronewatch.setting.Kind"), "org.example.again.SpotterAgain\n");
+        Path source = directory.resolve("SpotterAgain.java");
+        Files.writeString(
+                source,
+                Files.readString(PROJECT.resolve("src/main/java/org/example/watch/SpotterKind.java"))
+                        .replace(
+                                "package org.example.watch;", "package org.example.again;\nimport org.example.watch.*;")
+                        .replace("class SpotterKind", "class SpotterAgain"));
+        String classPath = System.getProperty("java.class.path") + File.pathSeparator + jar;
+        int failed = ToolProvider.getSystemJavaCompiler()
+                .run(null, null, null, "-d", directory.resolve("more").toString(), "-cp", classPath, source.toString());
+        assertThat(failed).isZero();
+        write(other, List.of(directory.resolve("more")));
+
+        Program.Outcome outcome = run(List.of(jar, other), "list");
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.out()).isEmpty();
+        assertThat(outcome.complaints())
+                .singleElement()
+                .asString()
+                .contains("kind 'spotter' of SensorSettings is in", jar.toString(), other.toString());
+    }
+}
