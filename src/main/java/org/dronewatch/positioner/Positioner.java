@@ -7,8 +7,9 @@ import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
 
 /**
- * A mount while a run goes on: where it points, what it has been told, whom it follows. Its sensor tells it what it sees
- * itself, and the sensors it listens to what they detect; both act from the next look on. One run, one thread.
+ * A positioner during a run: where it points, what it has been told, which contact it follows. Its own sensor reports
+ * to it what it sees, and the sensors that cue it what they detect; both take effect from the next look on. For one run
+ * and one thread.
  */
 public final class Positioner {
     /**

@@ -4,9 +4,10 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 
 /**
- * What a mount knows of the contact that it follows. Places are smoothed and led by an alpha-beta filter: the place gains
- * {@code alpha} of what a sighting differs from what was expected, the velocity {@code beta} of it over the time between,
- * with {@code beta = alpha^2 / (2 - alpha)} (Benedict and Bordner 1962). Directions without a range are taken as they are.
+ * What a positioner knows of the contact that it follows. Positions are smoothed and predicted by an alpha-beta filter:
+ * the position is corrected by {@code alpha} times the difference between a sighting and its prediction, the velocity
+ * by {@code beta} times that difference over the time between, with {@code beta = alpha^2 / (2 - alpha)} (Benedict and
+ * Bordner 1962). Directions without a range are taken as they are.
  */
 final class Track {
     private static final double ALPHA = 0.5;
@@ -29,7 +30,7 @@ final class Track {
         return contact;
     }
 
-    /** When the mount was last told of it, s. */
+    /** When the positioner last received a sighting of it, s. */
     double told() {
         return told;
     }
@@ -38,7 +39,7 @@ final class Track {
      * Takes a sighting.
      *
      * @param time when it was, s
-     * @param now when the mount was told of it, s
+     * @param now when the positioner received it, s
      */
     void add(Sighting sighting, double time, double now) {
         told = now;
@@ -62,7 +63,7 @@ final class Track {
     /**
      * Where to look from a place at a time.
      *
-     * @param patience how old the last place may be, s: after that the last direction is better
+     * @param patience how old the last position may be, s: after that the last direction is better
      */
     Direction from(Position mount, double time, double patience) {
         return place.filter(last -> time - placed <= patience)

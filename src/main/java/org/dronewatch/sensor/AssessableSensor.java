@@ -7,20 +7,21 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.world.World;
 
 /**
- * A sensor that can tell what it has of a drone, and why that is not enough, before chance decides. Its looks draw from the
- * same signal: a field of assessments and a run agree exactly, but where a kind of sensor says otherwise. A drone is
- * assessed alone: that other drones may stand before it is known to looks only. All kinds that come with the library are
- * assessable; others are assessed by an {@link Assessor}.
+ * A sensor that can state what signal it receives from a drone, and why that is not enough, before chance decides. Its
+ * looks draw from the same signal: a field of assessments and a run agree exactly, unless a kind of sensor states
+ * otherwise. A drone is assessed alone: only looks take into account that other drones may hide it. All kinds that come
+ * with the library are assessable; others are assessed by an {@link Assessor}.
  */
 public interface AssessableSensor extends Sensor {
 
     /**
-     * What the sensor has of a drone.
+     * The signal that the sensor receives from a drone.
      *
      * @param world the site
-     * @param drone as it reaches the sensor: for a signal that takes its time, as it was when that left it
+     * @param drone as it appears at the sensor: for a signal that takes time to arrive, as it was when the signal left
+     *     it
      * @param pointing where a positioner points the sensor; empty for its own aim
-     * @param rayRandom the random numbers of the rays of sensors that follow rays by chance; others draw none
+     * @param rayRandom random numbers for sensors that trace random rays; others draw none
      */
     Signal signal(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom);
 
@@ -28,13 +29,15 @@ public interface AssessableSensor extends Sensor {
      * Why a drone is missed: the first {@link Cause} that holds. Costs no more than a few looks of a camera, whatever the kind.
      *
      * @param world the site
-     * @param drone that the sensor does not detect, as it reaches the sensor
+     * @param drone that the sensor does not detect, as it appears at the sensor
      * @param pointing where a positioner points the sensor; empty for its own aim
      * @return never {@link Cause#DETECTED}
      */
     Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing);
 
-    /** What the sensor has of a drone, and why that is not enough; parameters as of {@link #signal}. */
+    /**
+     * The signal that the sensor receives from a drone, and why that is not enough; parameters as for {@link #signal}.
+     */
     default Assessment assess(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
         Signal signal = signal(world, drone, pointing, rayRandom);
         return new Assessment(signal, signal.isDetected() ? Explanation.DETECTED : explainMiss(world, drone, pointing));

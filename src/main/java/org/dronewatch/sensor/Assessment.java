@@ -5,10 +5,10 @@ import java.util.OptionalDouble;
 import org.dronewatch.world.Obstacle;
 
 /**
- * The random-free half of a look: how likely a sensor is to detect a drone that is somewhere and flies somehow, and why it
- * is not if it is not. The other half draws from it.
+ * The deterministic half of a look: how likely a sensor is to detect a drone in a given state of flight, and why not if
+ * it is not. The other half draws from it.
  *
- * @param signal what the sensor has of the drone
+ * @param signal what the sensor receives from the drone
  * @param explanation why that is not enough; {@link Explanation#DETECTED} when it is
  */
 public record Assessment(Signal signal, Explanation explanation) {
@@ -26,7 +26,7 @@ public record Assessment(Signal signal, Explanation explanation) {
         }
     }
 
-    /** How likely one look detects the drone, 0 to 1. */
+    /** The probability that one look detects the drone, 0 to 1. */
     public double probability() {
         return signal.probability();
     }
@@ -41,17 +41,25 @@ public record Assessment(Signal signal, Explanation explanation) {
         return signal.unit();
     }
 
-    /** What the quantity must reach; of a sensor that decides by chance, what detects every other time. */
+    /**
+     * What the quantity must reach; for a sensor that decides by chance, the value at which every second look detects.
+     */
     public double threshold() {
         return signal.threshold();
     }
 
-    /** Quantity less threshold: negative where something is missing, minus infinity where nothing reaches the sensor in dB. */
+    /**
+     * Quantity minus threshold: negative where the signal is insufficient, minus infinity where nothing reaches the
+     * sensor in dB.
+     */
     public double margin() {
         return signal.quantity() - signal.threshold();
     }
 
-    /** The margin in dB, so that sensors of different kinds compare: {@code 10 lg(quantity / threshold)} where the unit is not dB. */
+    /**
+     * The margin in dB, so that sensors of different kinds can be compared: {@code 10 lg(quantity / threshold)} where
+     * the unit is not dB.
+     */
     public double marginDb() {
         return unit().equals(DECIBELS) ? margin() : 10.0 * Math.log10(quantity() / threshold());
     }

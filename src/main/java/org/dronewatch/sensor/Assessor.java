@@ -9,9 +9,9 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.world.World;
 
 /**
- * Assesses sensors of every kind. Of one that is not an {@link AssessableSensor} it takes one look, and finds the cause of a
- * miss from the space that the sensor looks into and from what stands before the drone: then the probability is that of the
- * look, 0 or 1 where it tells none. One thread at a time.
+ * Assesses sensors of every kind. For one that is not an {@link AssessableSensor} it takes one look, and finds the
+ * cause of a miss from the sensor's field of view and from what hides the drone: then the probability is that of the
+ * look, 0 or 1 where it states none. One thread at a time.
  */
 public final class Assessor {
     private final String id;
@@ -21,7 +21,7 @@ public final class Assessor {
     private final Cover cover;
 
     /**
-     * Of a new sensor of some settings in a world.
+     * An assessor of a new sensor with the given settings in a world.
      *
      * @param id name of the sensor
      */

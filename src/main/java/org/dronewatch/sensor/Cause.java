@@ -7,17 +7,20 @@ import org.dronewatch.mesh.io.ModelRole;
  * by reports.
  */
 public enum Cause {
-    /** Nearer or farther than the sensor looks. */
+    /** Nearer than the sensor's minimum range, or beyond its maximum range. */
     OUT_OF_RANGE,
-    /** Beside, above or below what the sensor looks into. */
+    /** Outside the sensor's field of view. */
     OUT_OF_VIEW,
     /** It emits nothing that the sensor could receive. */
     SILENT,
-    /** Its radial speed is less than the sensor tells from what stands still. */
+    /** Its radial speed is too low for the sensor to separate it from stationary clutter. */
     TOO_SLOW,
     /** Its radial speed is more than the sensor can follow. */
     TOO_FAST,
-    /** Nothing of it is visible, or it would be detected if nothing stood in the way; terrain is what the line of sight meets first. */
+    /**
+     * Nothing of it is visible, or it would be detected if nothing hid it; terrain is what the line of sight hits
+     * first.
+     */
     HIDDEN_BY_TERRAIN,
     /** The same with a building. */
     HIDDEN_BY_BUILDING,
@@ -40,7 +43,7 @@ public enum Cause {
         };
     }
 
-    /** Whether something stands in the way. */
+    /** Whether something hides the drone. */
     public boolean isHidden() {
         return this == HIDDEN_BY_TERRAIN
                 || this == HIDDEN_BY_BUILDING

@@ -9,7 +9,7 @@ public enum Condition {
     VISIBILITY,
     /** Illuminance: {@code world.light.illuminance}. */
     ILLUMINANCE,
-    /** Where the sun stands: {@code world.light.sun}. */
+    /** Where the sun is: {@code world.light.sun}. */
     SUN,
     /** How hard it rains: {@code world.rain}. */
     RAIN,

@@ -17,7 +17,7 @@ public final class Cover {
     private final Position sensor;
 
     /**
-     * Before a sensor in a world.
+     * The cover in front of a sensor in a world.
      *
      * @param sensor where it is, m
      */
@@ -31,12 +31,12 @@ public final class Cover {
         return visibility.world();
     }
 
-    /** What stands between the sensor and the drone's origin. */
+    /** What lies between the sensor and the drone's origin. */
     public Optional<Obstacle> ofOrigin(Drone drone) {
         return visibility.obstacle(sensor, Position.of(drone.position()));
     }
 
-    /** What stands before the drone's origin, or, where nothing does, before the first corner of its mesh that is hidden. */
+    /** What hides the drone's origin or, where nothing does, the first vertex of its mesh that is hidden. */
     public Optional<Obstacle> of(Drone drone) {
         Optional<Obstacle> before = ofOrigin(drone);
         Matrix4d matrix = drone.modelMatrix();
@@ -51,11 +51,11 @@ public final class Cover {
     }
 
     /**
-     * Why a drone is missed that is in range and in view: hidden, or too weak. What costs more than a ray is asked only where
-     * it matters.
+     * Why a drone is missed that is in range and in view: hidden, or too weak. What costs more than a ray is computed
+     * only where it matters.
      *
-     * @param invisible whether the sensor has nothing of it
-     * @param detectedInTheOpen whether it would be detected if nothing stood in the way
+     * @param invisible whether the sensor receives nothing from it
+     * @param detectedInTheOpen whether it would be detected if nothing hid it
      */
     public Explanation explain(Drone drone, BooleanSupplier invisible, BooleanSupplier detectedInTheOpen) {
         Optional<Obstacle> before = ofOrigin(drone);

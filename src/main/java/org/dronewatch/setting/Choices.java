@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 
-/** Kinds of settings among which one is chosen by its name: a model of propagation, a way to fly. */
+/** Kinds of settings of which one is chosen by its name: a propagation model, a flight. */
 public final class Choices {
     private Choices() {}
 

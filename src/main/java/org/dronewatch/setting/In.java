@@ -49,7 +49,7 @@ public @interface In {
     /** How far from the world's origin anything may be put, and how long a flight may be, m. */
     double FARTHEST = 100_000.0;
 
-    /** The narrowest angle that a sensor may look into, rad: a hundredth of a degree. */
+    /** The narrowest field of view of a sensor, rad: a hundredth of a degree. */
     double NARROWEST = Math.PI / 18_000;
 
     /** The widest angle of a picture in one plane, rad: 179 degrees. */

@@ -84,7 +84,7 @@ public enum Quantity {
         return unit;
     }
 
-    /** The unit in which a value is told to people: degrees for angles, elsewhere that of a bare number. */
+    /** The unit in which a value is shown to people: degrees for angles, otherwise that of a bare number. */
     public String toldUnit() {
         return switch (this) {
             case ANGLE -> "deg";
@@ -93,7 +93,7 @@ public enum Quantity {
         };
     }
 
-    /** A value in the unit in which it is told to people. */
+    /** A value in the unit in which it is shown to people. */
     public double told(double value) {
         if (unit.equals(toldUnit()) || !Double.isFinite(value)) {
             return value;
@@ -101,7 +101,7 @@ public enum Quantity {
         return new BigDecimal(Math.toDegrees(value)).round(TOLD).doubleValue();
     }
 
-    /** A value as tables and plots tell it, without its unit: whole numbers whole, others in four digits. */
+    /** A value as shown in tables and plots, without its unit: whole numbers whole, others in four digits. */
     public String inBrief(double value) {
         double told = told(value);
         return told == Math.rint(told) || !Double.isFinite(told)
@@ -109,14 +109,14 @@ public enum Quantity {
                 : new BigDecimal(told).round(BRIEF).stripTrailingZeros().toPlainString();
     }
 
-    /** A value as it is told to people, without its unit. */
+    /** A value as shown to people, without its unit. */
     String number(double value) {
         return plain(told(value));
     }
 
     /**
-     * A value as it is told to people, with its unit: {@code 39.6 deg}. Where it looks as if radians had been written,
-     * with them: {@code 3437.747 deg (60 rad)}.
+     * A value as shown to people, with its unit: {@code 39.6 deg}. Where it looks as if radians had been written, with
+     * them: {@code 3437.747 deg (60 rad)}.
      */
     public String inWords(double value) {
         String told = (number(value) + " " + toldUnit()).strip();

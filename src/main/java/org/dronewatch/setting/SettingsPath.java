@@ -11,8 +11,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The way to one setting through a tree of records, such as {@code sensors.camera.fov} or {@code world.models.0.scale}:
- * names of record components, keys of maps and places in lists, with dots between.
+ * The path to one setting through a tree of records, such as {@code sensors.camera.fov} or {@code
+ * world.models.0.scale}: names of record components, keys of maps and indices of lists, separated by dots.
  */
 public final class SettingsPath {
     private final String path;

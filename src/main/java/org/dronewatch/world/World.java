@@ -26,11 +26,14 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * The site: all that stands still, as one mesh with one tree, and the noise in it. World frame: metres, right-handed, x
- * east, y north, z up. Immutable, shared by all threads.
+ * The site: everything stationary, as one mesh with one tree, and its background noise. World frame: metres,
+ * right-handed, x east, y north, z up. Immutable, shared by all threads.
  */
 public final class World {
-    /** How near to an end of a way, as a share of it, a surface counts as the end's own: far above rounding. */
+    /**
+     * How near to an end of a segment, as a fraction of its length, a surface counts as that on which the end lies: far
+     * above rounding.
+     */
     public static final double SURFACE = 1e-9;
 
     private final TracingIndex index;
@@ -47,8 +50,8 @@ public final class World {
      * A world around a finished tree.
      *
      * @param tree tree over the mesh, in the world's frame
-     * @param backgroundNoise the sound of the place
-     * @param surfaces what the mesh's materials are to sound
+     * @param backgroundNoise the sound of the site without drones
+     * @param surfaces acoustic surfaces of the mesh's materials
      * @param atmosphere the air
      */
     public World(KDTree tree, BackgroundNoise backgroundNoise, SurfaceSettings surfaces, Atmosphere atmosphere) {
@@ -60,7 +63,7 @@ public final class World {
      *
      * @param index of the mesh, in the world's frame
      * @param backgroundNoise the sound of the site without drones
-     * @param surfaces what the mesh's materials are to sound
+     * @param surfaces acoustic surfaces of the mesh's materials
      * @param atmosphere the air
      */
     public World(TracingIndex index, BackgroundNoise backgroundNoise, SurfaceSettings surfaces, Atmosphere atmosphere) {
@@ -75,7 +78,7 @@ public final class World {
      * A world around a finished tree whose surfaces are not those of the table.
      *
      * @param tree tree over the mesh, in the world's frame
-     * @param backgroundNoise the sound of the place
+     * @param backgroundNoise the sound of the site without drones
      * @param surfaces one for each material of the mesh, by the mesh's material numbers
      * @param atmosphere the air
      * @throws IllegalArgumentException when there are more or fewer surfaces than materials
@@ -118,7 +121,7 @@ public final class World {
         return new World(this, Check.notNegative("rain", millimetresPerHour, Quantity.PRECIPITATION), light, models);
     }
 
-    /** This world by another light. */
+    /** This world in another light. */
     public World withLight(Light other) {
         return new World(this, rain, other, models);
     }
@@ -181,14 +184,14 @@ public final class World {
         }
     }
 
-    /** The nearest triangle along a ray, or empty. Convenient; loops use one {@link #newRayTracer()} for many rays. */
+    /** The closest hit along a ray, or empty. For convenience; loops use one {@link #newRayTracer()} for many rays. */
     public Optional<Hit> closestHit(Ray ray) {
         return newRayTracer().closestHit(ray);
     }
 
     /**
-     * Whether something stands between two points. A surface within a billionth of the way at either end hides nothing,
-     * so that points that were computed to lie on surfaces see each other.
+     * Whether something lies between two points. A surface within a billionth of the distance at either end hides
+     * nothing, so that points computed to lie on surfaces see each other.
      */
     public boolean isOccluded(Point3d from, Point3d to) {
         Vector3d way = new Vector3d(to);
@@ -197,7 +200,7 @@ public final class World {
     }
 
     /**
-     * The height of the highest surface at a place.
+     * The height of the highest surface at a point.
      *
      * @param x east, m
      * @param y north, m
@@ -207,7 +210,10 @@ public final class World {
         return newGround().height(x, y);
     }
 
-    /** The heights of the highest surfaces, for the use of one thread: faster than {@link #surfaceHeight} for many places. */
+    /**
+     * The heights of the highest surfaces, for the use of one thread: faster than {@link #surfaceHeight} for many
+     * points.
+     */
     public Ground newGround() {
         RayTracer traversal = newRayTracer();
         double above = bounds().maxZ() + 1.0;
@@ -217,8 +223,8 @@ public final class World {
     }
 
     /**
-     * Whether a place seems to be inside a wall or under the ground: most of what rays from it meet shows its back. Right
-     * for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
+     * Whether a point seems to be inside a wall or under the ground: most surfaces that rays from it hit face away from
+     * it. Right for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
      */
     public boolean isInsideWall(Position place) {
         return new Surroundings(this).showTheirBacks(place);
@@ -230,8 +236,8 @@ public final class World {
     }
 
     /**
-     * A ray tracer for incoherent rays, which have nothing to do with each other, as those of diffuse sound, for the use of
-     * one thread: faster than {@link #newRayTracer()} where the processor's vectors can be used.
+     * A ray tracer for incoherent rays, such as those of diffuse sound, for the use of one thread: faster than {@link
+     * #newRayTracer()} where the processor's vectors can be used.
      */
     public RayTracer newIncoherentRayTracer() {
         return index.newIncoherentRayTracer();
@@ -252,18 +258,18 @@ public final class World {
         return tree().bounds();
     }
 
-    /** A triangle of the mesh, as what stands in a line of sight. */
+    /** A triangle of the mesh, as an obstacle in a line of sight. */
     public Obstacle obstacle(int triangle) {
         String material = mesh().materialNames().get(mesh().material(triangle));
         return new Obstacle(models.floorEntry(triangle).getValue(), material);
     }
 
-    /** The sound of the place without drones. */
+    /** The sound of the site without drones. */
     public BackgroundNoise backgroundNoise() {
         return backgroundNoise;
     }
 
-    /** What each material of the mesh is to sound, by the mesh's material numbers. */
+    /** The acoustic surface of each material of the mesh, by the mesh's material numbers. */
     public List<SurfaceMaterial> surfaces() {
         return surfaces;
     }
@@ -273,7 +279,7 @@ public final class World {
         return atmosphere;
     }
 
-    /** How far and by which light one sees. */
+    /** Visibility and daylight. */
     public Light light() {
         return light;
     }
