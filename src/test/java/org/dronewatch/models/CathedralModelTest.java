@@ -118,8 +118,8 @@ class CathedralModelTest {
         String readme = Files.readString(Path.of("models", "README.md"));
         assertThat(readme).contains(String.format(Locale.ROOT, "%,d m³", 100 * Math.round(volume / 100)));
         assertThat(readme)
-                .contains("faces inward, and " + (model.parts().size() - 1) + " closed parts |")
-                .contains("within %.0f m of the place %.0f m above the origin"
+                .contains("faces inwards, and " + (model.parts().size() - 1) + " closed parts |")
+                .contains("within %.0f m of the point %.0f m above the origin"
                         .formatted(CathedralModel.FREE_RADIUS_METRES, CathedralModel.FREE_PLACE.y()));
     }
 
