@@ -92,8 +92,7 @@ class ForeignProjectTest {
         Program.Outcome outcome = run(List.of(jar), "run", "scene.yaml", "--observations", "--out", "out");
         assertThat(outcome.code()).as(outcome.err()).isZero();
         Path out = directory.resolve("out");
-        assertThat(Files.readString(out.resolve("report.html")))
-                .contains("spotter", "spherical", "any-pixel");
+        assertThat(Files.readString(out.resolve("report.html"))).contains("spotter", "spherical", "any-pixel");
 
         List<String> rows = Files.readAllLines(out.resolve("observations.csv"));
         List<String> names = Arrays.asList(rows.get(0).split(","));
@@ -148,7 +147,10 @@ class ForeignProjectTest {
         copyTheScene();
         Program.Outcome outcome = run(List.of(jar), "check", "scene.yaml", "--set", "sensors.eyes.reach=6 km");
         assertThat(outcome.code()).isEqualTo(2);
-        assertThat(outcome.complaints()).singleElement().asString().contains("reach 6000 m must be above 0 and at most 5000");
+        assertThat(outcome.complaints())
+                .singleElement()
+                .asString()
+                .contains("reach 6000 m must be above 0 and at most 5000");
     }
 
     @Test
