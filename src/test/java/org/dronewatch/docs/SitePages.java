@@ -41,11 +41,12 @@ final class SitePages {
 
     /** All pages of a project, relative to it: those of the site, and those that a code hosting site shows first. */
     static List<Path> sources(Path project) throws IOException {
-        List<Path> sources = new ArrayList<>(List.of(
-                Path.of("README.md"),
-                Path.of("CHANGELOG.md"),
-                Path.of("CONTRIBUTING.md"),
-                Path.of("models", "README.md")));
+        List<Path> sources =
+                new ArrayList<>(List.of(Path.of("README.md"), Path.of("CHANGELOG.md"), Path.of("models", "README.md")));
+        Path contributing = Path.of("CONTRIBUTING.md");
+        if (Files.exists(project.resolve(contributing))) {
+            sources.add(contributing);
+        }
         try (Stream<Path> markdown = Files.list(project.resolve(SITE.resolve("markdown")))) {
             markdown.sorted().map(project::relativize).forEach(sources::add);
         }
