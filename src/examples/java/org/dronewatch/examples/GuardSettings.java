@@ -6,6 +6,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -36,8 +37,13 @@ public record GuardSettings(
     }
 
     @Override
-    public String measures() {
-        return "apparent size";
+    public GuardSettings withPosition(Position other) {
+        return new GuardSettings(other, rate, acuity);
+    }
+
+    @Override
+    public SensorDescription description() {
+        return SensorDescription.measuring("apparent size");
     }
 
     @Override

@@ -20,6 +20,7 @@ import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Explanation;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
@@ -217,7 +218,7 @@ public final class Coverage {
         }
 
         private Optional<Pointing> turnedTo(Drone there) {
-            return settings.turnedTo(Position.of(there.position()));
+            return settings.as(Mounted.class).flatMap(mounted -> mounted.turnedTo(Position.of(there.position())));
         }
 
         /** The drone in a cell; empty where there is no ground. */

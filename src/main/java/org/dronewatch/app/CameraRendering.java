@@ -7,6 +7,7 @@ import org.dronewatch.render.FilmMaker;
 import org.dronewatch.render.RunHistory;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.PictureSettings;
@@ -27,15 +28,16 @@ final class CameraRendering extends Rendering {
 
     @Override
     void check(String ending) {
-        if (ending.equals("mp4") && camera instanceof PictureSettings picture) {
-            checkFilm("--camera " + id, picture.width(), picture.height());
+        if (ending.equals("mp4")) {
+            camera.as(PictureSettings.class)
+                    .ifPresent(picture -> checkFilm("--camera " + id, picture.width(), picture.height()));
         }
     }
 
     /** A camera on a positioner shows its last look; one on a fixed mount any time, without a simulation. */
     @Override
     String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {
-        boolean turns = camera.positioner().isPresent();
+        boolean turns = camera.as(Mounted.class).flatMap(Mounted::positioner).isPresent();
         double shown = turns ? CameraView.lookTime(camera, time) : time;
         RunHistory history = turns ? simulation().until(shown, () -> false) : new RunHistory();
         if (turns) {

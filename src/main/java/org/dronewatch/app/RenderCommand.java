@@ -3,11 +3,11 @@ package org.dronewatch.app;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.dronewatch.render.CameraView;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
-import org.dronewatch.sensor.optics.PictureSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.ArgGroup;
@@ -124,12 +124,10 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private String camera(SceneSettings settings) {
-        if (settings.sensors().get(subject.camera) instanceof PictureSettings) {
+        List<String> cameras = CameraView.cameras(settings.sensors());
+        if (cameras.contains(subject.camera)) {
             return subject.camera;
         }
-        List<String> cameras = settings.sensors().keySet().stream()
-                .filter(id -> settings.sensors().get(id) instanceof PictureSettings)
-                .toList();
         throw new InputException("--camera " + PlainText.value(subject.camera) + ": no such camera; the scene "
                 + (cameras.isEmpty() ? "has none" : "has " + String.join(", ", cameras)));
     }

@@ -9,6 +9,7 @@ import org.dronewatch.render.RunHistory;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Model.CommandSpec;
 
@@ -42,7 +43,8 @@ final class SiteRendering extends Rendering {
     @Override
     String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {
         boolean turns = settings.sensors().values().stream()
-                .anyMatch(sensor -> sensor.positioner().isPresent());
+                .anyMatch(sensor ->
+                        sensor.as(Mounted.class).flatMap(Mounted::positioner).isPresent());
         RunHistory history = turns ? simulation().until(time, () -> false) : new RunHistory();
         BufferedImage image = threads.call(() -> pictures(history, time, false).apply(time));
         target.write(stream -> ImageIO.write(image, "png", stream));

@@ -55,6 +55,11 @@ public final class Positioner {
         this.fov = widest;
     }
 
+    /** Whether a sensor of this name cues it. */
+    public boolean isCuedBy(String sensor) {
+        return settings.cues().contains(sensor);
+    }
+
     /**
      * Another sensor has detected a contact.
      *

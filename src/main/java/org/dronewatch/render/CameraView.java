@@ -1,9 +1,12 @@
 package org.dronewatch.render;
 
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DepthImage;
@@ -45,13 +48,19 @@ public final class CameraView {
      * @throws IllegalArgumentException when the sensor takes no pictures
      */
     public CameraView(String id, SensorSettings<?> sensor, Stage stage, DoubleFunction<Optional<Pointing>> pointings) {
-        if (!(sensor instanceof PictureSettings)) {
-            throw new IllegalArgumentException("sensor '" + id + "' takes no pictures");
-        }
+        PictureSettings picture = sensor.as(PictureSettings.class)
+                .orElseThrow(() -> new IllegalArgumentException("sensor '" + id + "' takes no pictures"));
         this.sensor = sensor;
         this.stage = stage;
         this.pointings = pointings;
-        this.picture = new DronePicture(new CameraObject((PictureSettings) sensor));
+        this.picture = new DronePicture(new CameraObject(picture));
+    }
+
+    /** The names of those sensors that take pictures which can be drawn, in their order. */
+    public static List<String> cameras(Map<String, SensorSettings<?>> sensors) {
+        return sensors.keySet().stream()
+                .filter(id -> sensors.get(id).as(PictureSettings.class).isPresent())
+                .toList();
     }
 
     /**
@@ -76,8 +85,8 @@ public final class CameraView {
     private void turn(Optional<Pointing> next) {
         if (!next.equals(pointing)) {
             pointing = next;
-            SensorSettings<?> pointed = next.isPresent() ? sensor.pointed(next.get()) : sensor;
-            picture = new DronePicture(new CameraObject((PictureSettings) pointed));
+            picture = new DronePicture(new CameraObject(
+                    Mounted.pointed(sensor, next).as(PictureSettings.class).orElseThrow()));
         }
     }
 }

@@ -20,7 +20,9 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
@@ -88,9 +90,7 @@ public final class SitePicture {
                         id,
                         sensor.kind(),
                         sensor.position(),
-                        pointing.apply(id)
-                                .flatMap(where -> sensor.pointed(where).outline())
-                                .or(sensor::outline),
+                        Outlined.outline(Mounted.pointed(sensor, pointing.apply(id))),
                         drones.stream().anyMatch(drone -> detects.test(id, drone)))));
         List<DroneMark> droneMarks = stage.dronesAt(time).stream()
                 .map(drone -> flights.mark(
@@ -111,7 +111,7 @@ public final class SitePicture {
         corners.add(new Position(interest.maxX(), interest.maxY(), interest.maxZ()));
         double length = OUTLINE * interest.diagonal();
         settings.enabledSensors().values().forEach(sensor -> {
-            if (sensor.outline().orElse(null) instanceof Outline.Pyramid pyramid) {
+            if (Outlined.outline(sensor).orElse(null) instanceof Outline.Pyramid pyramid) {
                 corners.addAll(pyramid.corners(sensor.position(), length));
             }
         });

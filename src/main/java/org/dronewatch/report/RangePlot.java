@@ -105,7 +105,7 @@ final class RangePlot {
     private String valueAxis() {
         RangeCurve any = curves.get(0);
         int run = any.thresholds().keySet().iterator().next();
-        String measured = settings(run).sensors().get(sensor).measures();
+        String measured = settings(run).sensors().get(sensor).description().measures();
         String what = any.unit().isEmpty() ? measured : measured + " [" + any.unit() + "]";
         boolean cut = curves.stream().anyMatch(RangeCurve::isCut);
         return cut ? what + ", cut at " + Quantity.NUMBER.inBrief(any.top()) : what;

@@ -6,6 +6,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Positioner;
 import org.dronewatch.sensor.Measurement;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sample;
@@ -30,7 +31,7 @@ final class ActiveSensor {
         this.settings = settings;
         this.sensor = settings.create();
         this.rate = settings.rate();
-        this.positioner = settings.createPositioner();
+        this.positioner = settings.as(Mounted.class).flatMap(Mounted::createPositioner);
     }
 
     String id() {
@@ -74,8 +75,7 @@ final class ActiveSensor {
         measured.sighting().ifPresent(sighting -> {
             if (measured.sensor().equals(id)) {
                 mount.see(contact, sighting, measured.time());
-            } else if (measured.isDetected()
-                    && settings.positioner().orElseThrow().cues().contains(measured.sensor())) {
+            } else if (measured.isDetected() && mount.isCuedBy(measured.sensor())) {
                 mount.cue(contact, sighting, measured.time());
             }
         });

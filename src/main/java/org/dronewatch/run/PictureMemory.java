@@ -1,7 +1,7 @@
 package org.dronewatch.run;
 
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.Imaging;
 import org.dronewatch.setting.InputException;
 
 /**
@@ -20,7 +20,8 @@ public final class PictureMemory {
      */
     public static void check(SceneSettings settings, long most) {
         long pixels = settings.enabledSensors().values().stream()
-                .mapToLong(SensorSettings::pixels)
+                .flatMap(sensor -> sensor.as(Imaging.class).stream())
+                .mapToLong(Imaging::pixels)
                 .sum();
         long bytes = pixels * Float.BYTES;
         if (bytes > most) {

@@ -3,7 +3,8 @@ package org.dronewatch.run;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
-import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.Mounted;
+import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
@@ -22,25 +23,20 @@ public final class Sightline {
 
     /** Whether a sensor has a field of view at all; microphones have none. */
     public static boolean looks(SensorSettings<?> sensor) {
-        return field(sensor, Optional.empty()).isPresent();
-    }
-
-    private static Optional<Outline> field(SensorSettings<?> sensor, Optional<Pointing> pointing) {
-        Optional<Outline> outline =
-                pointing.isPresent() ? sensor.pointed(pointing.get()).outline() : sensor.outline();
-        return outline.filter(shape -> !(shape instanceof Outline.Ball));
+        return Outlined.fieldOfView(sensor, Optional.empty()).isPresent();
     }
 
     /** Whether a position is in a sensor's field of view and range now; always for a sensor without a field of view. */
     public static boolean isInField(SensorSettings<?> sensor, Optional<Pointing> pointing, Position place) {
-        return field(sensor, pointing)
+        return Outlined.fieldOfView(sensor, pointing)
                 .map(shape -> shape.contains(place.minus(sensor.position())))
                 .orElse(true);
     }
 
     /** Whether a sensor could look at a position, wherever its positioner can turn it. */
     public boolean isPossible(SensorSettings<?> sensor, Position place) {
-        return isInField(sensor, sensor.turnedTo(place), place) && visibility.isFree(sensor.position(), place);
+        Optional<Pointing> turned = sensor.as(Mounted.class).flatMap(mounted -> mounted.turnedTo(place));
+        return isInField(sensor, turned, place) && visibility.isFree(sensor.position(), place);
     }
 
     /** The world that it is in. */

@@ -7,7 +7,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.MountAdvice;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SweptValue;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.setting.Switchable;
 import org.dronewatch.world.Clearance;
 import org.dronewatch.world.SurfaceSettings;
@@ -22,7 +24,8 @@ record SiteAdvice(SceneSettings settings, World world) {
     /** Gives one line for each warning. */
     void giveTo(Consumer<String> target) {
         onSurfaces(target);
-        settings.enabledSensors().forEach((id, sensor) -> sensor.positioner()
+        settings.enabledSensors().forEach((id, sensor) -> sensor.as(Mounted.class)
+                .flatMap(Mounted::positioner)
                 .ifPresent(mount -> new MountAdvice(settings, id, mount).tell(target)));
         if (settings.enabledSensors().isEmpty() && !settings.sensors().isEmpty()) {
             target.accept(switchedBy() + "all sensors are switched off: nothing is observed");
@@ -35,7 +38,8 @@ record SiteAdvice(SceneSettings settings, World world) {
         SurfaceSettings surfaces = settings.world().surfaces();
         List<String> leftOver = surfaces.leftOver(world.mesh().materialNames());
         if (!leftOver.isEmpty()
-                && settings.enabledSensors().values().stream().anyMatch(SensorSettings::hearsSurfaces)) {
+                && settings.enabledSensors().values().stream()
+                        .anyMatch(sensor -> sensor.as(SoundTracing.class).isPresent())) {
             target.accept("no acoustic surface is named for " + String.join(", ", leftOver) + ": taken as '"
                     + surfaces.otherwise() + "'");
         }
@@ -55,7 +59,7 @@ record SiteAdvice(SceneSettings settings, World world) {
         if (world.isInsideWall(at)) {
             target.accept(where
                     + " seems to be inside a wall or under the ground: most surfaces around it face away from it");
-        } else if (!sensor.hearsSurfaces() && clearance.isMissing(at)) {
+        } else if (sensor.as(SoundTracing.class).isEmpty() && clearance.isMissing(at)) {
             target.accept(where + " lies on a surface, which may hide everything from it: move it a millimetre away");
         }
     }

@@ -49,7 +49,7 @@ public final class ConditionAdvice {
     }
 
     private void add(Condition condition, String id, SensorSettings<?> sensor) {
-        String instead = sensor.ignoredConditions().get(condition);
+        String instead = sensor.description().ignoredConditions().get(condition);
         if (instead != null) {
             sensors.computeIfAbsent(new Concern(condition, sensor.kind(), instead), concern -> new LinkedHashSet<>())
                     .add(id);

@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
@@ -31,7 +32,7 @@ public record MountAdvice(SceneSettings scene, String id, PositionerSettings mou
             }
         }
         SensorSettings<?> sensor = scene.sensors().get(id);
-        sensor.outline().ifPresent(outline -> {
+        Outlined.outline(sensor).ifPresent(outline -> {
             if (outline instanceof Outline.Pyramid pyramid) {
                 double elevation =
                         Math.asin(Math.max(-1.0, Math.min(1.0, pyramid.forward().z())));

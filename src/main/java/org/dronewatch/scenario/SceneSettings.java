@@ -10,7 +10,9 @@ import java.util.Set;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Draws;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
@@ -70,8 +72,9 @@ public record SceneSettings(
         }
         double duration = run.duration();
         sensors.forEach((id, sensor) -> checkLooks(id, sensor.rate(), duration));
-        sensors.forEach((id, sensor) ->
-                sensor.positioner().ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
+        sensors.forEach((id, sensor) -> sensor.as(Mounted.class)
+                .flatMap(Mounted::positioner)
+                .ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
     }
 
     /** More would take days even for the fastest sensor. */
@@ -113,7 +116,7 @@ public record SceneSettings(
             throw new IllegalArgumentException(
                     listens + ": there is no such sensor; " + Spelling.nearestAre(cue, sensors.keySet()));
         }
-        if (!sensors.get(cue).tellsDirection()) {
+        if (sensors.get(cue).as(DirectionFinding.class).isEmpty()) {
             throw new IllegalArgumentException(
                     listens + ", of kind " + sensors.get(cue).kind() + ": that does not measure where a drone is");
         }

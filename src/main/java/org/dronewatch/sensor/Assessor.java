@@ -52,9 +52,8 @@ public final class Assessor {
     }
 
     private Explanation explainByOutline(Drone drone, Optional<Pointing> pointing) {
-        SensorSettings<?> pointed = pointing.isPresent() ? settings.pointed(pointing.get()) : settings;
-        Optional<Outline> outline = pointed.outline();
-        if (outline.isEmpty() || outline.get() instanceof Outline.Ball) {
+        Optional<Outline> outline = Outlined.fieldOfView(settings, pointing);
+        if (outline.isEmpty()) {
             return Explanation.of(Cause.TOO_WEAK);
         }
         Position way = Position.of(drone.position()).minus(settings.position());

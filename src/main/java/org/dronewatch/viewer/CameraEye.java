@@ -9,6 +9,7 @@ import org.dronewatch.geometry.Hit;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.render.CameraView;
 import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DronePicture;
@@ -37,7 +38,7 @@ final class CameraEye {
     CameraEye(String id, SensorSettings<?> sensor, Stage stage, DoubleFunction<Optional<Pointing>> pointings) {
         this.id = id;
         this.sensor = sensor;
-        this.settings = (PictureSettings) sensor;
+        this.settings = sensor.as(PictureSettings.class).orElseThrow();
         this.stage = stage;
         this.pointings = pointings;
         this.pointed = settings;
@@ -79,7 +80,7 @@ final class CameraEye {
     private void turn(Optional<Pointing> next) {
         if (!next.equals(pointing)) {
             pointing = next;
-            pointed = next.isPresent() ? (PictureSettings) sensor.pointed(next.get()) : settings;
+            pointed = Mounted.pointed(sensor, next).as(PictureSettings.class).orElseThrow();
             picture = new DronePicture(new CameraObject(pointed));
             background = null;
         }

@@ -62,7 +62,7 @@ final class CameraPanel extends JPanel {
         enlarged = null;
         known = true;
         run.settings().enabledSensors().forEach((id, sensor) -> {
-            if (sensor instanceof PictureSettings) {
+            if (sensor.as(PictureSettings.class).isPresent()) {
                 visuals.add(visual(new CameraEye(
                         id, sensor, run.stage(), moment -> run.run().pointing(id, moment))));
             }

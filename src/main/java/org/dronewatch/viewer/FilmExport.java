@@ -1,6 +1,7 @@
 package org.dronewatch.viewer;
 
 import java.awt.GridLayout;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -22,7 +23,6 @@ import org.dronewatch.render.Film;
 import org.dronewatch.render.FilmMaker;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.sensor.optics.PictureSettings;
 
 /** Writes films of a run: of the site as it is seen now, or of what a camera sees. */
 final class FilmExport implements AutoCloseable {
@@ -63,12 +63,9 @@ final class FilmExport implements AutoCloseable {
     }
 
     private Optional<String> camera(ViewedRun viewed) {
-        var sensors = viewed.settings().enabledSensors();
-        return pane.selected()
-                .filter(id -> sensors.get(id) instanceof PictureSettings)
-                .or(() -> sensors.keySet().stream()
-                        .filter(id -> sensors.get(id) instanceof PictureSettings)
-                        .findFirst());
+        List<String> cameras = CameraView.cameras(viewed.settings().enabledSensors());
+        return pane.selected().filter(cameras::contains).or(() -> cameras.stream()
+                .findFirst());
     }
 
     /** A film of the site. */

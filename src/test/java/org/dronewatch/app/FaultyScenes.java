@@ -33,6 +33,11 @@ public final class FaultyScenes {
 
     private record Faulty(Position position, Supplier<Error> failure) implements SensorSettings<Sensor> {
         @Override
+        public Faulty withPosition(Position other) {
+            return new Faulty(other, failure);
+        }
+
+        @Override
         public String kind() {
             return "faulty";
         }

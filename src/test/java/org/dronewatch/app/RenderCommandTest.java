@@ -26,6 +26,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DepthImage;
@@ -170,7 +171,8 @@ class RenderCommandTest {
     }
 
     private static byte[] pfm(SensorSettings<?> camera, Stage stage, double time) throws IOException {
-        DepthImage image = new DronePicture(new CameraObject((PictureSettings) camera))
+        DepthImage image = new DronePicture(
+                        new CameraObject(camera.as(PictureSettings.class).orElseThrow()))
                 .depthImage(stage.world(), stage.dronesAt(time));
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         image.writePfm(bytes);
@@ -201,7 +203,7 @@ class RenderCommandTest {
                 .as("cued by the other camera")
                 .isPresent();
         assertThat(Files.readAllBytes(picture))
-                .isEqualTo(pfm(camera.pointed(pointings.at("cued", 12.0).orElseThrow()), runner.stage(settings), 12.0));
+                .isEqualTo(pfm(Mounted.pointed(camera, pointings.at("cued", 12.0)), runner.stage(settings), 12.0));
     }
 
     @Test

@@ -23,13 +23,13 @@ import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.radar.LinkBudget;
 import org.dronewatch.sensor.radar.RadarDetection;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.WorldSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -111,14 +111,10 @@ class CatalogTest {
             surface("grass", "grass_turf");
             Position far = SENSOR.plus(new Position(0, 1.2 * range.distance(), 0));
             Position near = SENSOR.plus(new Position(0, 0.8 * range.distance(), 0));
-            Catalog catalog = Catalog.packaged();
-            Aim aim = new Aim.Target(far);
-            boolean aims = SettingsForm.of(SensorKinds.all()
-                            .get(catalog.entry(name).orElseThrow().kind()))
-                    .part("aim")
-                    .isPresent();
-            SensorSettings<?> sensor =
-                    catalog.settings(name, aims ? Map.of("position", SENSOR, "aim", aim) : Map.of("position", SENSOR));
+            SensorSettings<?> there = Catalog.packaged().settings(name, Map.of("position", SENSOR));
+            SensorSettings<?> sensor = there.as(Aimed.class)
+                    .<SensorSettings<?>>map(aimed -> aimed.withAim(new Aim.Target(far)))
+                    .orElse(there);
             DroneSettings drone = range.droneOn(new Approach(far, near));
             double speed = Math.min(40.0, 0.004 * range.distance() * sensor.rate());
             add("drone", drone.withSpeed(speed));

@@ -16,6 +16,11 @@ public record DiceSettings(Position position, @In(Quantity.FREQUENCY) double rat
         implements SensorSettings<Sensor> {
 
     @Override
+    public DiceSettings withPosition(Position other) {
+        return new DiceSettings(other, rate, luck);
+    }
+
+    @Override
     public String kind() {
         return "dice";
     }

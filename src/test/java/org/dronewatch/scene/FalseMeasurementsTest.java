@@ -22,6 +22,7 @@ import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.RunSettings;
+import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
@@ -46,7 +47,12 @@ class FalseMeasurementsTest {
     }
 
     /** At look 0 nothing at all, then one false alarm a look, from look 3 on the drone twice, once below the threshold. */
-    private record Nervous(Position position) implements SensorSettings<Sensor> {
+    private record Nervous(Position position) implements SensorSettings<Sensor>, DirectionFinding {
+        @Override
+        public Nervous withPosition(Position other) {
+            return new Nervous(other);
+        }
+
         @Override
         public String kind() {
             return "nervous";
@@ -55,11 +61,6 @@ class FalseMeasurementsTest {
         @Override
         public double rate() {
             return 1.0;
-        }
-
-        @Override
-        public boolean tellsDirection() {
-            return true;
         }
 
         @Override

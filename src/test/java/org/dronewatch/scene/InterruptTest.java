@@ -36,6 +36,11 @@ class InterruptTest {
     /** Does something at each look, as a sensor of a user might. */
     private record Doing(Position position, Consumer<Sample> action) implements SensorSettings<Sensor> {
         @Override
+        public Doing withPosition(Position other) {
+            return new Doing(other, action);
+        }
+
+        @Override
         public String kind() {
             return "doing";
         }

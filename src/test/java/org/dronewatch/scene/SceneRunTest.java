@@ -277,7 +277,7 @@ class SceneRunTest {
             @Override
             protected void build() {
                 super.build();
-                add("broken", new Broken(5.0));
+                add("broken", new Broken(new Position(0, 0, 0), 5.0));
             }
         };
         assertThatIllegalStateException()
@@ -287,10 +287,10 @@ class SceneRunTest {
         assertThat(new HillScene().run().complete()).isTrue();
     }
 
-    private record Broken(double rate) implements SensorSettings<Sensor> {
+    private record Broken(Position position, double rate) implements SensorSettings<Sensor> {
         @Override
-        public Position position() {
-            return new Position(0, 0, 0);
+        public Broken withPosition(Position other) {
+            return new Broken(other, rate);
         }
 
         @Override

@@ -24,17 +24,25 @@ class AssessorTest {
     private static final Position HERE = new Position(0, 0, 0);
 
     /** Detects what is nearer than 100 m, and looks north, 60 degrees wide, from 10 to 500 m. */
-    private record Guard(boolean hasOutline) implements SensorSettings<Sensor> {
+    private record Guard(boolean hasOutline) implements SensorSettings<Sensor>, Outlined {
         @Override
         public Position position() {
             return HERE;
         }
 
         @Override
-        public Optional<Outline> outline() {
-            return hasOutline
-                    ? Optional.of(new Outline.Sector(0, 0, Math.PI / 3, Math.PI / 3, 10, 500))
-                    : Optional.empty();
+        public Guard withPosition(Position other) {
+            throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public Outline outline() {
+            return new Outline.Sector(0, 0, Math.PI / 3, Math.PI / 3, 10, 500);
+        }
+
+        @Override
+        public <C> Optional<C> as(Class<C> capability) {
+            return capability == Outlined.class && !hasOutline ? Optional.empty() : SensorSettings.super.as(capability);
         }
 
         @Override

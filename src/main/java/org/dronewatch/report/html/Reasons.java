@@ -72,7 +72,11 @@ final class Reasons {
 
     /** Why a sensor does not detect some drones again that it has lost, in words. */
     String afterLoss(String sensor, List<String> drones, double time) {
-        return shares(sensor, drones, settings.sensors().get(sensor).weakness(), time)
+        return shares(
+                        sensor,
+                        drones,
+                        settings.sensors().get(sensor).description().weakness(),
+                        time)
                 .inWords();
     }
 
@@ -145,7 +149,7 @@ final class Reasons {
     }
 
     private static String weakness(SensorSettings<?> sensor, Optional<Look> best) {
-        return sensor.weakness()
+        return sensor.description().weakness()
                 + best.filter(Reasons::isReading)
                         .map(look -> format(
                                 ": at best %s (needs %s), %.0f m away",

@@ -176,7 +176,9 @@ final class SettingTables {
         List<String> items = new ArrayList<>();
         items.add("Ranges follow from the models and settings above; those of a real sensor have to be measured.");
         Set<String> leftOut = new LinkedHashSet<>();
-        settings.enabledSensors().values().forEach(sensor -> leftOut.addAll(sensor.leavesOut()));
+        settings.enabledSensors()
+                .values()
+                .forEach(sensor -> leftOut.addAll(sensor.description().leavesOut()));
         items.addAll(leftOut);
         items.add("False alarms are not modelled.");
         items.add("Each flight is one of many: other bearings, heights and times give other results.");

@@ -19,6 +19,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorSettings;
 
 /** What a map of a run shows: its first run, if there were several. */
@@ -77,7 +78,7 @@ final class MapContent {
     List<MapFeature> features() {
         List<MapFeature> features = new ArrayList<>();
         settings.enabledSensors().forEach((id, sensor) -> features.add(sensor(id, sensor)));
-        settings.enabledSensors().forEach((id, sensor) -> sensor.outline()
+        settings.enabledSensors().forEach((id, sensor) -> Outlined.outline(sensor)
                 .map(outline -> Footprint.of(sensor.position(), outline, run.firstDetectionRange(id)))
                 .ifPresent(rings -> features.add(field(id, sensor, rings))));
         settings.alert().protect().ifPresent(zone -> features.add(zone(zone)));

@@ -1,13 +1,14 @@
 package org.dronewatch.sensor.acoustic;
 
 import java.util.EnumMap;
-import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.Outlined;
+import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
 import org.dronewatch.setting.Defaults;
@@ -34,7 +35,7 @@ public record AcousticSettings(
         @In(value = Quantity.LEVEL, from = -100, to = 100) double threshold,
         @In(value = Quantity.LEVEL, from = 0, to = 60) double arrayGain,
         Propagation propagation)
-        implements SensorSettings<AcousticSensor> {
+        implements SensorSettings<AcousticSensor>, Outlined, SoundTracing {
     /**
      * Checks the limits.
      *
@@ -50,9 +51,9 @@ public record AcousticSettings(
         return new AcousticSettings(position, 0.5, 10.0, 15.0, 0.0, LevelModel.DEFAULT);
     }
 
-    /** These settings at another place, m. */
-    public AcousticSettings withPosition(Position place) {
-        return new AcousticSettings(place, radius, rate, threshold, arrayGain, propagation);
+    @Override
+    public AcousticSettings withPosition(Position other) {
+        return new AcousticSettings(other, radius, rate, threshold, arrayGain, propagation);
     }
 
     /** These settings with another radius, m. */
@@ -86,27 +87,20 @@ public record AcousticSettings(
     }
 
     @Override
-    public Optional<Outline> outline() {
-        return Optional.of(new Outline.Ball(radius));
+    public Outline.Ball outline() {
+        return new Outline.Ball(radius);
     }
 
     @Override
-    public List<String> leavesOut() {
-        return List.of(
-                "Levels of the level model are calibrated, not physical; both models leave out wind and interference.");
-    }
-
-    @Override
-    public Map<Condition, String> ignoredConditions() {
+    public SensorDescription description() {
         Map<Condition, String> ignored = new EnumMap<>(Condition.class);
         ignored.putAll(propagation.ignoredConditions());
         ignored.put(Condition.RAIN, "raise world.backgroundNoise by the noise of the rain");
-        return ignored;
-    }
-
-    @Override
-    public String weakness() {
-        return "too quiet";
+        return SensorDescription.measuring(propagation.measures())
+                .withWeakness("too quiet")
+                .withLeavesOut(
+                        "Levels of the level model are calibrated, not physical; both models leave out wind and interference.")
+                .withIgnoredConditions(ignored);
     }
 
     @Override
@@ -115,18 +109,8 @@ public record AcousticSettings(
     }
 
     @Override
-    public String measures() {
-        return propagation.measures();
-    }
-
-    @Override
     public double signalSpeed(World world) {
         return propagation.signalSpeed(world);
-    }
-
-    @Override
-    public boolean hearsSurfaces() {
-        return true;
     }
 
     @Override

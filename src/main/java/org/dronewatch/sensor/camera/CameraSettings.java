@@ -1,13 +1,11 @@
 package org.dronewatch.sensor.camera;
 
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Aim;
-import org.dronewatch.sensor.Condition;
+import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.setting.Defaults;
@@ -69,9 +67,9 @@ public record CameraSettings(
                 Optional.empty());
     }
 
-    /** These settings at another position; a camera that points at a position keeps pointing there. */
-    public CameraSettings withPosition(Position place) {
-        return new CameraSettings(place, aim, width, height, fov, fovAxis, rate, detection, positioner);
+    @Override
+    public CameraSettings withPosition(Position other) {
+        return new CameraSettings(other, aim, width, height, fov, fovAxis, rate, detection, positioner);
     }
 
     /** These settings looking at another point, m. */
@@ -79,7 +77,7 @@ public record CameraSettings(
         return withAim(new Aim.Target(point));
     }
 
-    /** These settings pointing elsewhere. */
+    @Override
     public CameraSettings withAim(Aim other) {
         return new CameraSettings(position, other, width, height, fov, fovAxis, rate, detection, positioner);
     }
@@ -131,34 +129,22 @@ public record CameraSettings(
     }
 
     @Override
-    public List<String> leavesOut() {
+    public SensorDescription description() {
         String decision = detection
                         .probability(new DroneView(1, 1.0, 1.0, 0.0, Light.DAY, 1.0))
                         .isPresent()
                 ? "What a camera detects depends on an assumed contrast of the drone; clutter behind it and"
                         + " compression are left out."
                 : "A camera that counts pixels takes no account of contrast, haze, light or compression.";
-        return positioner.isPresent() ? List.of(decision, PositionerSettings.LEFT_OUT) : List.of(decision);
-    }
-
-    @Override
-    public Map<Condition, String> ignoredConditions() {
-        return detection.ignoredConditions();
-    }
-
-    @Override
-    public String weakness() {
-        return "too small or too faint";
+        return PictureSensorSettings.describe(
+                        detection.unit().isEmpty() ? "probability" : "pixels of the drone", decision, positioner)
+                .withWeakness("too small or too faint")
+                .withIgnoredConditions(detection.ignoredConditions());
     }
 
     @Override
     public String kind() {
         return "camera";
-    }
-
-    @Override
-    public String measures() {
-        return detection.unit().isEmpty() ? "probability" : "pixels of the drone";
     }
 
     @Override

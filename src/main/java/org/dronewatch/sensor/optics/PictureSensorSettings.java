@@ -6,32 +6,27 @@ import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Positioner;
 import org.dronewatch.positioner.PositionerSettings;
+import org.dronewatch.sensor.DirectionFinding;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Settings of a sensor that takes pictures: what it looks into is a pyramid, a picture tells directions, and a mount may turn
- * it about its aim.
+ * Settings of a sensor that takes pictures: its field of view is a frustum, a picture gives directions, and a positioner
+ * may turn it about its aim.
  *
  * @param <S> the sensor that they create
  */
-public interface PictureSensorSettings<S extends Sensor> extends SensorSettings<S>, PictureSettings {
+public interface PictureSensorSettings<S extends Sensor>
+        extends SensorSettings<S>, PictureSettings, Mounted, Outlined, DirectionFinding {
 
     @Override
-    default Optional<Outline> outline() {
-        return Optional.of(new CameraObject(this).outline());
-    }
-
-    @Override
-    default long pixels() {
-        return (long) width() * height();
-    }
-
-    @Override
-    default boolean tellsDirection() {
-        return true;
+    default Outline outline() {
+        return new CameraObject(this).outline();
     }
 
     @Override
@@ -42,8 +37,8 @@ public interface PictureSensorSettings<S extends Sensor> extends SensorSettings<
     }
 
     @Override
-    default Optional<Pointing> turnedTo(Position place) {
-        return positioner().map(mount -> mount.turnedTo(position(), place, fov()));
+    default Optional<Pointing> turnedTo(Position target) {
+        return positioner().map(mount -> mount.turnedTo(position(), target, fov()));
     }
 
     /** The most pixels of a picture: 8192 x 8192. */
@@ -60,6 +55,19 @@ public interface PictureSensorSettings<S extends Sensor> extends SensorSettings<
             throw new IllegalArgumentException("width " + width + " px x height " + height + " px = " + pixels
                     + " px must be at most " + MOST_PIXELS + " px");
         }
+    }
+
+    /**
+     * What reports say about a camera, on a positioner or not.
+     *
+     * @param measures what the values of its observations mean
+     * @param leftOut a sentence about what its model leaves out
+     */
+    static SensorDescription describe(String measures, String leftOut, Optional<PositionerSettings> mount) {
+        SensorDescription description = SensorDescription.measuring(measures);
+        return mount.isPresent()
+                ? description.withLeavesOut(leftOut, PositionerSettings.LEFT_OUT)
+                : description.withLeavesOut(leftOut);
     }
 
     /**

@@ -2,14 +2,17 @@ package org.dronewatch.sensor.optics;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Aimed;
+import org.dronewatch.sensor.Imaging;
 
 /** Where a camera of any kind stands, where it points, and how many pixels its picture has. */
-public interface PictureSettings {
+public interface PictureSettings extends Aimed, Imaging {
 
     /** Where its centre of projection is, m. */
     Position position();
 
     /** Where its axis points; the horizon is level. */
+    @Override
     Aim aim();
 
     /** Pixels in a row. */
@@ -17,6 +20,11 @@ public interface PictureSettings {
 
     /** Rows of the picture. */
     int height();
+
+    @Override
+    default long pixels() {
+        return (long) width() * height();
+    }
 
     /** Field of view, 0.01 to 179 degrees, rad. */
     double fov();

@@ -16,7 +16,7 @@ final class FieldOfRegard {
 
     FieldOfRegard(RadarSettings settings) {
         this.settings = settings;
-        this.outline = settings.sector();
+        this.outline = settings.outline();
         this.fastest = Math.min(settings.maxSpeed(), settings.budget().migrationSpeed());
     }
 

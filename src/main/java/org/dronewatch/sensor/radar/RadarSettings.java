@@ -1,11 +1,13 @@
 package org.dronewatch.sensor.radar;
 
-import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Aimed;
+import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.Outlined;
+import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -47,7 +49,7 @@ public record RadarSettings(
         LinkBudget budget,
         RadarDetection detection,
         Accuracy accuracy)
-        implements SensorSettings<RadarSensor> {
+        implements SensorSettings<RadarSensor>, Aimed, Outlined, DirectionFinding {
 
     /**
      * Checks the limits.
@@ -105,12 +107,12 @@ public record RadarSettings(
                 Accuracy.DEFAULT);
     }
 
-    /** These settings at another place, m. */
-    public RadarSettings withPosition(Position place) {
-        return with(Map.of("position", place));
+    @Override
+    public RadarSettings withPosition(Position other) {
+        return with(Map.of("position", other));
     }
 
-    /** These settings pointing elsewhere. */
+    @Override
     public RadarSettings withAim(Aim other) {
         return with(Map.of("aim", other));
     }
@@ -159,13 +161,9 @@ public record RadarSettings(
         return (RadarSettings) SettingsForm.of(RadarSettings.class).with(this, parts);
     }
 
-    @Override
-    public Optional<Outline> outline() {
-        return Optional.of(sector());
-    }
-
     /** The space that it looks into. */
-    Outline.Sector sector() {
+    @Override
+    public Outline.Sector outline() {
         Position axis = aim.from(position);
         return new Outline.Sector(
                 Math.atan2(axis.x(), axis.y()),
@@ -177,28 +175,15 @@ public record RadarSettings(
     }
 
     @Override
-    public List<String> leavesOut() {
-        return List.of("Radars are modelled without clutter, birds and rotor Doppler.");
-    }
-
-    @Override
-    public String weakness() {
-        return "its echo too weak";
-    }
-
-    @Override
-    public boolean tellsDirection() {
-        return true;
+    public SensorDescription description() {
+        return SensorDescription.measuring("signal-to-noise ratio")
+                .withWeakness("its echo too weak")
+                .withLeavesOut("Radars are modelled without clutter, birds and rotor Doppler.");
     }
 
     @Override
     public String kind() {
         return "radar";
-    }
-
-    @Override
-    public String measures() {
-        return "signal-to-noise ratio";
     }
 
     @Override

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor.rf;
 
-import java.util.List;
 import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -55,9 +55,9 @@ public record RfSettings(
         return new RfSettings(position, 1.0, 400e6, 6e9, 0.0, 10e6, 6.0, 0.0, 6.0);
     }
 
-    /** These settings at another place, m. */
-    public RfSettings withPosition(Position place) {
-        return new RfSettings(place, rate, lowest, highest, gain, bandwidth, noiseFigure, clutter, threshold);
+    @Override
+    public RfSettings withPosition(Position other) {
+        return new RfSettings(other, rate, lowest, highest, gain, bandwidth, noiseFigure, clutter, threshold);
     }
 
     /** These settings for other frequencies, Hz. */
@@ -91,24 +91,17 @@ public record RfSettings(
     }
 
     @Override
-    public List<String> leavesOut() {
-        return List.of("Radio waves propagate in free space and over one edge of the site, without interference and"
-                + " reflections.");
-    }
-
-    @Override
-    public String weakness() {
-        return "its signal too weak";
+    public SensorDescription description() {
+        return SensorDescription.measuring("signal-to-noise ratio")
+                .withWeakness("its signal too weak")
+                .withLeavesOut(
+                        "Radio waves propagate in free space and over one edge of the site, without interference and"
+                                + " reflections.");
     }
 
     @Override
     public String kind() {
         return "rf";
-    }
-
-    @Override
-    public String measures() {
-        return "signal-to-noise ratio";
     }
 
     @Override

@@ -1,6 +1,5 @@
 package org.dronewatch.sensor.thermal;
 
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
@@ -9,6 +8,7 @@ import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
+import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.setting.Defaults;
@@ -102,14 +102,19 @@ public record ThermalSettings(
                 Optional.empty());
     }
 
-    /** These settings at another place, m. */
-    public ThermalSettings withPosition(Position place) {
-        return with(Map.of("position", place));
+    @Override
+    public ThermalSettings withPosition(Position other) {
+        return with(Map.of("position", other));
+    }
+
+    @Override
+    public ThermalSettings withAim(Aim other) {
+        return with(Map.of("aim", other));
     }
 
     /** These settings looking at a point, m. */
     public ThermalSettings withLookAt(Position point) {
-        return with(Map.of("aim", new Aim.Target(point)));
+        return withAim(new Aim.Target(point));
     }
 
     /** These settings with another horizontal field of view, rad. */
@@ -148,32 +153,20 @@ public record ThermalSettings(
     }
 
     @Override
-    public List<String> leavesOut() {
-        String heat =
-                "Thermal cameras see a single temperature difference for the whole drone, whatever its background.";
-        return positioner.isPresent() ? List.of(heat, PositionerSettings.LEFT_OUT) : List.of(heat);
-    }
-
-    /** What the air takes is a setting of the camera, whatever the site's weather. */
-    @Override
-    public Map<Condition, String> ignoredConditions() {
+    public SensorDescription description() {
+        // What the air absorbs is a setting of the camera, whatever the site's weather.
         String own = "set its 'transmission' for such weather";
-        return Map.of(Condition.VISIBILITY, own, Condition.RAIN, own, Condition.AIR, own);
-    }
-
-    @Override
-    public String weakness() {
-        return "too small or too cool";
+        return PictureSensorSettings.describe(
+                        "probability",
+                        "Thermal cameras see a single temperature difference for the whole drone, whatever its background.",
+                        positioner)
+                .withWeakness("too small or too cool")
+                .withIgnoredConditions(Map.of(Condition.VISIBILITY, own, Condition.RAIN, own, Condition.AIR, own));
     }
 
     @Override
     public String kind() {
         return "thermal";
-    }
-
-    @Override
-    public String measures() {
-        return "probability";
     }
 
     @Override

@@ -24,7 +24,7 @@ class FootprintTest {
                 .withResolution(400, 300)
                 .withHorizontalFov(Math.toRadians(60))
                 .withAim(new Aim.Direction(Math.toRadians(azimuth), Math.toRadians(elevation)));
-        return Footprint.of(AT, settings.outline().orElseThrow(), detected);
+        return Footprint.of(AT, settings.outline(), detected);
     }
 
     /** Twice the area of a ring, above 0 for a counterclockwise one. */

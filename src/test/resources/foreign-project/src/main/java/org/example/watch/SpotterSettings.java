@@ -6,6 +6,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -40,8 +41,13 @@ public record SpotterSettings(
     }
 
     @Override
-    public String measures() {
-        return "share of the reach";
+    public SpotterSettings withPosition(Position other) {
+        return new SpotterSettings(other, rate, reach);
+    }
+
+    @Override
+    public SensorDescription description() {
+        return SensorDescription.measuring("share of the reach");
     }
 
     @Override

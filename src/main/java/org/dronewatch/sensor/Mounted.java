@@ -1,0 +1,46 @@
+package org.dronewatch.sensor;
+
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.positioner.Positioner;
+import org.dronewatch.positioner.PositionerSettings;
+
+/**
+ * Settings of a sensor that may be mounted on a positioner; one on a fixed mount has none. A capability:
+ * {@link SensorSettings#as}.
+ */
+public interface Mounted {
+
+    /** The positioner that turns it; empty for a sensor on a fixed mount. */
+    Optional<PositionerSettings> positioner();
+
+    /** Its positioner at the start of a run; empty for a sensor on a fixed mount. */
+    Optional<Positioner> createPositioner();
+
+    /**
+     * Where its positioner points once it has turned to a position; empty for a sensor on a fixed mount.
+     *
+     * @param target position, m
+     */
+    Optional<Pointing> turnedTo(Position target);
+
+    /**
+     * The settings of the same sensor on a fixed mount that points as a positioner does now.
+     *
+     * @param pointing direction and field of view
+     */
+    SensorSettings<?> pointed(Pointing pointing);
+
+    /**
+     * Any sensor's settings as its positioner points it.
+     *
+     * @param pointing where that points; empty for a sensor's own aim
+     * @return the same settings without a pointing, and for a sensor that no positioner can turn
+     */
+    static SensorSettings<?> pointed(SensorSettings<?> sensor, Optional<Pointing> pointing) {
+        return pointing.<SensorSettings<?>>flatMap(
+                        to -> sensor.as(Mounted.class).map(mounted -> mounted.pointed(to)))
+                .orElse(sensor);
+    }
+}

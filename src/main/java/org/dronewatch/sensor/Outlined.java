@@ -1,0 +1,26 @@
+package org.dronewatch.sensor;
+
+import java.util.Optional;
+import org.dronewatch.positioner.Pointing;
+
+/** Settings of a sensor whose reach has a shape that pictures can show. A capability: {@link SensorSettings#as}. */
+public interface Outlined {
+
+    /** The shape, as the sensor points on its own. */
+    Outline outline();
+
+    /** The shape of any sensor, as it points on its own; empty for a sensor that has none. */
+    static Optional<Outline> outline(SensorSettings<?> sensor) {
+        return sensor.as(Outlined.class).map(Outlined::outline);
+    }
+
+    /**
+     * The field of view of any sensor, outside which it detects nothing; empty for a sensor without one. A
+     * {@linkplain Outline.Ball ball} about a microphone is not a field of view: it also hears what is outside.
+     *
+     * @param pointing where a positioner points the sensor; empty for its own aim
+     */
+    static Optional<Outline> fieldOfView(SensorSettings<?> sensor, Optional<Pointing> pointing) {
+        return outline(Mounted.pointed(sensor, pointing)).filter(shape -> !(shape instanceof Outline.Ball));
+    }
+}

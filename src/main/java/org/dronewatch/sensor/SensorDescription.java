@@ -1,0 +1,44 @@
+package org.dronewatch.sensor;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What reports say about a sensor with its settings.
+ *
+ * @param measures what the values of its observations mean, in words for a plot: {@code sound level}
+ * @param weakness the words for a drone whose signal is insufficient, such as {@code too quiet}
+ * @param leavesOut what the model of this sensor leaves out, in sentences for a report
+ * @param ignoredConditions conditions of the site that would matter to a real sensor of this kind, but that its model does not
+ *     take into account; by condition what to do instead, in words such as {@code set its 'transmission' for such weather}. A
+ *     scene that sets one of them gets a warning
+ */
+public record SensorDescription(
+        String measures, String weakness, List<String> leavesOut, Map<Condition, String> ignoredConditions) {
+
+    /** Keeps its own lists. */
+    public SensorDescription {
+        leavesOut = List.copyOf(leavesOut);
+        ignoredConditions = Map.copyOf(ignoredConditions);
+    }
+
+    /** Of a sensor that misses drones whose signal is too weak, and whose model leaves out nothing that must be said. */
+    public static SensorDescription measuring(String measures) {
+        return new SensorDescription(measures, "too weak", List.of(), Map.of());
+    }
+
+    /** With other words for a drone whose signal is insufficient. */
+    public SensorDescription withWeakness(String other) {
+        return new SensorDescription(measures, other, leavesOut, ignoredConditions);
+    }
+
+    /** With sentences about what the model leaves out. */
+    public SensorDescription withLeavesOut(String... sentences) {
+        return new SensorDescription(measures, weakness, List.of(sentences), ignoredConditions);
+    }
+
+    /** With conditions that the model does not take into account, each with what to do instead. */
+    public SensorDescription withIgnoredConditions(Map<Condition, String> others) {
+        return new SensorDescription(measures, weakness, leavesOut, others);
+    }
+}
