@@ -54,6 +54,7 @@ final class SaveCommand implements Callable<Integer> {
         WholeFile target = new WholeFile("--out", out);
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
+        runner.notes(spec.commandLine().getErr()::println);
         if (seed != null) {
             runner.seed(seed);
         }

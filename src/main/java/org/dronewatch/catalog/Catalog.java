@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Spelling;
@@ -51,6 +52,7 @@ public final class Catalog implements Kinds.NamedSettings {
 
     private final Optional<Path> directory;
     private final Set<Path> read = Collections.synchronizedSet(new LinkedHashSet<>());
+    private final FormerNames formerNames = new FormerNames();
 
     private Catalog(Optional<Path> directory) {
         this.directory = directory;
@@ -76,6 +78,11 @@ public final class Catalog implements Kinds.NamedSettings {
         synchronized (read) {
             return List.copyOf(read);
         }
+    }
+
+    /** The settings that were written by a former name in what was read so far. */
+    public FormerNames formerNames() {
+        return formerNames;
     }
 
     @Override
@@ -118,9 +125,9 @@ public final class Catalog implements Kinds.NamedSettings {
      * @throws InputException when its file is wrong
      */
     public Optional<CatalogEntry> entry(String name) {
+        Path start = directory.orElse(Path.of(""));
         return document(name)
-                .map(document ->
-                        SettingsFile.read(document, CatalogEntry.class, Kinds.FOUND, directory.orElse(Path.of(""))));
+                .map(document -> SettingsFile.read(document, CatalogEntry.class, Kinds.FOUND, start, formerNames));
     }
 
     /**
@@ -136,7 +143,8 @@ public final class Catalog implements Kinds.NamedSettings {
                 .orElseThrow(() -> new InputException(
                         "no sensor '" + name + "' in the catalogue; " + Spelling.nearestAre(name, names())));
         Node.Mapping all = known.overlaidWith(Node.Mapping.ofReady(name, parts));
-        return SettingsFile.read(all, SensorSettings.class, SensorKinds.kinds(this), directory.orElse(Path.of("")));
+        Path start = directory.orElse(Path.of(""));
+        return SettingsFile.read(all, SensorSettings.class, SensorKinds.kinds(this), start, formerNames);
     }
 
     /** A kind of sensor with nothing said of it. */
@@ -194,7 +202,7 @@ public final class Catalog implements Kinds.NamedSettings {
 
     /** Reads a file of the library. */
     static CatalogEntry entryOf(Node.Mapping document) {
-        return SettingsFile.read(document, CatalogEntry.class, Kinds.FOUND, Path.of(""));
+        return SettingsFile.read(document, CatalogEntry.class, Kinds.FOUND, Path.of(""), new FormerNames());
     }
 
     /** A file of the library. */

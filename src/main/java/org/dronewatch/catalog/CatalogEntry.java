@@ -8,6 +8,7 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -86,7 +87,8 @@ public record CatalogEntry(
 
         private static <T> T read(Map<String, ?> base, Optional<Node.Mapping> over, Class<T> type) {
             Node.Mapping plain = Node.Mapping.ofReady("catalogue", base);
-            return SettingsFile.read(over.map(plain::overlaidWith).orElse(plain), type, Kinds.FOUND, Path.of(""));
+            Node.Mapping whole = over.map(plain::overlaidWith).orElse(plain);
+            return SettingsFile.read(whole, type, Kinds.FOUND, Path.of(""), new FormerNames());
         }
     }
 

@@ -13,6 +13,8 @@ import org.dronewatch.scenario.Overrides;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SceneWriter;
 import org.dronewatch.scenario.SweepSettings;
+import org.dronewatch.setting.CurrentPath;
+import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsPath;
 
@@ -20,6 +22,10 @@ import org.dronewatch.setting.SettingsPath;
 final class ConfiguredScene {
     private final Scene scene;
     private final Map<String, String> overrides = new LinkedHashMap<>();
+    /** The overridden paths as they were given, by the same paths with present names. */
+    private final Map<String, String> overridden = new LinkedHashMap<>();
+
+    private FormerNames formerNames = new FormerNames();
     private Path directory;
     private Catalog catalog;
 
@@ -59,11 +65,13 @@ final class ConfiguredScene {
      * @throws InputException when an override does not fit
      */
     SceneSettings settings() {
+        formerNames = new FormerNames();
+        overridden.clear();
         SceneSettings settings = described();
         for (Map.Entry<String, String> override : overrides.entrySet()) {
-            boolean sweptPath = settings.sweep()
-                    .map(sweep -> sweep.parameter().equals(override.getKey()))
-                    .orElse(false);
+            String path = currentPath(settings, override.getKey());
+            boolean sweptPath =
+                    path.equals(sweptPath(settings, new FormerNames()).orElse(""));
             try {
                 settings = writer().write(settings, override.getKey(), override.getValue());
             } catch (InputException e) {
@@ -71,8 +79,44 @@ final class ConfiguredScene {
             }
             settings = sweptPath ? settings.withoutSweep() : settings;
         }
+        settings = withCurrentSweep(settings);
         settingsOfRuns(settings);
         return settings;
+    }
+
+    /** The path of an override by present names, which no other override may mean by another name. */
+    private String currentPath(SceneSettings settings, String path) {
+        String option = "--set " + path;
+        String current = new CurrentPath(settings, formerNames).of(path, option);
+        String other = overridden.putIfAbsent(current, path);
+        if (other != null) {
+            throw new InputException(option + ": it is already given as --set " + other
+                    + ": they are names of the same setting, now called '" + current + "'");
+        }
+        return current;
+    }
+
+    /** The path of the swept setting by present names. */
+    private Optional<String> sweptPath(SceneSettings settings, FormerNames used) {
+        return settings.sweep().map(SweepSettings::parameter).map(path -> new CurrentPath(settings, used)
+                .of(path, scene.placeOf("sweep.parameter").orElse("sweep of " + path)));
+    }
+
+    /** The settings with the present name of what is swept, which is what results and files then call it. */
+    private SceneSettings withCurrentSweep(SceneSettings settings) {
+        return sweptPath(settings, formerNames)
+                .filter(path -> !path.equals(settings.sweep().orElseThrow().parameter()))
+                .map(path -> new SettingsPath("sweep.parameter").write(settings, path))
+                .orElse(settings);
+    }
+
+    /** A line for each former name of a setting that {@link #settings()} found, by what was renamed. */
+    Map<FormerNames.Renamed, String> formerNames() {
+        FormerNames all = new FormerNames();
+        all.addAll(scene.formerNames());
+        all.addAll(catalog.formerNames());
+        all.addAll(formerNames);
+        return all.warnings();
     }
 
     private Overrides writer() {
@@ -121,9 +165,9 @@ final class ConfiguredScene {
     }
 
     private String placeOf(String path, Predicate<String> isBehind) {
-        for (Map.Entry<String, String> override : overrides.entrySet()) {
+        for (Map.Entry<String, String> override : overridden.entrySet()) {
             if (isBehind.test(override.getKey())) {
-                return "--set " + override.getKey() + "=" + override.getValue() + ": ";
+                return "--set " + override.getValue() + "=" + overrides.get(override.getValue()) + ": ";
             }
         }
         return scene.placeOf(path).map(place -> place + ": ").orElse("");

@@ -31,6 +31,7 @@ import org.dronewatch.scenario.SweepSettings;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
@@ -247,6 +248,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
      */
     Optional<String> placeOf(String path) {
         return Optional.empty();
+    }
+
+    /** The settings that are written by a former name in the files in which the scene is described. */
+    FormerNames formerNames() {
+        return new FormerNames();
     }
 
     /**

@@ -9,6 +9,7 @@ import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.setting.file.SettingsFile;
@@ -19,6 +20,7 @@ public final class SceneFile extends Scene {
 
     private final transient Path file;
     private transient List<FileHash> files = List.of();
+    private transient FormerNames formerNames = new FormerNames();
 
     /**
      * The scene of a file. The file is read when the scene is described, so that is when mistakes in it are found.
@@ -56,6 +58,11 @@ public final class SceneFile extends Scene {
     }
 
     @Override
+    FormerNames formerNames() {
+        return formerNames;
+    }
+
+    @Override
     Optional<String> placeOf(String path) {
         return Optional.of(SettingsFile.document(file).markOf(path).toString());
     }
@@ -68,7 +75,8 @@ public final class SceneFile extends Scene {
     @Override
     protected void build() {
         Catalog catalog = Catalog.beside(directory());
-        set(SettingsFile.read(file, SceneSettings.class, SensorKinds.kinds(catalog)));
+        formerNames = catalog.formerNames();
+        set(SettingsFile.read(file, SceneSettings.class, SensorKinds.kinds(catalog), formerNames));
         List<Path> read = new ArrayList<>(List.of(file));
         read.addAll(catalog.filesRead());
         files = read.stream().map(InputFiles::hash).toList();

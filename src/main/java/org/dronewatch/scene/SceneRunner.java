@@ -2,9 +2,11 @@ package org.dronewatch.scene;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -23,6 +25,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.run.Timing;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
@@ -32,6 +35,7 @@ import org.dronewatch.setting.PlainText;
  */
 public final class SceneRunner {
     private static final double NANO = 1e-9;
+    private static final Consumer<String> NOBODY = note -> {};
 
     private final Scene scene;
     private final ConfiguredScene configured;
@@ -39,7 +43,8 @@ public final class SceneRunner {
     private int threads = Runtime.getRuntime().availableProcessors();
     private Pace pace = Pace.AS_FAST_AS_POSSIBLE;
     private BooleanSupplier cancelled = () -> false;
-    private Consumer<String> notes = note -> {};
+    private Consumer<String> notes = NOBODY;
+    private final Set<FormerNames.Renamed> renamed = new HashSet<>();
     private SceneModels models;
     private Optional<InputFiles> inputs = Optional.empty();
     private OptionalInt only = OptionalInt.empty();
@@ -51,7 +56,7 @@ public final class SceneRunner {
         this.configured = new ConfiguredScene(scene);
     }
 
-    /** Overrides a setting; overriding the swept setting ends the sweep. */
+    /** Overrides a setting, by its present or a former name; overriding the swept setting ends the sweep. */
     public SceneRunner set(String path, String value) {
         configured.set(path, value);
         return this;
@@ -139,7 +144,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Receives one line for each file read and for each oddity. Names that come from files are shortened, and their
+     * Receives one line for each file read, for each oddity, and for each setting that is written by a former name. Names that come from files are shortened, and their
      * control characters escaped, so that a line can safely be printed to a terminal.
      */
     public SceneRunner notes(Consumer<String> target) {
@@ -153,7 +158,20 @@ public final class SceneRunner {
      * @throws InputException when an override does not fit
      */
     public SceneSettings settings() {
-        return configured.settings();
+        SceneSettings settings = configured.settings();
+        warnOfFormerNames();
+        return settings;
+    }
+
+    /** Warns once for each name, as soon as there is somebody to read it. */
+    private void warnOfFormerNames() {
+        if (notes != NOBODY) {
+            configured.formerNames().forEach((setting, line) -> {
+                if (renamed.add(setting)) {
+                    notes.accept("warning: " + line);
+                }
+            });
+        }
     }
 
     /** The settings of each run, in order, with all overrides and the sweep's values. */

@@ -33,6 +33,7 @@ public final class SettingsForm {
     private final Method factory;
     private final List<String> required;
     private final Set<String> hidden;
+    private final Map<String, String> renamed;
 
     private SettingsForm(Class<?> type) {
         this.type = type;
@@ -47,6 +48,7 @@ public final class SettingsForm {
                 .filter(part -> part.isAnnotationPresent(Switchable.class))
                 .map(part -> part.getAnnotation(Switchable.class).value())
                 .collect(Collectors.toUnmodifiableSet());
+        this.renamed = Renames.of(type);
         this.constant = marked(List.of(type.getDeclaredFields()));
         this.factory = marked(List.of(type.getDeclaredMethods()));
         if (constant != null) {
@@ -78,6 +80,7 @@ public final class SettingsForm {
      * The form of a record class.
      *
      * @throws IllegalArgumentException when the class is no record
+     * @throws IllegalStateException when a former name of a part is that of another one
      */
     public static SettingsForm of(Class<?> record) {
         if (!record.isRecord()) {
@@ -108,6 +111,16 @@ public final class SettingsForm {
     /** The names of all parts that people write, in their order. */
     public List<String> names() {
         return parts().stream().map(RecordComponent::getName).toList();
+    }
+
+    /** The present names of parts that had other names in earlier versions, by those; see {@link Formerly}. */
+    public Map<String, String> renamed() {
+        return renamed;
+    }
+
+    /** The present name of a part for a former one; any other name as it is. */
+    public String currentName(String name) {
+        return renamed.getOrDefault(name, name);
     }
 
     /** The part that holds the names of those that are off of a {@link Switchable} one. */

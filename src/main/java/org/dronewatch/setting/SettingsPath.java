@@ -12,7 +12,8 @@ import java.util.Optional;
 
 /**
  * The path to one setting through a tree of records, such as {@code sensors.camera.fov} or {@code
- * world.models.0.scale}: names of record components, keys of maps and indices of lists, separated by dots.
+ * world.models.0.scale}: names of record components, present or former ones, keys of maps and indices of lists, separated by
+ * dots.
  */
 public final class SettingsPath {
     private final String path;
@@ -175,7 +176,7 @@ public final class SettingsPath {
 
     private RecordComponent component(Object tree, Record settings, int depth) {
         SettingsForm form = SettingsForm.of(settings.getClass());
-        return form.part(names.get(depth)).orElseThrow(() -> {
+        return form.part(form.currentName(names.get(depth))).orElseThrow(() -> {
             List<String> known = new ArrayList<>(form.names());
             if (Switches.at(tree, withLast(depth, Switchable.ENABLED)).isPresent()) {
                 known.add(Switchable.ENABLED);

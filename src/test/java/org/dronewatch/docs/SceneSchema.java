@@ -4,6 +4,7 @@ import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
 import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,6 +13,7 @@ import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.Choices;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Switchable;
@@ -114,14 +116,49 @@ final class SceneSchema {
                 sample.ifPresent(defaults -> putDefault(property, SettingsForm.get(defaults, part)));
             }
             properties.set(part.getName(), property);
+            putFormerNames(properties, part, property);
             if (part.isAnnotationPresent(Switchable.class)) {
                 putSwitch(definitions.get(reference(valueOf(part)).substring("#/$defs/".length())));
             }
         }
         ArrayNode required = schema.putArray("required");
-        form.required().forEach(required::add);
+        form.required().stream()
+                .filter(name -> !form.renamed().containsValue(name))
+                .forEach(required::add);
+        putChoiceOfNames(schema, form);
         schema.put("additionalProperties", false);
         return schema;
+    }
+
+    /** Accepts the names that a component had before, too. */
+    private static void putFormerNames(ObjectNode properties, RecordComponent part, ObjectNode property) {
+        Formerly names = part.getAnnotation(Formerly.class);
+        for (String former : names == null ? new String[0] : names.value()) {
+            ObjectNode old = property.deepCopy();
+            old.put("description", "former name of " + part.getName());
+            old.put("deprecated", true);
+            properties.set(former, old);
+        }
+    }
+
+    /** Of all names of a component one may be given, and one must be if it has no default. */
+    private void putChoiceOfNames(ObjectNode schema, SettingsForm form) {
+        for (String name : new LinkedHashSet<>(form.renamed().values())) {
+            ArrayNode either = json.createArrayNode();
+            either.addObject().putArray("required").add(name);
+            form.renamed().forEach((former, current) -> {
+                if (current.equals(name)) {
+                    either.addObject().putArray("required").add(former);
+                }
+            });
+            if (!form.required().contains(name)) {
+                ArrayNode any = json.createArrayNode();
+                either.forEach(one -> any.add(one.deepCopy()));
+                either.addObject().putObject("not").set("anyOf", any);
+            }
+            ArrayNode all = schema.has("allOf") ? (ArrayNode) schema.get("allOf") : schema.putArray("allOf");
+            all.addObject().set("oneOf", either);
+        }
     }
 
     /** What a component holds by name. */

@@ -14,6 +14,7 @@ import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.Choices;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -44,7 +45,8 @@ final class SettingsReference {
                                 + "A number is in the unit of its column or carries a unit (`18 km/h`, `40 deg`, `70 %`); an angle"
                                 + " without a unit is\nin radians, although ranges and defaults are given in degrees here. A setting"
                                 + " without a default is required. Where a\nsetting has several kinds, `kind` selects one; it may be"
-                                + " omitted where the other fields determine it.\n");
+                                + " omitted where the other fields determine it.\n\n"
+                                + "Former names of settings still work, with a warning; `save` writes the present ones.\n");
         waiting.add(SceneSettings.class);
         while (!waiting.isEmpty()) {
             Class<?> next = waiting.iterator().next();
@@ -116,8 +118,14 @@ final class SettingsReference {
                             .orElse(""))
                     .append(" | ")
                     .append(described(texts.part(type, part.getName()), SettingText.quantity(part)))
+                    .append(formerly(part))
                     .append(" |\n");
         }
+    }
+
+    private static String formerly(RecordComponent part) {
+        Formerly names = part.getAnnotation(Formerly.class);
+        return names == null ? "" : " (formerly `" + String.join("`, `", names.value()) + "`)";
     }
 
     /** The range of an angle stands in its column, in degrees: what the source says of it in radians is left out. */

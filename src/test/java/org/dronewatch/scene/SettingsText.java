@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Switchable;
@@ -18,14 +19,22 @@ import tools.jackson.databind.json.JsonMapper;
 final class SettingsText {
     private final Kinds kinds;
 
-    private SettingsText(Kinds kinds) {
+    private final Function<RecordComponent, String> names;
+
+    private SettingsText(Kinds kinds, Function<RecordComponent, String> names) {
         this.kinds = kinds;
+        this.names = names;
     }
 
     static String of(Record settings, Kinds kinds) {
+        return of(settings, kinds, RecordComponent::getName);
+    }
+
+    /** The same with other names of the components. */
+    static String of(Record settings, Kinds kinds, Function<RecordComponent, String> names) {
         return JsonMapper.shared()
                         .writerWithDefaultPrettyPrinter()
-                        .writeValueAsString(new SettingsText(kinds).record(settings, settings.getClass()))
+                        .writeValueAsString(new SettingsText(kinds, names).record(settings, settings.getClass()))
                 + "\n";
     }
 
@@ -42,12 +51,12 @@ final class SettingsText {
         for (RecordComponent part : SettingsForm.of(settings.getClass()).parts()) {
             Object value = SettingsForm.get(settings, part);
             if (!(value instanceof Optional<?> optional && optional.isEmpty())) {
-                document.put(part.getName(), value(value, part.getGenericType()));
+                document.put(names.apply(part), value(value, part.getGenericType()));
             }
             if (part.isAnnotationPresent(Switchable.class)) {
                 RecordComponent off = SettingsForm.of(settings.getClass()).switchOf(part);
                 for (Object name : (Set<?>) SettingsForm.get(settings, off)) {
-                    Map<?, ?> all = (Map<?, ?>) document.get(part.getName());
+                    Map<?, ?> all = (Map<?, ?>) document.get(names.apply(part));
                     @SuppressWarnings("unchecked")
                     Map<String, Object> one = (Map<String, Object>) all.get(name);
                     one.put(Switchable.ENABLED, false);

@@ -30,7 +30,8 @@ class SwitchableTest {
                 SettingsFile.document("room.yaml", new ByteArrayInputStream(text)),
                 Room.class,
                 Kinds.FOUND,
-                Path.of(""));
+                Path.of(""),
+                new FormerNames());
         Room lit = new Room(Map.of("desk", new Lamp(7, true)), Set.of());
         SettingsPath path = new SettingsPath("lamps.desk.enabled");
         Room written = path.write(lit, "false");

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.dronewatch.setting.SettingsForm;
 
 /** Finds which of several kinds of settings a mapping means: by its kind, by ready settings that it takes, by its parts. */
@@ -87,11 +88,16 @@ final class KindChooser {
     /** The only kind that has all these parts, or else the only one of those that needs no others. */
     private static Optional<Class<?>> meant(Map<String, Class<?>> choices, Set<String> names) {
         List<Class<?>> fitting = new ArrayList<>(choices.values());
-        fitting.removeIf(choice -> !SettingsForm.of(choice).names().containsAll(names));
+        fitting.removeIf(choice -> !SettingsForm.of(choice).names().containsAll(current(choice, names)));
         if (fitting.size() > 1) {
-            fitting.removeIf(
-                    choice -> !names.containsAll(SettingsForm.of(choice).required()));
+            fitting.removeIf(choice ->
+                    !current(choice, names).containsAll(SettingsForm.of(choice).required()));
         }
         return fitting.size() == 1 ? Optional.of(fitting.get(0)) : Optional.empty();
+    }
+
+    private static Set<String> current(Class<?> choice, Set<String> names) {
+        SettingsForm form = SettingsForm.of(choice);
+        return names.stream().map(form::currentName).collect(Collectors.toSet());
     }
 }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.setting.CanonicalSettings;
+import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 
 /** Reads a settings record from a YAML file that a person wrote, and writes one. */
@@ -18,13 +19,14 @@ public final class SettingsFile {
      * @param file of at most 1 MiB, in UTF-8
      * @param type the record that it describes
      * @param kinds among which to choose where the record has an interface
+     * @param used receives the settings that are written by a former name
      * @throws InputException with a line for each mistake: file, line, column, setting, value and limit
      */
-    public static <T extends Record> T read(Path file, Class<T> type, Kinds kinds) {
+    public static <T extends Record> T read(Path file, Class<T> type, Kinds kinds, FormerNames used) {
         Problems problems = new Problems();
         Node.Mapping document = YamlFile.read(file.toString(), YamlFile.text(file), problems);
         Path directory = file.resolveSibling("").toAbsolutePath();
-        Optional<Object> settings = new SettingsReader(kinds, directory, problems).read(type, document);
+        Optional<Object> settings = new SettingsReader(kinds, directory, used, problems).read(type, document);
         problems.throwIfAny();
         return type.cast(settings.orElseThrow());
     }
@@ -60,11 +62,12 @@ public final class SettingsFile {
      *
      * @param type a record, or an interface with kinds
      * @param directory where file names start
+     * @param used receives the settings that are written by a former name
      * @throws InputException with a line for each mistake
      */
-    public static <T> T read(Node.Mapping part, Class<T> type, Kinds kinds, Path directory) {
+    public static <T> T read(Node.Mapping part, Class<T> type, Kinds kinds, Path directory, FormerNames used) {
         Problems problems = new Problems();
-        Optional<Object> settings = new SettingsReader(kinds, directory, problems).read(type, part);
+        Optional<Object> settings = new SettingsReader(kinds, directory, used, problems).read(type, part);
         problems.throwIfAny();
         return type.cast(settings.orElseThrow());
     }
@@ -85,7 +88,8 @@ public final class SettingsFile {
         String text = YamlText.of(new SettingsWriter(kinds).write(moved));
         Problems problems = new Problems();
         Node.Mapping document = YamlFile.read(file.toString(), text, problems);
-        Optional<Object> read = new SettingsReader(kinds, directory, problems).read(settings.getClass(), document);
+        Optional<Object> read =
+                new SettingsReader(kinds, directory, new FormerNames(), problems).read(settings.getClass(), document);
         problems.throwIfAny();
         if (!read.equals(Optional.of(moved))) {
             throw new InputException(file + ": what would be written does not read back as it is: "

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.setting.FileName;
+import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
@@ -28,13 +29,20 @@ final class SettingsReader {
     private final Kinds kinds;
     private final FileNames files;
     private final KindChooser chooser;
+    private final FormerNameReader formerNames;
     private final Problems problems;
     /** Paths of settings that can be switched off. */
     private final Set<String> switchable = new HashSet<>();
 
-    SettingsReader(Kinds kinds, Path directory, Problems problems) {
+    /**
+     * A reader.
+     *
+     * @param used receives the settings that are written by a former name
+     */
+    SettingsReader(Kinds kinds, Path directory, FormerNames used, Problems problems) {
         this.kinds = kinds;
         this.files = new FileNames(directory);
+        this.formerNames = new FormerNameReader(used, problems);
         this.chooser = new KindChooser(kinds, problems);
         this.problems = problems;
     }
@@ -170,8 +178,9 @@ final class SettingsReader {
                 .orElse(FAILED);
     }
 
-    private Object record(SettingsForm form, Node.Mapping mapping, String path) {
+    private Object record(SettingsForm form, Node.Mapping written, String path) {
         int before = problems.count();
+        Node.Mapping mapping = formerNames.read(form, written, path);
         Map<String, Object> values = new LinkedHashMap<>();
         mapping.values().forEach((name, node) -> {
             String field = path.isEmpty() ? name : path + "." + name;

@@ -1,0 +1,60 @@
+package org.dronewatch.setting;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Set;
+
+/** Collects where settings are written by a former name, for one warning for each such name. For any number of threads. */
+public final class FormerNames {
+    private final Map<Renamed, Set<String>> places = new LinkedHashMap<>();
+
+    /**
+     * A setting that has another name than in earlier versions.
+     *
+     * @param record the settings record that has it
+     */
+    public record Renamed(Class<?> record, String former, String current) {}
+
+    /**
+     * Adds a setting that is written by a former name; the same place counts once.
+     *
+     * @param form of the record that has the setting
+     * @param former name that is written
+     * @param place where: file, line and column, or the option
+     */
+    public synchronized void add(SettingsForm form, String former, String place) {
+        Renamed setting = new Renamed(form.type(), former, form.currentName(former));
+        places.computeIfAbsent(setting, one -> new LinkedHashSet<>()).add(place);
+    }
+
+    /** Adds all that another collection has. */
+    public void addAll(FormerNames others) {
+        others.copy().forEach(this::addAll);
+    }
+
+    private synchronized void addAll(Renamed setting, Set<String> where) {
+        places.computeIfAbsent(setting, one -> new LinkedHashSet<>()).addAll(where);
+    }
+
+    private synchronized Map<Renamed, Set<String>> copy() {
+        Map<Renamed, Set<String>> copy = new LinkedHashMap<>();
+        places.forEach((setting, where) -> copy.put(setting, new LinkedHashSet<>(where)));
+        return copy;
+    }
+
+    /** A line for each former name: its first place, how many others there are, and the present name. */
+    public Map<Renamed, String> warnings() {
+        Map<Renamed, String> lines = new LinkedHashMap<>();
+        copy().forEach((setting, where) -> lines.put(setting, line(setting, where)));
+        return Collections.unmodifiableMap(lines);
+    }
+
+    private static String line(Renamed setting, Set<String> where) {
+        int others = where.size() - 1;
+        String more = others == 0 ? "" : " (and in " + others + (others == 1 ? " other place)" : " other places)");
+        return where.iterator().next() + ": setting '" + setting.former() + "' is now called '" + setting.current()
+                + "'" + more;
+    }
+}
