@@ -22,9 +22,10 @@ import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
+import org.dronewatch.scenario.SettingTexts;
 
 /** What the Javadoc of the sources says of records and their components: text for people, kept in one place. */
-final class RecordTexts {
+final class RecordTexts implements SettingTexts {
     private final Map<String, String> summaries = new HashMap<>();
     private final Map<String, String> parts = new HashMap<>();
 
@@ -47,13 +48,13 @@ final class RecordTexts {
         return texts;
     }
 
-    /** The first sentence on a record. */
-    String summary(Class<?> record) {
+    @Override
+    public String summary(Class<?> record) {
         return summaries.getOrDefault(name(record), "");
     }
 
-    /** What a component is; empty when nothing is said. */
-    String part(Class<?> record, String component) {
+    @Override
+    public String part(Class<?> record, String component) {
         return parts.getOrDefault(name(record) + "#" + component, "");
     }
 

@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenario.SettingTexts;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
@@ -27,9 +28,9 @@ final class SceneSchema {
     private final JsonMapper json = JsonMapper.builder().build();
     private final Kinds kinds = SensorKinds.kinds(Catalog.packaged());
     private final Map<String, ObjectNode> definitions = new TreeMap<>();
-    private final RecordTexts texts;
+    private final SettingTexts texts;
 
-    SceneSchema(RecordTexts texts) {
+    SceneSchema(SettingTexts texts) {
         this.texts = texts;
     }
 
