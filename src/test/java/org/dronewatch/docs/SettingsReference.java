@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.scenario.Samples;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Formerly;

@@ -1,4 +1,4 @@
-package org.dronewatch.docs;
+package org.dronewatch.scenario;
 
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
@@ -11,8 +11,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
-import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.scenario.SettingTexts;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
@@ -24,18 +22,18 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Writes the JSON Schema (draft 2020-12) of scene files from the settings records. */
-final class SceneSchema {
+public final class SceneSchema {
     private final JsonMapper json = JsonMapper.builder().build();
     private final Kinds kinds = SensorKinds.kinds(Catalog.packaged());
     private final Map<String, ObjectNode> definitions = new TreeMap<>();
     private final SettingTexts texts;
 
-    SceneSchema(SettingTexts texts) {
+    public SceneSchema(SettingTexts texts) {
         this.texts = texts;
     }
 
     /** The schema, with a line break at its end. */
-    String write() {
+    public String write() {
         ObjectNode root = json.createObjectNode();
         root.put("$schema", "https://json-schema.org/draft/2020-12/schema");
         root.put("title", "dronewatch scene");

@@ -1,4 +1,4 @@
-package org.dronewatch.docs;
+package org.dronewatch.scenario;
 
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
@@ -13,13 +13,13 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.GroundPoint;
 
 /** Makes a settings record with nothing filled in but what must be, to see what the rest is by default. */
-final class Samples {
+public final class Samples {
     private static final Position SOMEWHERE = new Position(1, 2, 3);
 
     private Samples() {}
 
     /** A record; empty when it has no defaults to see. */
-    static Optional<Record> of(Class<?> type) {
+    public static Optional<Record> of(Class<?> type) {
         SettingsForm form = SettingsForm.of(type);
         if (form.required().size() == form.parts().size()) {
             return Optional.empty();
