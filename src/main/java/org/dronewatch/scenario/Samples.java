@@ -9,46 +9,65 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Choices;
+import org.dronewatch.setting.In;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.GroundPoint;
 
 /** Makes a settings record with nothing filled in but what must be, to see what the rest is by default. */
 public final class Samples {
     private static final Position SOMEWHERE = new Position(1, 2, 3);
+    /** How deep lists hold something: those of records that hold themselves would never end. */
+    private static final int DEEPEST = 8;
 
     private Samples() {}
 
-    /** A record; empty when it has no defaults to see. */
+    /**
+     * A record; empty when it has no defaults to see, or does not take the values that were tried for what must be filled in.
+     */
     public static Optional<Record> of(Class<?> type) {
+        return of(type, 0);
+    }
+
+    private static Optional<Record> of(Class<?> type, int depth) {
         SettingsForm form = SettingsForm.of(type);
         if (form.required().size() == form.parts().size()) {
             return Optional.empty();
         }
-        Map<String, Object> needed = new HashMap<>();
-        for (String name : form.required()) {
-            RecordComponent part = form.part(name).orElseThrow();
-            needed.put(name, value(part.getGenericType()));
+        try {
+            return Optional.of(form.create(values(form, form.required(), depth)));
+        } catch (IllegalArgumentException e) {
+            return Optional.empty();
         }
-        return Optional.of(form.create(needed));
     }
 
-    private static Object value(Type type) {
+    private static Map<String, Object> values(SettingsForm form, List<String> names, int depth) {
+        Map<String, Object> values = new HashMap<>();
+        for (String name : names) {
+            RecordComponent part = form.part(name).orElseThrow();
+            values.put(name, value(part.getGenericType(), part.getAnnotation(In.class), depth));
+        }
+        return values;
+    }
+
+    private static Object value(Type type, In limits, int depth) {
         if (type instanceof ParameterizedType several) {
-            if (several.getActualTypeArguments()[0] == GroundPoint.class) {
-                // A way needs two places.
-                return List.of(new GroundPoint(1, 2), new GroundPoint(3, 4));
-            }
-            return several.getRawType() == Map.class ? Map.of() : List.of(value(several.getActualTypeArguments()[0]));
+            return several((Class<?>) several.getRawType(), several.getActualTypeArguments(), limits, depth);
         }
         Class<?> plain = (Class<?>) type;
         if (plain == Position.class) {
             return SOMEWHERE;
         }
-        if (plain == double.class) {
-            return 1.0;
+        if (plain == double.class || plain == Double.class) {
+            return within(limits);
         }
         if (plain == int.class) {
-            return 1;
+            return (int) within(limits);
+        }
+        if (plain == long.class) {
+            return (long) within(limits);
+        }
+        if (plain == boolean.class) {
+            return false;
         }
         if (plain == String.class) {
             return "some";
@@ -57,16 +76,44 @@ public final class Samples {
             return plain.getEnumConstants()[0];
         }
         if (Choices.isChoice(plain)) {
-            return value(Choices.of(plain).values().iterator().next());
+            return value(Choices.of(plain).values().iterator().next(), null, depth);
         }
-        return of(plain).orElseGet(() -> filled(plain));
+        SettingsForm form = SettingsForm.of(plain);
+        return of(plain, depth).orElseGet(() -> form.create(values(form, form.names(), depth)));
     }
 
-    private static Record filled(Class<?> type) {
-        Map<String, Object> all = new HashMap<>();
-        for (RecordComponent part : SettingsForm.of(type).parts()) {
-            all.put(part.getName(), value(part.getGenericType()));
+    private static Object several(Class<?> raw, Type[] inner, In limits, int depth) {
+        if (raw == Optional.class) {
+            return Optional.empty();
         }
-        return SettingsForm.of(type).create(all);
+        if (raw == Map.class) {
+            return Map.of();
+        }
+        if (raw != List.class) {
+            return value(raw, limits, depth);
+        }
+        if (depth >= DEEPEST) {
+            return List.of();
+        }
+        // A path needs two points.
+        return inner[0] == GroundPoint.class
+                ? List.of(new GroundPoint(1, 2), new GroundPoint(3, 4))
+                : List.of(value(inner[0], limits, depth + 1));
+    }
+
+    /** One, or else about the middle of what is allowed. */
+    private static double within(In limits) {
+        if (limits == null) {
+            return 1.0;
+        }
+        double low = Math.max(limits.from(), limits.above());
+        double high = Math.min(limits.to(), limits.below());
+        if (low < 1.0 && 1.0 < high) {
+            return 1.0;
+        }
+        if (Double.isInfinite(low)) {
+            return high - 1.0;
+        }
+        return Double.isInfinite(high) ? low + 1.0 : 0.5 * (low + high);
     }
 }

@@ -36,6 +36,11 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
             throw new InputException(place + "its settings must be a record that implements "
                     + kind.type().getSimpleName() + ", is " + settings);
         }
+        SettingsForm form = SettingsForm.of(settings);
+        if (!form.names().containsAll(form.required())) {
+            throw new InputException(place + "its @Defaults take " + String.join(", ", form.required())
+                    + ", but its settings are " + String.join(", ", form.names()));
+        }
         if (kind.summary() == null || kind.summary().isBlank() || kind.summary().contains("\n")) {
             throw new InputException(place + "its summary must be one line");
         }
@@ -59,6 +64,11 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
         } catch (URISyntaxException | IllegalArgumentException | FileSystemNotFoundException e) {
             return place.toString();
         }
+    }
+
+    /** Whether a class comes with the library. */
+    public static boolean isBuiltIn(Class<?> type) {
+        return isBuiltIn(placeOf(type));
     }
 
     private static boolean isBuiltIn(String place) {

@@ -258,7 +258,7 @@ class CommandLineTest {
 
     @Test
     void everyCommandHasHelpWithAnExample() {
-        for (String name : List.of("run", "check", "render", "bench", "list", "models")) {
+        for (String name : List.of("run", "check", "render", "bench", "list", "models", "schema")) {
             Outcome outcome = command(name, "--help");
             assertThat(outcome.code()).isZero();
             assertThat(outcome.out()).contains("Usage:").contains(name);
@@ -335,7 +335,20 @@ class CommandLineTest {
 
     @ParameterizedTest
     @ValueSource(
-            strings = {"", "list", "run", "check", "save", "view", "render", "coverage", "bench", "costs", "models"})
+            strings = {
+                "",
+                "list",
+                "run",
+                "check",
+                "save",
+                "schema",
+                "view",
+                "render",
+                "coverage",
+                "bench",
+                "costs",
+                "models"
+            })
     void helpBreaksNoNameOrValueInTwo(String name) {
         String help = commandIn(name + " --help").out();
 

@@ -62,8 +62,8 @@ class FailureTest {
 
     @Test
     void everyCommandKnowsVerbose() {
-        for (String command :
-                List.of("list", "run", "view", "check", "save", "render", "coverage", "bench", "costs", "models")) {
+        for (String command : List.of(
+                "list", "run", "view", "check", "save", "schema", "render", "coverage", "bench", "costs", "models")) {
             assertThat(Program.run(command, "--help").out()).as(command).contains("--verbose");
         }
     }

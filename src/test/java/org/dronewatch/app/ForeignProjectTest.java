@@ -3,6 +3,10 @@ package org.dronewatch.app;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import com.networknt.schema.InputFormat;
+import com.networknt.schema.Schema;
+import com.networknt.schema.SchemaRegistry;
+import com.networknt.schema.SpecificationVersion;
 import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -17,6 +21,8 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /** A project of somebody else, whose jar adds one of each that can be added, and which the program has never seen. */
 class ForeignProjectTest {
@@ -140,6 +146,120 @@ class ForeignProjectTest {
                 run(List.of(jar), "run", "scene.yaml", "--set", "sensors.camera=spotter", "--out", "out");
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(Files.readString(directory.resolve("out/detections.csv"))).contains(",camera,spotter,");
+    }
+
+    @Test
+    void anEditorKnowsItsKinds() throws IOException, InterruptedException {
+        String scene = Files.readString(PROJECT.resolve("scene.yaml"));
+        Schema without = schema(run(List.of(), "schema"));
+        assertThat(without.validate(scene, InputFormat.YAML)).isNotEmpty();
+
+        Schema with = schema(run(List.of(jar), "schema"));
+        assertThat(with.validate(scene, InputFormat.YAML)).isEmpty();
+        for (String part : List.of("kind: spotter", "propagation: spherical", "kind: zigzag", "any-pixel")) {
+            assertThat(scene).contains(part);
+            assertThat(with.validate(scene.replace(part, part + "s"), InputFormat.YAML))
+                    .isNotEmpty();
+        }
+        assertThat(with.validate(scene.replace("reach: 120 m", "reach: 6000"), InputFormat.YAML))
+                .isNotEmpty();
+        assertThat(with.validate(scene.replace("reach: 120 m", "raech: 120 m"), InputFormat.YAML))
+                .isNotEmpty();
+    }
+
+    private static Schema schema(Program.Outcome outcome) {
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        return SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
+                .getSchema(outcome.out(), InputFormat.JSON);
+    }
+
+    @Test
+    void theSchemaSaysOfItsSettingsWhatItKnows() throws IOException, InterruptedException {
+        JsonNode sensors = JsonMapper.builder()
+                .build()
+                .readTree(run(List.of(jar), "schema").out())
+                .at("/$defs/SensorSettings/anyOf");
+        JsonNode spotter = sensors.valueStream()
+                .filter(kind -> kind.at("/properties/kind/const").asString("").equals("spotter"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(spotter.get("description").asString()).isEqualTo("someone with binoculars");
+        assertThat(spotter.at("/required").toString()).isEqualTo("[\"position\"]");
+        JsonNode reach = spotter.at("/properties/reach");
+        assertThat(reach.get("description").asString()).isEqualTo("in m, or with a unit");
+        assertThat(reach.get("exclusiveMinimum").asDouble()).isZero();
+        assertThat(reach.get("maximum").asDouble()).isEqualTo(5000.0);
+        assertThat(reach.get("default").asDouble()).isEqualTo(150.0);
+        assertThat(spotter.at("/properties/enabled/type").asString()).isEqualTo("boolean");
+    }
+
+    /** A jar with one kind of flight that is called odd, whose settings have some more components. */
+    private Path oddFlight(String defaults, String... components) throws IOException {
+        String source = String.join(
+                "\n",
+                "package org.example.odd;",
+                "import java.util.List;",
+                "import org.dronewatch.flight.*;",
+                "import org.dronewatch.setting.*;",
+                "import org.dronewatch.world.Ground;",
+                "public final class Odd implements KindGroup {",
+                "    public record Branch(double length, List<Branch> branches) {}",
+                "    public record Flight(double sway, " + String.join(", ", components)
+                        + ") implements FlightPathSettings {",
+                "        " + defaults,
+                "        public FlightPath create(double speed, double acceleration, Ground ground) { return null; }",
+                "    }",
+                "    public List<Kind<?>> kinds() {",
+                "        return List.of(Kind.of(FlightPathSettings.class, \"odd\", Flight.class, \"odd\"));",
+                "    }",
+                "}");
+        Path classes = Files.createDirectories(directory.resolve("odd"));
+        Path services = Files.createDirectories(classes.resolve("META-INF/services"));
+        Files.writeString(services.resolve("org.dronewatch.setting.KindGroup"), "org.example.odd.Odd\n");
+        Path file = Files.writeString(directory.resolve("Odd.java"), source);
+        String[] options = {"-d", classes.toString(), "-cp", System.getProperty("java.class.path"), file.toString()};
+        assertThat(ToolProvider.getSystemJavaCompiler().run(null, null, null, options))
+                .isZero();
+        Path odd = directory.resolve("odd.jar");
+        write(odd, List.of(classes));
+        return odd;
+    }
+
+    @Test
+    void whatOnlyJavaCanSetIsNotInTheSchema() throws IOException, InterruptedException {
+        Path odd = oddFlight(
+                "@Defaults({\"sway\", \"branches\"}) public static Flight of(double sway, List<Branch> branches) {"
+                        + " return new Flight(sway, new int[0], branches); }",
+                "int[] turns",
+                "List<Branch> branches");
+        Program.Outcome outcome = run(List.of(odd), "schema");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.out())
+                .contains("\"const\" : \"odd\"", "\"org.example.odd.Odd.Branch\" :")
+                .doesNotContain("\"turns\"");
+    }
+
+    @Test
+    void aKindThatRequiresWhatNoFileCanGiveIsRefusedInOneLine() throws IOException, InterruptedException {
+        Path odd = oddFlight("", "int[] turns");
+        Program.Outcome outcome = run(List.of(odd), "schema");
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.out()).isEmpty();
+        assertThat(outcome.complaints())
+                .containsExactly("kind 'odd' from " + odd
+                        + ": its settings cannot be described: no file can give its setting 'turns' of type int[]");
+    }
+
+    @Test
+    void aKindWhoseDefaultsDoNotFitIsRefusedInOneLine() throws IOException, InterruptedException {
+        Path odd = oddFlight(
+                "@Defaults(\"swya\") public static Flight of(double sway) { return new Flight(sway, 1); }",
+                "double turns");
+        Program.Outcome outcome = run(List.of(odd), "schema");
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.complaints())
+                .containsExactly(
+                        "kind 'odd' from " + odd + ": its @Defaults take swya, but its settings are sway, turns");
     }
 
     @Test

@@ -21,6 +21,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 class GeneratedDocsTest {
     private static final Path SCHEMA = Path.of("scenes/scene.schema.json");
+    private static final Path TEXTS = Path.of("src/main/resources/org/dronewatch/scenario/texts.json");
     private static final Path REFERENCE = Path.of("src/site/markdown/settings.md");
     private static final Path HOUSE = Path.of("src/site/images/packages.svg");
     private static RecordTexts texts;
@@ -43,6 +44,13 @@ class GeneratedDocsTest {
     @Test
     void theSchemaIsThatOfTheRecords() throws IOException {
         assertUpToDate(SCHEMA, new SceneSchema(texts).write());
+    }
+
+    @Test
+    void theTextsInTheJarAreThoseOfTheSources() throws IOException {
+        CollectedTexts collected = new CollectedTexts(texts);
+        new SceneSchema(collected).write();
+        assertUpToDate(TEXTS, collected.write());
     }
 
     @Test

@@ -1,0 +1,51 @@
+package org.dronewatch.app;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.dronewatch.report.WholeFile;
+import org.dronewatch.scenario.PackagedTexts;
+import org.dronewatch.scenario.SceneSchema;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Writes the JSON schema of scene files. */
+@Command(
+        name = "schema",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Prints the JSON schema of scene files, with the kinds of all jars on the class path. Editors complete and"
+                    + " check scene files that name it in their first line:",
+            "# yaml-language-server: $schema=scene.schema.json"
+        },
+        footer = {"", "Example:", "  dronewatch schema --out scene.schema.json"})
+final class SchemaCommand implements Callable<Integer> {
+    private static final String ENDING = ".json";
+
+    @Option(names = "--out", paramLabel = "FILE.json", description = "File to write instead of standard output.")
+    private String out;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        if (out != null && !out.toLowerCase(Locale.ROOT).endsWith(ENDING)) {
+            throw new InputException("--out " + PlainText.value(out) + ": must end in " + ENDING);
+        }
+        WholeFile target = out == null ? null : new WholeFile("--out", out);
+        String schema = new SceneSchema(new PackagedTexts()).write();
+        if (target == null) {
+            spec.commandLine().getOut().print(schema);
+            spec.commandLine().getOut().flush();
+        } else {
+            target.write(stream -> stream.write(schema.getBytes(StandardCharsets.UTF_8)));
+            spec.commandLine().getErr().println("schema in " + PlainText.value(out));
+        }
+        return 0;
+    }
+}
