@@ -101,15 +101,15 @@ final class BvhTraversal extends RayTracer {
 
     /** Keeps the hit with its barycentrics, from the block: it is in the cache, the mesh's own corners are not. */
     private void keepWinner() {
-        double az = corner(0, offsetZ) - originZ;
-        double bz = corner(1, offsetZ) - originZ;
-        double cz = corner(2, offsetZ) - originZ;
-        double ax = corner(0, offsetX) - originX - shearX * az;
-        double ay = corner(0, offsetY) - originY - shearY * az;
-        double bx = corner(1, offsetX) - originX - shearX * bz;
-        double by = corner(1, offsetY) - originY - shearY * bz;
-        double cx = corner(2, offsetX) - originX - shearX * cz;
-        double cy = corner(2, offsetY) - originY - shearY * cz;
+        double az = corner(winnerIndex, 0, offsetZ) - originZ;
+        double bz = corner(winnerIndex, 1, offsetZ) - originZ;
+        double cz = corner(winnerIndex, 2, offsetZ) - originZ;
+        double ax = corner(winnerIndex, 0, offsetX) - originX - shearX * az;
+        double ay = corner(winnerIndex, 0, offsetY) - originY - shearY * az;
+        double bx = corner(winnerIndex, 1, offsetX) - originX - shearX * bz;
+        double by = corner(winnerIndex, 1, offsetY) - originY - shearY * bz;
+        double cx = corner(winnerIndex, 2, offsetX) - originX - shearX * cz;
+        double cy = corner(winnerIndex, 2, offsetY) - originY - shearY * cz;
         double a = cx * by - cy * bx;
         double b = ax * cy - ay * cx;
         double g = bx * ay - by * ax;
@@ -117,8 +117,8 @@ final class BvhTraversal extends RayTracer {
         setHit(winner, nearest, b / determinant, g / determinant);
     }
 
-    private float corner(int corner, int offset) {
-        return Float.intBitsToFloat(pool[winnerIndex + corner * BvhNode.CORNER + offset]);
+    private float corner(int index, int corner, int offset) {
+        return Float.intBitsToFloat(pool[index + corner * BvhNode.CORNER + offset]);
     }
 
     private void setTriangleRay() {
@@ -332,7 +332,8 @@ final class BvhTraversal extends RayTracer {
                 double parameter = ts[lane];
                 int triangle = BvhNode.number(blocks, block, lane);
                 if (parameter >= first
-                        && (parameter < nearest || parameter == nearest && (winner < 0 || triangle < winner))) {
+                        && (parameter < nearest || parameter == nearest && (winner < 0 || triangle < winner))
+                        && !isBeside(block + lane)) {
                     nearest = parameter;
                     winner = triangle;
                     winnerIndex = block + lane;
@@ -341,6 +342,20 @@ final class BvhTraversal extends RayTracer {
             } while (hits != 0);
         }
         return limit;
+    }
+
+    /** Whether the ray passes beside a triangle seen edge-on. */
+    private boolean isBeside(int index) {
+        double az = corner(index, 0, offsetZ) - originZ;
+        double bz = corner(index, 1, offsetZ) - originZ;
+        double cz = corner(index, 2, offsetZ) - originZ;
+        return isBeside(
+                corner(index, 0, offsetX) - originX - shearX * az,
+                corner(index, 0, offsetY) - originY - shearY * az,
+                corner(index, 1, offsetX) - originX - shearX * bz,
+                corner(index, 1, offsetY) - originY - shearY * bz,
+                corner(index, 2, offsetX) - originX - shearX * cz,
+                corner(index, 2, offsetY) - originY - shearY * cz);
     }
 
     private static DoubleVector doubles(int[] bits, int at) {

@@ -118,6 +118,14 @@ public abstract class RayTracer {
      */
     protected abstract void trace(double tMin, double tMax, boolean anyHit);
 
+    /**
+     * Whether the ray passes beside a triangle although the edge functions agree; for the kernel's packages, which ask it of what
+     * they hit. Corners relative to the ray, sheared so that the ray is at the origin.
+     */
+    protected static boolean isBeside(double ax, double ay, double bx, double by, double cx, double cy) {
+        return TriangleIntersection.isBeside(ax, ay, bx, by, cx, cy);
+    }
+
     /** Keeps a hit of the current ray that was found by the arithmetic of the kernel's test; for the kernel's packages. */
     protected final void setHit(int triangle, double distance, double u, double v) {
         intersection.setHit(triangle, distance, u, v);

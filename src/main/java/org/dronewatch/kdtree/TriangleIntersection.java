@@ -4,7 +4,9 @@ package org.dronewatch.kdtree;
  * The kernel's ray-triangle test, after Woop, Benthin and Wald, "Watertight ray/triangle intersection" (JCGT 2013), in
  * double precision. The ray is sheared onto its largest axis; then the three edge functions are two-dimensional and an
  * edge shared by two triangles gets the same value in both but for its sign. A difference of two rounded products never
- * has the wrong sign, at worst it is zero, and zero counts as inside: no ray slips through an edge or a corner.
+ * has the wrong sign, at worst it is zero, and zero counts as inside: no ray slips through an edge or a corner. Zeros alone
+ * would also let a triangle seen edge-on be hit by rays that pass beside it, in the plane of the triangle: those are
+ * {@linkplain #isBeside sorted out}.
  *
  * <p>Holds one ray and its best hit so far; one per thread.
  */
@@ -87,13 +89,36 @@ final class TriangleIntersection {
 
         // The distance is the mean of the corners', weighted by the edge functions, so it lies between them.
         double t = (a * az + b * bz + g * cz) / determinant * shearZ;
-        if (t >= tMin && (t < distance || t == distance && (!found || numbers[index] < triangle))) {
+        if (t >= tMin
+                && (t < distance || t == distance && (!found || numbers[index] < triangle))
+                && !isBeside(ax, ay, bx, by, cx, cy)) {
             distance = t;
             triangle = numbers[index];
             u = b / determinant;
             v = g / determinant;
             found = true;
         }
+    }
+
+    /**
+     * Whether a ray passes beside a triangle of which the edge functions do not say so: all corners are on one side of it. Seen
+     * edge-on, a triangle has edge functions that are zero or mere roundings, on the whole line through its corners.
+     *
+     * <p>Watertight as the test itself: of corners as they are after shearing it is exact, and neighbours share those. What is
+     * left out contains no point of the ray, so the triangle that does contain it is another one.
+     *
+     * @param ax first corner, relative to the ray and sheared, so that the ray is at the origin
+     * @param ay first corner
+     * @param bx second corner
+     * @param by second corner
+     * @param cx third corner
+     * @param cy third corner
+     */
+    static boolean isBeside(double ax, double ay, double bx, double by, double cx, double cy) {
+        return ax > 0.0 && bx > 0.0 && cx > 0.0
+                || ax < 0.0 && bx < 0.0 && cx < 0.0
+                || ay > 0.0 && by > 0.0 && cy > 0.0
+                || ay < 0.0 && by < 0.0 && cy < 0.0;
     }
 
     /** Sets a hit that was found elsewhere by the same arithmetic. */
