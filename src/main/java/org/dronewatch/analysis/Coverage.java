@@ -218,7 +218,7 @@ public final class Coverage {
         }
 
         private Optional<Pointing> turnedTo(Drone there) {
-            return settings.as(Mounted.class).flatMap(mounted -> mounted.turnedTo(Position.of(there.position())));
+            return Mounted.turnedTo(settings, Position.of(there.position()));
         }
 
         /** The drone in a cell; empty where there is no ground. */

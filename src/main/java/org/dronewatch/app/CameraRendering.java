@@ -37,7 +37,7 @@ final class CameraRendering extends Rendering {
     /** A camera on a positioner shows its last look; one on a fixed mount any time, without a simulation. */
     @Override
     String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {
-        boolean turns = camera.as(Mounted.class).flatMap(Mounted::positioner).isPresent();
+        boolean turns = Mounted.positioner(camera).isPresent();
         double shown = turns ? CameraView.lookTime(camera, time) : time;
         RunHistory history = turns ? simulation().until(shown, () -> false) : new RunHistory();
         if (turns) {

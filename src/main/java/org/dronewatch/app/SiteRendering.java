@@ -43,8 +43,7 @@ final class SiteRendering extends Rendering {
     @Override
     String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {
         boolean turns = settings.sensors().values().stream()
-                .anyMatch(sensor ->
-                        sensor.as(Mounted.class).flatMap(Mounted::positioner).isPresent());
+                .anyMatch(sensor -> Mounted.positioner(sensor).isPresent());
         RunHistory history = turns ? simulation().until(time, () -> false) : new RunHistory();
         BufferedImage image = threads.call(() -> pictures(history, time, false).apply(time));
         target.write(stream -> ImageIO.write(image, "png", stream));

@@ -35,8 +35,7 @@ public final class Sightline {
 
     /** Whether a sensor could look at a position, wherever its positioner can turn it. */
     public boolean isPossible(SensorSettings<?> sensor, Position place) {
-        Optional<Pointing> turned = sensor.as(Mounted.class).flatMap(mounted -> mounted.turnedTo(place));
-        return isInField(sensor, turned, place) && visibility.isFree(sensor.position(), place);
+        return isInField(sensor, Mounted.turnedTo(sensor, place), place) && visibility.isFree(sensor.position(), place);
     }
 
     /** The world that it is in. */

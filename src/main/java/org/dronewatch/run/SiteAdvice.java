@@ -24,8 +24,7 @@ record SiteAdvice(SceneSettings settings, World world) {
     /** Gives one line for each warning. */
     void giveTo(Consumer<String> target) {
         onSurfaces(target);
-        settings.enabledSensors().forEach((id, sensor) -> sensor.as(Mounted.class)
-                .flatMap(Mounted::positioner)
+        settings.enabledSensors().forEach((id, sensor) -> Mounted.positioner(sensor)
                 .ifPresent(mount -> new MountAdvice(settings, id, mount).tell(target)));
         if (settings.enabledSensors().isEmpty() && !settings.sensors().isEmpty()) {
             target.accept(switchedBy() + "all sensors are switched off: nothing is observed");

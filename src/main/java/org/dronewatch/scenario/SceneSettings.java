@@ -72,9 +72,8 @@ public record SceneSettings(
         }
         double duration = run.duration();
         sensors.forEach((id, sensor) -> checkLooks(id, sensor.rate(), duration));
-        sensors.forEach((id, sensor) -> sensor.as(Mounted.class)
-                .flatMap(Mounted::positioner)
-                .ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
+        sensors.forEach((id, sensor) ->
+                Mounted.positioner(sensor).ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
     }
 
     /** More would take days even for the fastest sensor. */

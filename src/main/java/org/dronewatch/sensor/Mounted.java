@@ -32,6 +32,20 @@ public interface Mounted {
      */
     SensorSettings<?> pointed(Pointing pointing);
 
+    /** The positioner that turns any sensor; empty for one on a fixed mount. */
+    static Optional<PositionerSettings> positioner(SensorSettings<?> sensor) {
+        return sensor.as(Mounted.class).flatMap(mounted -> mounted.positioner());
+    }
+
+    /**
+     * Where the positioner of any sensor points once it has turned to a position; empty for one on a fixed mount.
+     *
+     * @param target position, m
+     */
+    static Optional<Pointing> turnedTo(SensorSettings<?> sensor, Position target) {
+        return sensor.as(Mounted.class).flatMap(mounted -> mounted.turnedTo(target));
+    }
+
     /**
      * Any sensor's settings as its positioner points it.
      *

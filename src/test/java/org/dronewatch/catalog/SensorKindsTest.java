@@ -113,7 +113,7 @@ class SensorKindsTest {
         assertThat(Mounted.pointed(settings, Optional.empty())).isSameAs(settings);
         if (settings.as(Mounted.class).isPresent()) {
             assertThat(changed(settings, pointed)).containsExactlyInAnyOrder("aim", "fov", "positioner");
-            assertThat(pointed.as(Mounted.class).flatMap(Mounted::positioner)).isEmpty();
+            assertThat(Mounted.positioner(pointed)).isEmpty();
         } else {
             assertThat(pointed).isSameAs(settings);
         }
