@@ -19,6 +19,7 @@ import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Detection;
+import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.tracking.PerfectAssociation;
 
@@ -110,7 +111,7 @@ class HouseRulesTest {
             .doNotBelongToAnyOf(PerfectAssociation.class)
             .should()
             .dependOnClassesThat()
-            .belongToAnyOf(Observation.class, Detection.class)
+            .belongToAnyOf(Observation.class, GroundTruth.class, Detection.class)
             .orShould()
             .dependOnClassesThat()
             .resideInAnyPackage("org.dronewatch.drone", "org.dronewatch.flight");

@@ -4,6 +4,7 @@ import java.util.List;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorDescription;
@@ -59,7 +60,6 @@ public record GuardSettings(
         double distance = drone.distance(position);
         boolean visible = !world.isOccluded(position.toPoint3d(), drone.position());
         double size = visible ? 2.0 * Math.atan(drone.reach() / distance) : 0.0;
-        return new Observation(
-                sample.sensor(), kind(), drone.id(), sample.index(), sample.time(), distance, size, acuity, "rad");
+        return new Observation(sample.look(kind()), drone.id(), distance, new Reading(size, acuity, "rad"));
     }
 }

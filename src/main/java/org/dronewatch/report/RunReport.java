@@ -140,7 +140,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
             observations.row(
                     Integer.toString(frame.run()),
                     Numbers.text(o.time()),
-                    Long.toString(o.sample()),
+                    Long.toString(o.look().index()),
                     o.sensor(),
                     o.kind(),
                     o.drone(),

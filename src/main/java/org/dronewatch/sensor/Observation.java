@@ -12,115 +12,108 @@ import org.dronewatch.positioner.Sighting;
  * reports are its {@link #measurements()}. A sensor may record several looks at one drone at the same time, leave drones out,
  * and report what is no drone.
  *
- * @param sensor name of the sensor
- * @param kind its kind
- * @param drone name of the drone: the ground truth, kept for scoring; empty for a false measurement
- * @param sample index of the sample
- * @param time when the measured event happened, seconds since the start of the run
- * @param arrival when that reached the sensor, seconds since the start of the run: later than {@code time} for sound
- * @param range distance from the sensor to the drone's origin at {@code time}, m; not a number for a false measurement
- * @param value the measured value, in the unit
- * @param threshold what the value must reach for a detection
- * @param unit unit of value and threshold
+ * @param look which look of which sensor it was made in
+ * @param truth the drone that it came from
+ * @param reading the measured value, and its threshold
  * @param figures further results of this look, by name with unit, such as {@code rays} or {@code energy_db}; none for
  *     most sensors
- * @param sighting where the sensor believes the drone to be; empty when it does not tell
+ * @param sighting where the sensor believes the drone to be; empty for a sensor that reports no direction
  */
 public record Observation(
-        String sensor,
-        String kind,
-        String drone,
-        long sample,
-        double time,
-        double arrival,
-        double range,
-        double value,
-        double threshold,
-        String unit,
-        Map<String, Double> figures,
-        Optional<Sighting> sighting) {
+        Look look, GroundTruth truth, Reading reading, Map<String, Double> figures, Optional<Sighting> sighting) {
 
     /** The figure of a sensor that knows how likely its look was to detect the drone. */
     public static final String PROBABILITY = "probability";
-
-    private static final String NO_DRONE = "";
 
     /** Keeps its own figures, in their order. */
     public Observation {
         figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
     }
 
-    /** An observation that does not measure where the drone is. */
-    public Observation(
-            String sensor,
-            String kind,
-            String drone,
-            long sample,
-            double time,
-            double arrival,
-            double range,
-            double value,
-            double threshold,
-            String unit,
-            Map<String, Double> figures) {
-        this(sensor, kind, drone, sample, time, arrival, range, value, threshold, unit, figures, Optional.empty());
-    }
-
-    /** An observation of a signal that arrives at once, without further figures. */
-    public Observation(
-            String sensor,
-            String kind,
-            String drone,
-            long sample,
-            double time,
-            double range,
-            double value,
-            double threshold,
-            String unit) {
-        this(sensor, kind, drone, sample, time, time, range, value, threshold, unit, Map.of());
+    /**
+     * An observation of a signal that arrives at once, without further figures and without where the drone is.
+     *
+     * @param look of the sensor: {@link Sample#look}
+     * @param drone name of the drone
+     * @param range distance from the sensor to the drone's origin, m
+     */
+    public Observation(Look look, String drone, double range, Reading reading) {
+        this(look, new GroundTruth(drone, range, look.time()), reading, Map.of(), Optional.empty());
     }
 
     /**
      * What a sensor reports although there is no drone: noise, a bird, an echo.
      *
-     * @param sensor name of the sensor
-     * @param kind its kind
-     * @param look number of the look, from 0
-     * @param time when the sensor knew, seconds since the start of the run
-     * @param value the measured value, in the unit
-     * @param threshold what the value must reach for a detection
-     * @param unit unit of value and threshold
+     * @param look of the sensor: {@link Sample#look}
      * @param sighting where the sensor believes the source to be
      */
-    public static Observation ofNothing(
-            String sensor,
-            String kind,
-            long look,
-            double time,
-            double value,
-            double threshold,
-            String unit,
-            Optional<Sighting> sighting) {
-        return new Observation(
-                sensor, kind, NO_DRONE, look, time, time, Double.NaN, value, threshold, unit, Map.of(), sighting);
+    public static Observation ofNothing(Look look, Reading reading, Optional<Sighting> sighting) {
+        return new Observation(look, GroundTruth.ofNothing(look.time()), reading, Map.of(), sighting);
     }
 
-    /** Whether there is no drone behind it. */
-    public boolean isFalse() {
-        return drone.equals(NO_DRONE);
-    }
-
-    /** What the sensor reports of this look: nothing of a drone that it neither detected nor sighted. */
-    public List<Measurement> measurements() {
-        return isDetected() || sighting.isPresent()
-                ? List.of(new Measurement(sensor, kind, sample, arrival, value, threshold, unit, sighting))
-                : List.of();
+    /** This observation with further results of the look, by name with unit. */
+    public Observation withFigures(Map<String, Double> others) {
+        return new Observation(look, truth, reading, others, sighting);
     }
 
     /** This observation with where the sensor believes the drone to be, if it does. */
     public Observation withSighting(Optional<Sighting> where) {
-        return new Observation(
-                sensor, kind, drone, sample, time, arrival, range, value, threshold, unit, figures, where);
+        return new Observation(look, truth, reading, figures, where);
+    }
+
+    /** Name of the sensor. */
+    public String sensor() {
+        return look.sensor();
+    }
+
+    /** Kind of the sensor. */
+    public String kind() {
+        return look.kind();
+    }
+
+    /** Name of the drone: the ground truth; empty for a false measurement. */
+    public String drone() {
+        return truth.drone();
+    }
+
+    /** When the measured event happened, seconds since the start of the run. */
+    public double time() {
+        return truth.time();
+    }
+
+    /** When that reached the sensor, seconds since the start of the run: later than {@link #time} for sound. */
+    public double arrival() {
+        return look.time();
+    }
+
+    /** Distance from the sensor to the drone's origin at {@link #time}, m; not a number for a false measurement. */
+    public double range() {
+        return truth.range();
+    }
+
+    /** The measured value, in the unit. */
+    public double value() {
+        return reading.value();
+    }
+
+    /** What the value must reach for a detection. */
+    public double threshold() {
+        return reading.threshold();
+    }
+
+    /** Unit of value and threshold. */
+    public String unit() {
+        return reading.unit();
+    }
+
+    /** Whether there is no drone behind it. */
+    public boolean isFalse() {
+        return truth.isNothing();
+    }
+
+    /** What the sensor reports of this look: nothing of a drone that it neither detected nor sighted. */
+    public List<Measurement> measurements() {
+        return isDetected() || sighting.isPresent() ? List.of(new Measurement(look, reading, sighting)) : List.of();
     }
 
     /** The probability that this look detects the drone, 0 to 1; for a sensor that does not know it, whether it did. */
@@ -130,7 +123,7 @@ public record Observation(
 
     /** Whether the value reaches the threshold. */
     public boolean isDetected() {
-        return value >= threshold;
+        return reading.isDetected();
     }
 
     /** The detection, if the value reaches the threshold. */

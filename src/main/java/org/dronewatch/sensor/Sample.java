@@ -33,6 +33,15 @@ public record Sample(String sensor, long index, double time, long seed, Optional
     }
 
     /**
+     * Which look this is, for its observations.
+     *
+     * @param kind of the sensor
+     */
+    public Look look(String kind) {
+        return new Look(sensor, kind, index, time);
+    }
+
+    /**
      * The random numbers of this look for one purpose, from their beginning; see {@link Draws}.
      *
      * @param drone name of the drone that is looked at; empty for what concerns none

@@ -4,8 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.run.DetectionIntervals.Interval;
+import org.dronewatch.sensor.GroundTruth;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Reading;
 import org.junit.jupiter.api.Test;
 
 class DetectionIntervalsTest {
@@ -14,7 +18,11 @@ class DetectionIntervalsTest {
                 0,
                 gained,
                 new Observation(
-                        sensor, "acoustic", drone, 0, emission, arrival, 50, gained ? 9 : 1, 5, "dB", Map.of()));
+                        new Look(sensor, "acoustic", 0, arrival),
+                        new GroundTruth(drone, 50, emission),
+                        new Reading(gained ? 9 : 1, 5, "dB"),
+                        Map.of(),
+                        Optional.empty()));
     }
 
     private static DetectionEvent event(String sensor, String drone, boolean gained, double time) {

@@ -4,6 +4,7 @@ import java.util.List;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
@@ -33,15 +34,10 @@ public record DiceSettings(Position position, @In(Quantity.FREQUENCY) double rat
     private List<Observation> observe(World world, List<Drone> drones, Sample sample) {
         return drones.stream()
                 .map(drone -> new Observation(
-                        sample.sensor(),
-                        kind(),
+                        sample.look(kind()),
                         drone.id(),
-                        sample.index(),
-                        sample.time(),
                         drone.distance(position),
-                        sample.random(drone.id(), Sample.DETECTION).nextDouble(),
-                        luck,
-                        ""))
+                        new Reading(sample.random(drone.id(), Sample.DETECTION).nextDouble(), luck, "")))
                 .toList();
     }
 }

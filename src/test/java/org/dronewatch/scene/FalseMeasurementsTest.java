@@ -24,6 +24,7 @@ import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
@@ -76,13 +77,8 @@ class FalseMeasurementsTest {
             }
             if (sample.index() >= 1) {
                 all.add(Observation.ofNothing(
-                        sample.sensor(),
-                        kind(),
-                        sample.index(),
-                        sample.time(),
-                        7.0,
-                        5.0,
-                        "dB",
+                        sample.look(kind()),
+                        new Reading(7.0, 5.0, "dB"),
                         Optional.of(new Sighting(position, NOWHERE, OptionalDouble.empty()))));
             }
             return all;
@@ -90,15 +86,7 @@ class FalseMeasurementsTest {
 
         private Observation of(Drone drone, Sample sample, double value) {
             return new Observation(
-                    sample.sensor(),
-                    kind(),
-                    drone.id(),
-                    sample.index(),
-                    sample.time(),
-                    drone.distance(position),
-                    value,
-                    5.0,
-                    "dB");
+                    sample.look(kind()), drone.id(), drone.distance(position), new Reading(value, 5.0, "dB"));
         }
     }
 

@@ -59,17 +59,11 @@ class AssessorTest {
         public Sensor create() {
             return (world, drones, sample) -> drones.stream()
                     .map(drone -> new Observation(
-                            sample.sensor(),
-                            kind(),
-                            drone.id(),
-                            sample.index(),
-                            sample.time(),
-                            sample.time(),
-                            drone.distance(HERE),
-                            100.0 / drone.distance(HERE),
-                            1.0,
-                            "",
-                            Map.of(Observation.PROBABILITY, 0.25)))
+                                    sample.look(kind()),
+                                    drone.id(),
+                                    drone.distance(HERE),
+                                    new Reading(100.0 / drone.distance(HERE), 1.0, ""))
+                            .withFigures(Map.of(Observation.PROBABILITY, 0.25)))
                     .toList();
         }
     }

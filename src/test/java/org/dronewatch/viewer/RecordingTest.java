@@ -11,6 +11,7 @@ import org.dronewatch.run.Frame;
 import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -63,7 +64,8 @@ class RecordingTest {
         Readings readings = new Readings();
         int all = 5 * Readings.MOST;
         for (int i = 0; i < all; i++) {
-            readings.add(new Observation("s", "camera", "d", i, i, 100.0, i, 12.0, "px"));
+            readings.add(new Observation(
+                    new Look("s", "camera", i, i), "d", 100.0, new org.dronewatch.sensor.Reading(i, 12.0, "px")));
         }
         assertThat(readings.count()).isBetween(Readings.MOST / 2, Readings.MOST);
         for (int i = 0; i < all; i += 9973) {

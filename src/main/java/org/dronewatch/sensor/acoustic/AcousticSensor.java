@@ -12,9 +12,11 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
 import org.dronewatch.sensor.Explanation;
+import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.acoustic.energy.EnergyHearing;
@@ -61,18 +63,13 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     private Observation observe(World world, Drone drone, Sample sample) {
         Heard sound = tracer(world).hear(drone, sample.random(drone.id(), RAYS));
         double distance = drone.distance(settings.position());
+        double emission = sample.time() - distance / settings.signalSpeed(world);
         return new Observation(
-                sample.sensor(),
-                settings.kind(),
-                drone.id(),
-                sample.index(),
-                sample.time() - distance / settings.signalSpeed(world),
-                sample.time(),
-                distance,
-                sound.value(),
-                sound.threshold(),
-                UNIT,
-                sound.figures());
+                sample.look(settings.kind()),
+                new GroundTruth(drone.id(), distance, emission),
+                new Reading(sound.value(), sound.threshold(), UNIT),
+                sound.figures(),
+                Optional.empty());
     }
 
     @Override

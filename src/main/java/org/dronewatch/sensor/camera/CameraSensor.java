@@ -16,7 +16,9 @@ import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Cover;
 import org.dronewatch.sensor.Explanation;
+import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.optics.CameraObject;
@@ -109,22 +111,15 @@ public final class CameraSensor implements AssessableSensor {
         DroneView view = view(drone, pixels);
         Signal signal = signal(view);
         OptionalDouble probability = settings.detection().probability(view);
-        Observation observation = new Observation(
-                sample.sensor(),
-                settings.kind(),
-                drone.id(),
-                sample.index(),
-                sample.time(),
-                sample.time(),
-                view.range(),
-                signal.quantity(),
-                settings.detection().threshold(sample.random(drone.id(), Sample.DETECTION)),
-                signal.unit(),
-                probability.isPresent() ? Map.of(Observation.PROBABILITY, probability.getAsDouble()) : Map.of());
+        double threshold = settings.detection().threshold(sample.random(drone.id(), Sample.DETECTION));
+        Reading reading = new Reading(signal.quantity(), threshold, signal.unit());
         double lock = settings.positioner().map(PositionerSettings::lock).orElse(Double.POSITIVE_INFINITY);
-        return observation.isDetected() || pixels >= lock
-                ? observation.withSighting(Optional.of(sighting(drone)))
-                : observation;
+        return new Observation(
+                sample.look(settings.kind()),
+                new GroundTruth(drone.id(), view.range(), sample.time()),
+                reading,
+                probability.isPresent() ? Map.of(Observation.PROBABILITY, probability.getAsDouble()) : Map.of(),
+                reading.isDetected() || pixels >= lock ? Optional.of(sighting(drone)) : Optional.empty());
     }
 
     /** A picture gives the direction, to a pixel or better, but no range. */

@@ -14,7 +14,9 @@ import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cover;
 import org.dronewatch.sensor.Explanation;
+import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.world.World;
@@ -113,16 +115,9 @@ public final class RadarSensor implements AssessableSensor {
                         .sighting(settings.position(), place, sample.random(drone.id(), Sample.ERROR)))
                 : Optional.empty();
         return new Observation(
-                sample.sensor(),
-                settings.kind(),
-                drone.id(),
-                sample.index(),
-                sample.time(),
-                sample.time(),
-                range(drone),
-                echo,
-                threshold,
-                UNIT,
+                sample.look(settings.kind()),
+                new GroundTruth(drone.id(), range(drone), sample.time()),
+                new Reading(echo, threshold, UNIT),
                 figures,
                 sighting);
     }

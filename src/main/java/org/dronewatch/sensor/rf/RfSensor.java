@@ -13,6 +13,7 @@ import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.world.Obstacle;
@@ -89,17 +90,11 @@ public final class RfSensor implements AssessableSensor {
         figures.put("drone_snr_db", ofDrone);
         figures.put("pilot_snr_db", ofPilot);
         return new Observation(
-                sample.sensor(),
-                settings.kind(),
-                drone.id(),
-                sample.index(),
-                sample.time(),
-                sample.time(),
-                drone.distance(settings.position()),
-                Math.max(ofDrone, ofPilot),
-                settings.threshold(),
-                UNIT,
-                figures);
+                        sample.look(settings.kind()),
+                        drone.id(),
+                        drone.distance(settings.position()),
+                        new Reading(Math.max(ofDrone, ofPilot), settings.threshold(), UNIT))
+                .withFigures(figures);
     }
 
     private double ofDrone(Drone drone) {

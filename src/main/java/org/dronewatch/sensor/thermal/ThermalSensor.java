@@ -16,8 +16,10 @@ import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Cover;
 import org.dronewatch.sensor.Explanation;
+import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.optics.CameraObject;
@@ -103,16 +105,9 @@ public final class ThermalSensor implements AssessableSensor {
                 pixels >= settings.positioner().map(PositionerSettings::lock).orElse(Double.POSITIVE_INFINITY);
         boolean told = probability >= threshold || locked && ratio > settings.leastSignal();
         return new Observation(
-                sample.sensor(),
-                settings.kind(),
-                drone.id(),
-                sample.index(),
-                sample.time(),
-                sample.time(),
-                range,
-                probability,
-                threshold,
-                Quantity.RATIO.unit(),
+                sample.look(settings.kind()),
+                new GroundTruth(drone.id(), range, sample.time()),
+                new Reading(probability, threshold, Quantity.RATIO.unit()),
                 figures,
                 told ? Optional.of(sighting(drone)) : Optional.empty());
     }

@@ -4,6 +4,7 @@ import java.util.List;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorDescription;
@@ -63,7 +64,6 @@ public record SpotterSettings(
         double distance = drone.distance(position);
         boolean visible = !world.isOccluded(position.toPoint3d(), drone.position());
         double value = visible ? reach / distance : 0.0;
-        return new Observation(
-                sample.sensor(), kind(), drone.id(), sample.index(), sample.time(), distance, value, 1.0, "");
+        return new Observation(sample.look(kind()), drone.id(), distance, new Reading(value, 1.0, ""));
     }
 }
