@@ -20,6 +20,10 @@ final class DetectionRenderer extends DefaultTableCellRenderer {
     public Component getTableCellRendererComponent(
             JTable table, Object value, boolean isSelected, boolean hasFocus, int row, int column) {
         Component cell = super.getTableCellRendererComponent(table, value, isSelected, false, row, column);
+        // Names of kinds from other jars may be long.
+        boolean cut = cell.getPreferredSize().width
+                > table.getColumnModel().getColumn(column).getWidth();
+        setToolTipText(cut ? String.valueOf(value) : null);
         boolean detects = pairs.isDetected(table.convertRowIndexToModel(row));
         if (!isSelected) {
             cell.setBackground(detects ? mixed(table.getBackground()) : table.getBackground());

@@ -132,6 +132,12 @@ final class RayPanel extends JPanel {
         if (rays == null) {
             return;
         }
+        if (rays.count() == 0) {
+            // A propagation model of another jar need not trace rays.
+            count.setText("'" + rays.sensor() + "' traces no rays from '" + rays.drone() + "' at "
+                    + Texts.time(rays.time()) + ".");
+            return;
+        }
         String more = rays.leftOut() == 0 ? "" : String.format(Locale.ROOT, "; %,d more were not kept", rays.leftOut());
         String text = String.format(
                 Locale.ROOT,

@@ -9,14 +9,10 @@ import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 import java.io.File;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.jar.JarEntry;
-import java.util.jar.JarOutputStream;
-import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -26,7 +22,7 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** A project of somebody else, whose jar adds one of each that can be added, and which the program has never seen. */
 class ForeignProjectTest {
-    private static final Path PROJECT = Path.of("src/test/resources/foreign-project");
+    private static final Path PROJECT = ForeignProject.DIRECTORY;
 
     @TempDir
     private static Path built;
@@ -38,32 +34,7 @@ class ForeignProjectTest {
 
     @BeforeAll
     static void buildTheJar() throws IOException {
-        Path classes = Files.createDirectories(built.resolve("classes"));
-        try (Stream<Path> sources = Files.walk(PROJECT.resolve("src/main/java"))) {
-            Stream<String> options =
-                    Stream.of("-d", classes.toString(), "-proc:none", "-cp", System.getProperty("java.class.path"));
-            Stream<String> files = sources.map(Path::toString).filter(file -> file.endsWith(".java"));
-            int failed = ToolProvider.getSystemJavaCompiler()
-                    .run(null, null, null, Stream.concat(options, files).toArray(String[]::new));
-            assertThat(failed).isZero();
-        }
-        jar = built.resolve("watch.jar");
-        write(jar, List.of(classes, PROJECT.resolve("src/main/resources")));
-    }
-
-    private static void write(Path target, List<Path> directories) throws IOException {
-        try (OutputStream bytes = Files.newOutputStream(target);
-                JarOutputStream out = new JarOutputStream(bytes)) {
-            for (Path root : directories) {
-                try (Stream<Path> files = Files.walk(root)) {
-                    for (Path file : files.filter(Files::isRegularFile).toList()) {
-                        out.putNextEntry(
-                                new JarEntry(root.relativize(file).toString().replace(File.separatorChar, '/')));
-                        Files.copy(file, out);
-                    }
-                }
-            }
-        }
+        jar = ForeignProject.jar(built);
     }
 
     private Program.Outcome run(List<Path> jars, String... arguments) throws IOException, InterruptedException {
@@ -73,9 +44,7 @@ class ForeignProjectTest {
     }
 
     private void copyTheScene() throws IOException {
-        for (String file : List.of("scene.yaml", "wall.stl")) {
-            Files.copy(PROJECT.resolve(file), directory.resolve(file));
-        }
+        ForeignProject.copyScene(directory);
     }
 
     @Test
@@ -146,6 +115,22 @@ class ForeignProjectTest {
                 run(List.of(jar), "run", "scene.yaml", "--set", "sensors.camera=spotter", "--out", "out");
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(Files.readString(directory.resolve("out/detections.csv"))).contains(",camera,spotter,");
+    }
+
+    @Test
+    void aSavedSceneHasItsKindsAndTheSameDetections() throws IOException, InterruptedException {
+        copyTheScene();
+        String[] swap = {"--set", "sensors.camera=spotter", "--set", "sensors.camera.reach=70 m"};
+        Program.Outcome outcome =
+                run(List.of(jar), "save", "scene.yaml", swap[0], swap[1], swap[2], swap[3], "--out", "saved.yaml");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        run(List.of(jar), "run", "scene.yaml", swap[0], swap[1], swap[2], swap[3], "--out", "direct");
+        outcome = run(List.of(jar), "run", "saved.yaml", "--out", "again");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        String detections = Files.readString(directory.resolve("again/detections.csv"));
+        assertThat(detections)
+                .contains(",camera,spotter,")
+                .isEqualTo(Files.readString(directory.resolve("direct/detections.csv")));
     }
 
     @Test
@@ -221,7 +206,7 @@ class ForeignProjectTest {
         assertThat(ToolProvider.getSystemJavaCompiler().run(null, null, null, options))
                 .isZero();
         Path odd = directory.resolve("odd.jar");
-        write(odd, List.of(classes));
+        ForeignProject.write(odd, List.of(classes));
         return odd;
     }
 
@@ -304,7 +289,7 @@ class ForeignProjectTest {
         int failed = ToolProvider.getSystemJavaCompiler()
                 .run(null, null, null, "-d", directory.resolve("more").toString(), "-cp", classPath, source.toString());
         assertThat(failed).isZero();
-        write(other, List.of(directory.resolve("more")));
+        ForeignProject.write(other, List.of(directory.resolve("more")));
 
         Program.Outcome outcome = run(List.of(jar, other), "list");
         assertThat(outcome.code()).isEqualTo(2);

@@ -41,12 +41,19 @@ final class Program {
     /** Starts a command in a process with more jars on its class path. */
     static Child startWith(Path directory, List<Path> jars, List<String> javaOptions, String... arguments)
             throws IOException {
+        return startClass(Main.class, directory, jars, javaOptions, arguments);
+    }
+
+    /** Starts a class with a main method in a process with more jars on its class path. */
+    static Child startClass(
+            Class<?> main, Path directory, List<Path> jars, List<String> javaOptions, String... arguments)
+            throws IOException {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.addAll(javaOptions);
         List<String> classPath = new ArrayList<>(List.of(absoluteClassPath()));
         jars.forEach(jar -> classPath.add(jar.toString()));
-        command.addAll(List.of("-cp", String.join(File.pathSeparator, classPath), Main.class.getName()));
+        command.addAll(List.of("-cp", String.join(File.pathSeparator, classPath), main.getName()));
         command.addAll(List.of(arguments));
         File out = directory.resolve("out.txt").toFile();
         File err = directory.resolve("err.txt").toFile();
