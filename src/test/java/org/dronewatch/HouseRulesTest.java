@@ -4,8 +4,10 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
+import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaMethodCall;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
@@ -16,16 +18,20 @@ import java.util.Set;
 import org.dronewatch.House.Storey;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Detection;
 import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.tracking.PerfectAssociation;
+import org.dronewatch.world.Visibility;
 
 /** The rooms of the house and the one way in which they may know each other. */
 @AnalyzeClasses(packages = "org.dronewatch", importOptions = ImportOption.DoNotIncludeTests.class)
 class HouseRulesTest {
+    private static final String[] KERNEL = {"org.dronewatch.kdtree", "org.dronewatch.bvh", "org.dronewatch.raster"};
+
     @ArchTest
     static void everyRoomUsesOnlyThoseBelowIt(JavaClasses house) {
         for (Storey storey : House.STOREYS) {
@@ -115,6 +121,48 @@ class HouseRulesTest {
             .orShould()
             .dependOnClassesThat()
             .resideInAnyPackage("org.dronewatch.drone", "org.dronewatch.flight");
+
+    /**
+     * What stands between two points, {@link Visibility} says: what counts at the ends is decided once. The painter's shadows
+     * begin at depths of single precision, and have a margin of their own.
+     */
+    @ArchTest
+    static final ArchRule ONLY_VISIBILITY_ASKS_THE_KERNEL_FOR_OCCLUSION = noClasses()
+            .that()
+            .resideOutsideOfPackages(KERNEL)
+            .and()
+            .doNotBelongToAnyOf(Visibility.class)
+            .and()
+            .doNotHaveFullyQualifiedName("org.dronewatch.render.SitePainter")
+            .should()
+            .callMethodWhere(ofARayTracer("isOccluded"));
+
+    /** Rays, which have no other end, go to the kernel itself: those of sound, of pictures, from above, and about a point. */
+    @ArchTest
+    static final ArchRule ONLY_THESE_TRACE_RAYS = classes()
+            .that()
+            .resideOutsideOfPackages(KERNEL)
+            .and(DescribedPredicate.describe(
+                    "trace rays", one -> one.getMethodCallsFromSelf().stream().anyMatch(ofARayTracer("closestHit"))))
+            .should()
+            .haveNameMatching("org\\.dronewatch\\.("
+                    + String.join(
+                            "|",
+                            "bench\\..*",
+                            "render\\.SitePainter",
+                            "report\\.ReliefShade",
+                            "sensor\\.acoustic\\.energy\\.(BackwardRay|FirstScattering|ReceiverSphere)",
+                            "sensor\\.acoustic\\.level\\.RayStretch",
+                            "sensor\\.optics\\.VisibleArea",
+                            "sensor\\.rf\\.RadioPath",
+                            "world\\.(Clearance|Surroundings|Visibility|World)")
+                    + ")");
+
+    private static DescribedPredicate<JavaMethodCall> ofARayTracer(String method) {
+        return DescribedPredicate.describe(
+                "RayTracer." + method,
+                call -> call.getName().equals(method) && call.getTargetOwner().isAssignableTo(RayTracer.class));
+    }
 
     @ArchTest
     static final ArchRule ONLY_THE_SCENE_KNOWS_DSOL = noClasses()

@@ -24,6 +24,7 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
@@ -153,7 +154,7 @@ public final class SitePicture {
     private boolean isUnderRoof(Position place) {
         Position sky = new Position(
                 place.x(), place.y(), Math.max(place.z(), world.bounds().maxZ()) + 1.0);
-        return world.isOccluded(place.toPoint3d(), sky.toPoint3d());
+        return !new Visibility(world).isFree(place, sky);
     }
 
     /**

@@ -23,19 +23,12 @@ import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.jogamp.vecmath.Point3d;
-import org.jogamp.vecmath.Vector3d;
 
 /**
  * The site: everything stationary, as one mesh with one tree, and its background noise. World frame: metres,
  * right-handed, x east, y north, z up. Immutable, shared by all threads.
  */
 public final class World {
-    /**
-     * How near to an end of a segment, as a fraction of its length, a surface counts as that on which the end lies: far
-     * above rounding.
-     */
-    public static final double SURFACE = 1e-9;
-
     private final TracingIndex index;
     private final BackgroundNoise backgroundNoise;
     private final List<SurfaceMaterial> surfaces;
@@ -191,12 +184,11 @@ public final class World {
 
     /**
      * Whether something lies between two points. A surface within a billionth of the distance at either end hides
-     * nothing, so that points computed to lie on surfaces see each other.
+     * nothing, so that points computed to lie on surfaces see each other. For convenience; loops use one {@link
+     * Visibility} for many segments.
      */
     public boolean isOccluded(Point3d from, Point3d to) {
-        Vector3d way = new Vector3d(to);
-        way.sub(from);
-        return newRayTracer().isOccluded(from.x, from.y, from.z, way.x, way.y, way.z, SURFACE, 1.0 - SURFACE);
+        return !new Visibility(this).isFree(from.x, from.y, from.z, to.x, to.y, to.z);
     }
 
     /**

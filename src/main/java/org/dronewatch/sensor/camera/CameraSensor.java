@@ -25,6 +25,7 @@ import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Vector3d;
 
@@ -167,8 +168,8 @@ public final class CameraSensor implements AssessableSensor {
                 .sun()
                 .map(shining -> shining.direction().toVector3d())
                 .filter(way -> way.z >= 0.0
-                        && !world.newRayTracer()
-                                .isOccluded(
+                        && new Visibility(world)
+                                .isFreeAlong(
                                         at.x(), at.y(), at.z(), way.x, way.y, way.z, 0.0, Double.POSITIVE_INFINITY));
     }
 

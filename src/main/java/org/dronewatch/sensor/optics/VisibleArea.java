@@ -5,6 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.sensor.Outline;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
 import org.jogamp.vecmath.Vector3d;
@@ -24,8 +25,7 @@ public final class VisibleArea {
     private static final int STEP = 610;
 
     private final CameraObject camera;
-    private final World world;
-    private final RayTracer site;
+    private final Visibility visibility;
     private final Vector3d forward;
     private final Vector3d right;
     private final Vector3d up;
@@ -34,8 +34,7 @@ public final class VisibleArea {
     /** For the picture of a camera in a world. */
     public VisibleArea(CameraObject camera, World world) {
         this.camera = camera;
-        this.world = world;
-        this.site = world.newRayTracer();
+        this.visibility = new Visibility(world);
         Outline.Pyramid outline = camera.outline();
         this.forward = outline.forward().toVector3d();
         this.right = outline.right().toVector3d();
@@ -44,7 +43,7 @@ public final class VisibleArea {
 
     /** The world that it is in. */
     public World world() {
-        return world;
+        return visibility.world();
     }
 
     /** The area of a drone that is in the picture and that nothing of the site hides, in pixels. */
@@ -105,7 +104,8 @@ public final class VisibleArea {
                 m.m20 * ray.x + m.m21 * ray.y + m.m22 * ray.z,
                 0.0,
                 Double.POSITIVE_INFINITY);
-        return hit && (open || !site.isOccluded(at.x(), at.y(), at.z(), ray.x, ray.y, ray.z, 0.0, model.distance()));
+        return hit
+                && (open || visibility.isFreeAlong(at.x(), at.y(), at.z(), ray.x, ray.y, ray.z, 0.0, model.distance()));
     }
 
     /**

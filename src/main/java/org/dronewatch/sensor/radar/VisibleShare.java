@@ -3,7 +3,7 @@ package org.dronewatch.sensor.radar;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
 
@@ -16,11 +16,11 @@ final class VisibleShare {
     private static final double HALF_WAY = 0.5;
 
     private final Position place;
-    private final RayTracer traversal;
+    private final Visibility visibility;
 
     VisibleShare(World world, Position place) {
         this.place = place;
-        this.traversal = world.newRayTracer();
+        this.visibility = new Visibility(world);
     }
 
     /** The share, 0 to 1. */
@@ -45,14 +45,6 @@ final class VisibleShare {
     }
 
     private boolean isVisible(Point3d point) {
-        return !traversal.isOccluded(
-                place.x(),
-                place.y(),
-                place.z(),
-                point.x - place.x(),
-                point.y - place.y(),
-                point.z - place.z(),
-                World.SURFACE,
-                1.0 - World.SURFACE);
+        return visibility.isFree(place.x(), place.y(), place.z(), point.x, point.y, point.z);
     }
 }

@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
@@ -15,12 +15,12 @@ final class EdgePath {
     private static final double LARGEST_SLOPE = 12.0;
     private static final int HALVINGS = 24;
 
-    private final RayTracer traversal;
+    private final Visibility visibility;
     private double pathDifference;
     private double rise;
 
     EdgePath(World world) {
-        this.traversal = world.newRayTracer();
+        this.visibility = new Visibility(world);
     }
 
     /** Looks for the nearest edge between two points that do not see each other; false where there is no way round. */
@@ -88,7 +88,7 @@ final class EdgePath {
     }
 
     private boolean isBlocked(Position from, Position way, Position side, double slope) {
-        return traversal.isOccluded(
+        return !visibility.isFreeAlong(
                 from.x(),
                 from.y(),
                 from.z(),

@@ -3,9 +3,9 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.Arrays;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
@@ -20,7 +20,7 @@ final class ExactPaths {
     private final EnergyModel model;
     private final TriangleMesh mesh;
     private final WallPlanes planes;
-    private final RayTracer traversal;
+    private final Visibility visibility;
     private final BandSurfaces surfaces;
     private final Air air;
     private final WallTransmission walls;
@@ -38,7 +38,7 @@ final class ExactPaths {
         this.model = model;
         this.mesh = world.mesh();
         this.planes = planes;
-        this.traversal = world.newRayTracer();
+        this.visibility = new Visibility(world);
         this.surfaces = surfaces;
         this.air = air;
         this.walls = new WallTransmission(world, surfaces);
@@ -210,6 +210,6 @@ final class ExactPaths {
 
     private boolean sees(Position from, Position surface) {
         Position way = surface.minus(from);
-        return !traversal.isOccluded(from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), 0.0, 1.0 - OWN);
+        return visibility.isFreeAlong(from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), 0.0, 1.0 - OWN);
     }
 }

@@ -8,6 +8,7 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
@@ -22,6 +23,7 @@ final class FirstScattering {
 
     private final TriangleMesh mesh;
     private final RayTracer traversal;
+    private final Visibility visibility;
     private final BandSurfaces surfaces;
     private final Air air;
     private final EnergyTally tally;
@@ -32,6 +34,7 @@ final class FirstScattering {
     FirstScattering(World world, BandSurfaces surfaces, Air air, EnergyTally tally) {
         this.mesh = world.mesh();
         this.traversal = world.newIncoherentRayTracer();
+        this.visibility = Visibility.ofUnrelatedSegments(world);
         this.surfaces = surfaces;
         this.air = air;
         this.tally = tally;
@@ -86,7 +89,7 @@ final class FirstScattering {
             return 1;
         }
         // From the sensor, so that the surface is at the far end for both kinds of rays.
-        if (!traversal.isOccluded(sensor.x(), sensor.y(), sensor.z(), -x, -y, -z, OWN, 1.0 - OWN)) {
+        if (visibility.isFreeAlong(sensor.x(), sensor.y(), sensor.z(), -x, -y, -z, OWN, 1.0 - OWN)) {
             double own = density(arriving, before);
             double weight = own / (own + density(leaving, after));
             bring(source, mesh.material(triangle), before, after, weight * leaving / (Math.PI * after * after));

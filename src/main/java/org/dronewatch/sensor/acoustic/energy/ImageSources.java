@@ -3,8 +3,8 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.Arrays;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
@@ -23,7 +23,7 @@ final class ImageSources {
 
     private final TriangleMesh mesh;
     private final WallPlanes planes;
-    private final RayTracer traversal;
+    private final Visibility visibility;
     private final BandSurfaces surfaces;
     private final Air air;
     private final int maxOrder;
@@ -37,7 +37,7 @@ final class ImageSources {
     ImageSources(World world, WallPlanes planes, BandSurfaces surfaces, Air air, int maxOrder) {
         this.mesh = world.mesh();
         this.planes = planes;
-        this.traversal = world.newRayTracer();
+        this.visibility = new Visibility(world);
         this.surfaces = surfaces;
         this.air = air;
         this.maxOrder = maxOrder;
@@ -102,19 +102,19 @@ final class ImageSources {
             double dy = share * (image[1] - y);
             double dz = share * (image[2] - z);
             if (!planes.mayContain(walls[k], x + dx, y + dy, z + dz)
-                    || !traversal.closestHit(x, y, z, dx, dy, dz, tMin, 1.0 + OWN)
-                    || traversal.distance() < 1.0 - OWN
-                    || planes.wallOf(traversal.triangle()) != walls[k]) {
+                    || !visibility.findFirst(x, y, z, dx, dy, dz, tMin, 1.0 + OWN)
+                    || visibility.distance() < 1.0 - OWN
+                    || planes.wallOf(visibility.triangle()) != walls[k]) {
                 return;
             }
-            materials[k] = mesh.material(traversal.triangle());
+            materials[k] = mesh.material(visibility.triangle());
             x += dx;
             y += dy;
             z += dz;
             tMin = OWN;
         }
         double[] place = images[0];
-        if (traversal.isOccluded(x, y, z, place[0] - x, place[1] - y, place[2] - z, OWN, 1.0 - OWN)) {
+        if (!visibility.isFreeAlong(x, y, z, place[0] - x, place[1] - y, place[2] - z, OWN, 1.0 - OWN)) {
             return;
         }
         double[] image = images[last + 1];

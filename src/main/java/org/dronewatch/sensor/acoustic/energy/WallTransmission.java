@@ -2,9 +2,9 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
@@ -18,14 +18,14 @@ final class WallTransmission {
     private static final double OWN = 1e-9;
 
     private final TriangleMesh mesh;
-    private final RayTracer traversal;
+    private final Visibility visibility;
     private final BandSurfaces surfaces;
     private final double[] passed = new double[BANDS];
     private boolean free;
 
     WallTransmission(World world, BandSurfaces surfaces) {
         this.mesh = world.mesh();
-        this.traversal = world.newIncoherentRayTracer();
+        this.visibility = Visibility.ofUnrelatedSegments(world);
         this.surfaces = surfaces;
     }
 
@@ -40,7 +40,7 @@ final class WallTransmission {
         double y = toY - fromY;
         double z = toZ - fromZ;
         Arrays.fill(passed, 1.0);
-        free = !traversal.isOccluded(fromX, fromY, fromZ, x, y, z, OWN, 1.0 - OWN);
+        free = visibility.isFreeAlong(fromX, fromY, fromZ, x, y, z, OWN, 1.0 - OWN);
         if (free) {
             return true;
         }
@@ -49,8 +49,8 @@ final class WallTransmission {
         }
         double start = OWN;
         int within = medium;
-        while (traversal.closestHit(fromX, fromY, fromZ, x, y, z, start, 1.0 - OWN)) {
-            int material = mesh.material(traversal.triangle());
+        while (visibility.findFirst(fromX, fromY, fromZ, x, y, z, start, 1.0 - OWN)) {
+            int material = mesh.material(visibility.triangle());
             if (!surfaces.transmits(material)) {
                 return false;
             }
@@ -62,7 +62,7 @@ final class WallTransmission {
                 }
                 within = surfaces.isSheet(material) ? within : material;
             }
-            start = traversal.distance() + OWN;
+            start = visibility.distance() + OWN;
         }
         return true;
     }
