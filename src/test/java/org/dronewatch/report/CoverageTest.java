@@ -20,7 +20,7 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.camera.CameraSettings;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -29,14 +29,17 @@ class CoverageTest {
     private static final CoverageGrid GRID = new CoverageGrid(0, 0, 400, 100, 2);
 
     @TempDir
-    private Path directory;
+    private static Path directory;
 
-    private SceneSettings settings;
-    private Stage stage;
+    private static SceneSettings settings;
+    private static Stage stage;
+
+    /** Of the plain, which no test changes. */
+    private static Coverage coverage;
 
     /** A radar that sees up to 150 m all round, one that looks 90 degrees wide to the east, a microphone for 60 m. */
-    @BeforeEach
-    void plain() throws IOException {
+    @BeforeAll
+    static void plain() throws IOException {
         Files.writeString(
                 directory.resolve("plain.obj"),
                 // y is up: the ground, and a wall of 20 m by 30 m height, 50 m to the north.
@@ -60,17 +63,17 @@ class CoverageTest {
         SceneRunner runner = new SceneRunner(new SceneFile(file));
         settings = runner.settings();
         stage = runner.stage(settings);
+        coverage = coverage(settings, 2);
     }
 
-    private Coverage coverage(int threads) {
+    private static Coverage coverage(SceneSettings of, int threads) {
         try (Workers workers = new Workers(threads)) {
-            return workers.call(() -> Coverage.of(settings, stage, "one", GRID, points -> {}));
+            return workers.call(() -> Coverage.of(of, stage, "one", GRID, points -> {}));
         }
     }
 
     @Test
     void areasAreThoseOfGeometry() {
-        Coverage coverage = coverage(2);
         double disc = Math.PI * 150 * 150;
         // Behind the wall a ring sector of atan(10 / 50) to both sides is dark, from 50 m north on.
         double half = Math.atan2(10, 50);
@@ -89,7 +92,6 @@ class CoverageTest {
     /** The same geometry, by what is missing: a ring sector behind the wall, the rest of the square, three quarters of a disc. */
     @Test
     void whatIsMissingHasTheCauseOfItsGeometry() {
-        Coverage coverage = coverage(2);
         double disc = Math.PI * 150 * 150;
         double half = Math.atan2(10, 50);
         Map<Cause, Integer> round = coverage.causes("round");
@@ -113,7 +115,6 @@ class CoverageTest {
 
     @Test
     void aCellIsReachedWhereItIsAssessedAsDetected() {
-        Coverage coverage = coverage(2);
         for (String sensor : settings.sensors().keySet()) {
             for (int cell = 0; cell < GRID.cells() * GRID.cells(); cell += 7) {
                 Assessment one = coverage.assess(sensor, cell % GRID.cells(), cell / GRID.cells())
@@ -131,30 +132,29 @@ class CoverageTest {
         PositionerSettings mount = PositionerSettings.DEFAULT.withCues("round");
         CameraSettings fixed = CameraSettings.at(new Position(0, 0, 2)).withResolution(1600, 1200);
         double near = Math.sqrt(0.0528 / 12) * fixed.focalLength();
-        settings = settings.withSensor("fixed", fixed).withSensor("turning", fixed.withPositioner(mount));
-        Coverage coverage = coverage(2);
+        SceneSettings with = settings.withSensor("fixed", fixed).withSensor("turning", fixed.withPositioner(mount));
+        Coverage turned = coverage(with, 2);
         double wedge = 2 * Math.atan(800 / fixed.focalLength()) / (2 * Math.PI);
 
-        assertThat(coverage.area("turning")).isBetween(0.7 * Math.PI * near * near, 1.6 * Math.PI * near * near);
-        assertThat(coverage.area("fixed") / coverage.area("turning")).isBetween(0.7 * wedge, 1.3 * wedge);
+        assertThat(turned.area("turning")).isBetween(0.7 * Math.PI * near * near, 1.6 * Math.PI * near * near);
+        assertThat(turned.area("fixed") / turned.area("turning")).isBetween(0.7 * wedge, 1.3 * wedge);
     }
 
     @Test
     void anyNumberOfThreadsGivesTheSame() {
-        Coverage one = coverage(1);
-        Coverage two = coverage(2);
+        Coverage one = coverage(settings, 1);
         for (String sensor : settings.sensors().keySet()) {
             for (int cell = 0; cell < GRID.cells() * GRID.cells(); cell++) {
                 int column = cell % GRID.cells();
                 int row = cell / GRID.cells();
-                assertThat(two.isReached(sensor, column, row)).isEqualTo(one.isReached(sensor, column, row));
+                assertThat(coverage.isReached(sensor, column, row)).isEqualTo(one.isReached(sensor, column, row));
             }
         }
     }
 
     @Test
     void thePictureShowsWhatIsReached() {
-        CoveragePicture picture = CoveragePicture.of("plain", coverage(2), stage.world(), "drone 'one'");
+        CoveragePicture picture = CoveragePicture.of("plain", coverage, stage.world(), "drone 'one'");
 
         Color far = picture.colour(60, 60);
         Color radarOnly = picture.colour(500 + 250, 500 + 40);
