@@ -73,14 +73,14 @@ final class SampleSite {
               atmosphere: {temperature: 15 degC, humidity: 40 %, pressure: 950 hPa}
               surfaces:
                 materials: {grass: grass_turf, brick: brick_rough}
-                otherwise: solid
+                defaultSurface: solid
               rain: 4 mm/h
               light: {visibility: 10 km, contrastAtVisibility: 0.05, illuminance: 5000, sun: {azimuth: 100 deg, elevation: 20 deg}}
               origin: {latitude: 50.0755 deg, longitude: 14.4378 deg, height: 200 m}
             drones:
               one:
                 model: {file: drone.obj, upAxis: z, scale: 1}
-                flight: {kind: inbound, target: [0, 0, 10], bearing: 45 deg, height: 20 m, distance: 60 m, nearest: 5 m}
+                flight: {kind: inbound, target: [0, 0, 10], bearing: 45 deg, height: 20 m, distance: 60 m, standoff: 5 m}
                 speed: 18 km/h
                 acceleration: 2 m/s2
                 radar: {crossSection: 0.02 m2, fluctuation: swerling-1}
@@ -123,7 +123,7 @@ final class SampleSite {
                 height: 48
                 fov: 0.5
                 rate: 5 Hz
-                detection: {kind: target-task, task: detection, probability: 0.5, contrast: 0.5, leastContrast: 0.02, goodLight: 100, exposure: 0.01, glare: 5 deg}
+                detection: {kind: target-task, task: detection, probability: 0.5, contrast: 0.5, contrastThreshold: 0.02, shotNoiseIlluminance: 100, exposure: 0.01, sunExclusionAngle: 5 deg}
               ear:
                 kind: acoustic
                 position: [0, 3, 11]
@@ -131,7 +131,7 @@ final class SampleSite {
                 rate: 2 Hz
                 threshold: 9 dB
                 arrayGain: 3 dB
-                propagation: {kind: energy-model, rays: 100, accuracy: 0.5 dB, roulette: 0.25, maxOrder: 10, mirrorOrder: 2, diffraction: iso9613, criterion: best-band}
+                propagation: {kind: energy-model, rays: 100, accuracy: 0.5 dB, roulette: 0.25, maxOrder: 10, imageSourceOrder: 2, diffraction: iso9613, criterion: best-band}
               level:
                 kind: acoustic
                 position: [0, -3, 11]
@@ -157,7 +157,7 @@ final class SampleSite {
                 kind: radar
                 position: [0, 1, 14]
                 budget: {kind: data-sheet, range: 1000, crossSection: 0.01, probability: 0.9, falseAlarm: 1e-6, fluctuation: steady}
-              radio: {kind: rf, position: [4, 0, 13], rate: 2 Hz, lowest: 400 MHz, highest: 6 GHz, gain: 3, bandwidth: 10 MHz, noiseFigure: 6, clutter: 2, threshold: 6}
+              radio: {kind: rf, position: [4, 0, 13], rate: 2 Hz, minFrequency: 400 MHz, maxFrequency: 6 GHz, gain: 3, bandwidth: 10 MHz, noiseFigure: 6, clutter: 2, threshold: 6}
               warm:
                 kind: thermal
                 position: [0, 0, 13]
@@ -166,20 +166,20 @@ final class SampleSite {
                 height: 48
                 fov: 30 deg
                 rate: 5 Hz
-                noise: 40 mK
+                netd: 40 mK
                 transmission: 80 %
-                leastSignal: 2
+                minSnr: 2
                 task: recognition
                 probability: 0.5
                 positioner:
                   cues: [echo, eye]
                   panSpeed: 30 deg/s
                   tiltSpeed: 30 deg/s
-                  lowest: -20 deg
-                  highest: 60 deg
+                  minTilt: -20 deg
+                  maxTilt: 60 deg
                   delay: 0.2 s
                   hold: 2 s
-                  lock: 6
+                  lockPixels: 6
                   search: {kind: sweep, width: 90 deg, height: 10 deg, rows: 2, speed: 20 deg/s}
                   zoom: {cued: 6 deg, tracked: 2 deg, time: 1.5 s}
             alert:

@@ -23,7 +23,7 @@ final class SchemaScenes {
             "file", List.of("site.obj", "drone.obj"),
             "model", List.of("drone.obj"),
             "models", List.of("site.obj"),
-            "otherwise", SURFACES,
+            "defaultSurface", SURFACES,
             "sound", List.of("c1-quadrotor", "hexacopter"),
             "currency", List.of("EUR", "K\u010D"));
 
@@ -37,7 +37,7 @@ final class SchemaScenes {
             Map.entry("rayBudget", 3000),
             Map.entry("maxOrder", 5),
             Map.entry("pulses", 20),
-            Map.entry("mirrorOrder", 2),
+            Map.entry("imageSourceOrder", 2),
             Map.entry("rate", 20),
             Map.entry("rows", 4),
             Map.entry("swarm", 3),
@@ -151,11 +151,16 @@ final class SchemaScenes {
         if (schema.has("required")) {
             schema.get("required").forEach(name -> required.add(name.asString()));
         }
+        if (schema.has("allOf")) {
+            // Of the names of a setting the present one comes first.
+            schema.get("allOf").forEach(names -> addIfRequired(names.get("oneOf"), required));
+        }
         if (schema.has("properties")) {
             schema.get("properties").properties().forEach(part -> {
                 boolean kind = part.getValue().has("const") || CHEAP.containsKey(part.getKey());
                 boolean use = part.getKey().equals("use") && !required.contains("use");
-                if (!use && (required.contains(part.getKey()) || kind || dice.oneIn(3 + depth))) {
+                boolean former = part.getValue().has("deprecated");
+                if (!use && !former && (required.contains(part.getKey()) || kind || dice.oneIn(3 + depth))) {
                     object.set(part.getKey(), value(part.getKey(), part.getValue(), depth + 1));
                 }
             });
@@ -164,6 +169,13 @@ final class SchemaScenes {
             object.put(dice.pick("grass", "brick"), dice.pick(SURFACES));
         }
         return object;
+    }
+
+    private static void addIfRequired(JsonNode names, Set<String> required) {
+        boolean mayBeLeftOut = names.get(names.size() - 1).has("not");
+        if (!mayBeLeftOut) {
+            required.add(names.get(0).get("required").get(0).asString());
+        }
     }
 
     private JsonNode array(String name, JsonNode schema, int depth) {

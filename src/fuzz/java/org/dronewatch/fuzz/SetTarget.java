@@ -149,7 +149,7 @@ final class SetTarget implements FuzzTarget {
     private static boolean isCheap(List<String> overrides) {
         return overrides.stream()
                 .noneMatch(override -> override.matches(
-                        "run\\.duration=.*|.*\\.rate=.*|.*\\.(rays|initialRays|reflectionsPerHit|rayBudget|maxOrder|pulses|mirrorOrder|accuracy|roulette)=.*"
+                        "run\\.duration=.*|.*\\.rate=.*|.*\\.(rays|initialRays|reflectionsPerHit|rayBudget|maxOrder|pulses|mirrorOrder|imageSourceOrder|accuracy|roulette)=.*"
                                 + "|.*swarm.*|.*\\.(width|height)=\\d{4,}.*|.*propagation=.*|.*\\.kind=.*"));
     }
 }

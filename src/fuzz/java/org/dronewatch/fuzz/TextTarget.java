@@ -109,7 +109,7 @@ final class TextTarget implements FuzzTarget {
                 "world: {models: [" + name + "]}\n",
                 "world: {models: [site.obj]}\nsensors: {s: {use: " + name + ", position: [0, 0, 1]}}\n",
                 "world: {models: [site.obj]}\nsensors: {s: {kind: " + name + ", position: [0, 0, 1]}}\n",
-                "world: {models: [site.obj], surfaces: {otherwise: " + name + "}}\n",
+                "world: {models: [site.obj], surfaces: {defaultSurface: " + name + "}}\n",
                 "world: {models: [site.obj], surfaces: {materials: {" + name + ": solid}}}\n",
                 "world: {models: [site.obj], rain: " + name + "}\n",
                 "world: {models: [site.obj]}\n" + name + ": {}\n",

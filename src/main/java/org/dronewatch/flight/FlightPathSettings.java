@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -97,20 +98,20 @@ public interface FlightPathSettings {
      * @param bearing direction from which it comes, as seen from the target: clockwise from north, rad
      * @param height height of the flight above the target, below it if negative, -100 to 100 km, m
      * @param distance horizontal distance from the target at time 0, above 0 and at most 100 km, m
-     * @param nearest horizontal distance from the target at which it stops, 0 or more, less than the distance, m
+     * @param standoff horizontal distance from the target at which it stops, 0 or more, less than the distance, m
      */
     record Inbound(
             Position target,
             @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing,
             @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double height,
             @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double distance,
-            @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) double nearest)
+            @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) @Formerly("nearest") double standoff)
             implements FlightPathSettings {
         /** Checks the limits. */
         public Inbound {
-            Limits.check(Inbound.class, target, bearing, height, distance, nearest);
-            if (distance - nearest < SHORTEST) {
-                throw new IllegalArgumentException("nearest " + nearest + " m must be less than distance " + distance
+            Limits.check(Inbound.class, target, bearing, height, distance, standoff);
+            if (distance - standoff < SHORTEST) {
+                throw new IllegalArgumentException("standoff " + standoff + " m must be less than distance " + distance
                         + " m by " + SHORTEST + " m or more");
             }
         }
@@ -127,7 +128,7 @@ public interface FlightPathSettings {
 
         @Override
         public FlightPath create(double speed, double acceleration, Ground ground) {
-            return new Approach(at(distance), at(nearest)).create(speed, acceleration, ground);
+            return new Approach(at(distance), at(standoff)).create(speed, acceleration, ground);
         }
     }
 

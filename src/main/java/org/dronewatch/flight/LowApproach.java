@@ -2,6 +2,7 @@ package org.dronewatch.flight;
 
 import java.util.List;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -16,20 +17,20 @@ import org.dronewatch.world.GroundPoint;
  * @param bearing direction from which it comes, as seen from the target: clockwise from north, rad
  * @param distance horizontal distance from the target at time 0, above 0 and at most 50 km, m
  * @param height height above the highest surface below, above 0 and at most 10 km, m
- * @param nearest horizontal distance from the target at which it stops, 0 or more, less than the distance, m
+ * @param standoff horizontal distance from the target at which it stops, 0 or more, less than the distance, m
  */
 public record LowApproach(
         GroundPoint target,
         @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double bearing,
         @In(value = Quantity.LENGTH, above = 0, to = GroundTrack.LONGEST) double distance,
         @In(value = Quantity.LENGTH, above = 0, to = 10_000) double height,
-        @In(value = Quantity.LENGTH, from = 0, to = GroundTrack.LONGEST) double nearest)
+        @In(value = Quantity.LENGTH, from = 0, to = GroundTrack.LONGEST) @Formerly("nearest") double standoff)
         implements FlightPathSettings {
     /** Checks the limits. */
     public LowApproach {
-        Limits.check(LowApproach.class, target, bearing, distance, height, nearest);
-        if (distance - nearest < SHORTEST) {
-            throw new IllegalArgumentException("nearest " + nearest + " m must be less than distance " + distance
+        Limits.check(LowApproach.class, target, bearing, distance, height, standoff);
+        if (distance - standoff < SHORTEST) {
+            throw new IllegalArgumentException("standoff " + standoff + " m must be less than distance " + distance
                     + " m by " + SHORTEST + " m or more");
         }
     }
@@ -46,6 +47,7 @@ public record LowApproach(
 
     @Override
     public FlightPath create(double speed, double acceleration, Ground ground) {
-        return TerrainFollowing.over(List.of(at(distance), at(nearest)), height).create(speed, acceleration, ground);
+        return TerrainFollowing.over(List.of(at(distance), at(standoff)), height)
+                .create(speed, acceleration, ground);
     }
 }

@@ -2,6 +2,7 @@ package org.dronewatch.flight;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -12,17 +13,17 @@ import org.dronewatch.world.Ground;
  * speed, and stays there; its nose points north.
  *
  * @param position where it hovers first, m
- * @param hidden how long it hovers there before it rises, 0 to 1,000,000 s
+ * @param hoverTime how long it hovers there before it rises, 0 to 1,000,000 s
  * @param height how far it rises, 1 mm to 100 km, m
  */
 public record PopUp(
         Position position,
-        @In(value = Quantity.DURATION, from = 0, to = 1e6) double hidden,
+        @In(value = Quantity.DURATION, from = 0, to = 1e6) @Formerly("hidden") double hoverTime,
         @In(value = Quantity.LENGTH, from = 0.001, to = In.FARTHEST) double height)
         implements FlightPathSettings {
     /** Checks the limits. */
     public PopUp {
-        Limits.check(PopUp.class, position, hidden, height);
+        Limits.check(PopUp.class, position, hoverTime, height);
     }
 
     @Override
@@ -30,6 +31,6 @@ public record PopUp(
         Position top = position.plus(new Position(0, 0, height));
         FlightPath rise = new WaypointPath(List.of(position, top), speed, acceleration);
         // Before the rise it is as at its beginning: at rest.
-        return time -> rise.at(Math.max(0.0, time - hidden));
+        return time -> rise.at(Math.max(0.0, time - hoverTime));
     }
 }

@@ -3,6 +3,7 @@ package org.dronewatch.flight;
 import java.util.List;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -19,19 +20,20 @@ import org.dronewatch.world.GroundPoint;
  * @param points the path in plan, as pairs of east and north: at least two, neighbours 1 mm or more apart, at most 50
  *     km in total, m
  * @param height height above the highest surface, above 0 and at most 10 km, m
- * @param steepest largest angle of climb and descent, 5 to 85 degrees, rad
+ * @param maxFlightPathAngle largest angle of climb and descent, 5 to 85 degrees, rad
  */
 public record TerrainFollowing(
         List<GroundPoint> points,
         @In(value = Quantity.LENGTH, above = 0, to = 10_000) double height,
-        @In(value = Quantity.ANGLE, from = Math.PI / 36, to = 17 * Math.PI / 36) double steepest)
+        @In(value = Quantity.ANGLE, from = Math.PI / 36, to = 17 * Math.PI / 36) @Formerly("steepest")
+                double maxFlightPathAngle)
         implements FlightPathSettings {
     /** The default angle, rad. */
     static final double USUAL_STEEPEST = Math.PI / 4;
 
     /** Checks the limits and keeps its own list. */
     public TerrainFollowing {
-        Limits.check(TerrainFollowing.class, points, height, steepest);
+        Limits.check(TerrainFollowing.class, points, height, maxFlightPathAngle);
         points = List.copyOf(points);
         if (points.size() < 2) {
             throw new IllegalArgumentException("points has " + points.size() + " points, needs 2 or more");
@@ -56,7 +58,7 @@ public record TerrainFollowing(
     @Override
     public FlightPath create(double speed, double acceleration, Ground ground) {
         GroundTrack track = new GroundTrack(points);
-        double[] profile = TerrainProfile.over(track, ground, Math.tan(steepest));
+        double[] profile = TerrainProfile.over(track, ground, Math.tan(maxFlightPathAngle));
         return new TerrainPath(track, profile, height, speed);
     }
 }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -18,11 +19,11 @@ import org.dronewatch.setting.Quantity;
  * @param cues names of the sensors that cue it; they must measure directions, as radars and cameras do
  * @param panSpeed pan rate, above 0 and at most 600 degrees per second, rad/s
  * @param tiltSpeed tilt rate, above 0 and at most 600 degrees per second, rad/s
- * @param lowest lowest elevation, -pi/2 to pi/2, rad
- * @param highest highest elevation; not below the lowest, -pi/2 to pi/2, rad
+ * @param minTilt lowest elevation, -pi/2 to pi/2, rad
+ * @param maxTilt highest elevation; not below the lowest, -pi/2 to pi/2, rad
  * @param delay time from another sensor's detection until the mount begins to turn, 0 to 60 s
  * @param hold how long it waits for a drone that is no longer seen, 0 to 3600 s
- * @param lock pixels on a drone that its own camera needs to track it, 1 or more
+ * @param lockPixels pixels on a drone that its own camera needs to track it, 1 or more
  * @param search what it does until it is cued
  * @param zoom how its lens zooms, or empty for a fixed one
  */
@@ -30,11 +31,11 @@ public record PositionerSettings(
         List<String> cues,
         @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double panSpeed,
         @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double tiltSpeed,
-        @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double lowest,
-        @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double highest,
+        @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) @Formerly("lowest") double minTilt,
+        @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) @Formerly("highest") double maxTilt,
         @In(value = Quantity.DURATION, from = 0, to = 60) double delay,
         @In(value = Quantity.DURATION, from = 0, to = 3600) double hold,
-        @In(value = Quantity.PIXELS, from = 1, to = 1e6) double lock,
+        @In(value = Quantity.PIXELS, from = 1, to = 1e6) @Formerly("lock") double lockPixels,
         SearchPattern search,
         Optional<ZoomSettings> zoom) {
     /** What the model of a positioner leaves out, for a report. */
@@ -65,14 +66,24 @@ public record PositionerSettings(
      */
     public PositionerSettings {
         Limits.check(
-                PositionerSettings.class, cues, panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, search, zoom);
+                PositionerSettings.class,
+                cues,
+                panSpeed,
+                tiltSpeed,
+                minTilt,
+                maxTilt,
+                delay,
+                hold,
+                lockPixels,
+                search,
+                zoom);
         cues = List.copyOf(cues);
         if (new HashSet<>(cues).size() < cues.size()) {
             throw new IllegalArgumentException("cues " + cues + " must not name a sensor twice");
         }
-        if (lowest > highest) {
-            throw new IllegalArgumentException("lowest " + Quantity.ANGLE.inWords(lowest) + " must be at most highest "
-                    + Quantity.ANGLE.inWords(highest));
+        if (minTilt > maxTilt) {
+            throw new IllegalArgumentException("minTilt " + Quantity.ANGLE.inWords(minTilt)
+                    + " must be at most maxTilt " + Quantity.ANGLE.inWords(maxTilt));
         }
     }
 
@@ -91,28 +102,29 @@ public record PositionerSettings(
 
     /** A direction limited to the elevations that the mount can reach. */
     Direction tilted(Direction wanted) {
-        return new Direction(wanted.azimuth(), Math.max(lowest, Math.min(highest, wanted.elevation())));
+        return new Direction(wanted.azimuth(), Math.max(minTilt, Math.min(maxTilt, wanted.elevation())));
     }
 
     /** These settings, cued by some sensors. */
     public PositionerSettings withCues(String... sensors) {
         return new PositionerSettings(
-                List.of(sensors), panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, search, zoom);
+                List.of(sensors), panSpeed, tiltSpeed, minTilt, maxTilt, delay, hold, lockPixels, search, zoom);
     }
 
     /** These settings with other pan and tilt rates, rad/s. */
     public PositionerSettings withSpeed(double pan, double tilt) {
-        return new PositionerSettings(cues, pan, tilt, lowest, highest, delay, hold, lock, search, zoom);
+        return new PositionerSettings(cues, pan, tilt, minTilt, maxTilt, delay, hold, lockPixels, search, zoom);
     }
 
     /** These settings with another search pattern. */
     public PositionerSettings withSearch(SearchPattern pattern) {
-        return new PositionerSettings(cues, panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, pattern, zoom);
+        return new PositionerSettings(
+                cues, panSpeed, tiltSpeed, minTilt, maxTilt, delay, hold, lockPixels, pattern, zoom);
     }
 
     /** These settings with a lens that zooms. */
     public PositionerSettings withZoom(ZoomSettings lens) {
         return new PositionerSettings(
-                cues, panSpeed, tiltSpeed, lowest, highest, delay, hold, lock, search, Optional.of(lens));
+                cues, panSpeed, tiltSpeed, minTilt, maxTilt, delay, hold, lockPixels, search, Optional.of(lens));
     }
 }

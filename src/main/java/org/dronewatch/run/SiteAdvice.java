@@ -40,7 +40,7 @@ record SiteAdvice(SceneSettings settings, World world) {
                 && settings.enabledSensors().values().stream()
                         .anyMatch(sensor -> sensor.as(SoundTracing.class).isPresent())) {
             target.accept("no acoustic surface is named for " + String.join(", ", leftOver) + ": taken as '"
-                    + surfaces.otherwise() + "'");
+                    + surfaces.defaultSurface() + "'");
         }
     }
 

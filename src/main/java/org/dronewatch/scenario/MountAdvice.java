@@ -36,7 +36,7 @@ public record MountAdvice(SceneSettings scene, String id, PositionerSettings mou
             if (outline instanceof Outline.Pyramid pyramid) {
                 double elevation =
                         Math.asin(Math.max(-1.0, Math.min(1.0, pyramid.forward().z())));
-                if (elevation < mount.lowest() - 1e-9 || elevation > mount.highest() + 1e-9) {
+                if (elevation < mount.minTilt() - 1e-9 || elevation > mount.maxTilt() + 1e-9) {
                     target.accept(String.format(
                             Locale.ROOT,
                             "sensor '%s' aims at an elevation of %.1f degrees, but its mount tilts from %.1f to"
@@ -44,8 +44,8 @@ public record MountAdvice(SceneSettings scene, String id, PositionerSettings mou
                                     + " only",
                             id,
                             Math.toDegrees(elevation),
-                            Math.toDegrees(mount.lowest()),
-                            Math.toDegrees(mount.highest())));
+                            Math.toDegrees(mount.minTilt()),
+                            Math.toDegrees(mount.maxTilt())));
                 }
             }
         });

@@ -6,18 +6,19 @@ import java.util.List;
 import java.util.Map;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterials;
 
 /**
  * The acoustic surfaces of the materials in the model files. A material that is not named here but is itself a name of
- * the table is that; all others are what {@code otherwise} says.
+ * the table is that; all others are the {@code defaultSurface}.
  *
  * @param materials names in the table of surfaces, by names of materials in the model files
- * @param otherwise name in the table of surfaces for all other materials
+ * @param defaultSurface name in the table of surfaces for all other materials
  */
-public record SurfaceSettings(Map<String, String> materials, String otherwise) {
+public record SurfaceSettings(Map<String, String> materials, @Formerly("otherwise") String defaultSurface) {
     /** Nothing is named; what is left over is the ordinary hard surface of the table. */
     @Defaults
     public static final SurfaceSettings DEFAULT = new SurfaceSettings(Map.of(), SurfaceMaterials.SOLID);
@@ -29,10 +30,10 @@ public record SurfaceSettings(Map<String, String> materials, String otherwise) {
      */
     public SurfaceSettings {
         materials = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("materials", materials)));
-        Check.present("otherwise", otherwise);
+        Check.present("defaultSurface", defaultSurface);
         try {
             materials.values().forEach(SurfaceMaterials::get);
-            SurfaceMaterials.get(otherwise);
+            SurfaceMaterials.get(defaultSurface);
         } catch (InputException e) {
             throw new IllegalArgumentException(e.getMessage(), e);
         }
@@ -42,7 +43,7 @@ public record SurfaceSettings(Map<String, String> materials, String otherwise) {
     public SurfaceSettings with(String ofTheModel, String ofTheTable) {
         Map<String, String> more = new LinkedHashMap<>(materials);
         more.put(ofTheModel, ofTheTable);
-        return new SurfaceSettings(more, otherwise);
+        return new SurfaceSettings(more, defaultSurface);
     }
 
     /** The surface of a material of a model file. */
@@ -51,7 +52,7 @@ public record SurfaceSettings(Map<String, String> materials, String otherwise) {
         if (name != null) {
             return SurfaceMaterials.get(name);
         }
-        return SurfaceMaterials.find(ofTheModel).orElseGet(() -> SurfaceMaterials.get(otherwise));
+        return SurfaceMaterials.find(ofTheModel).orElseGet(() -> SurfaceMaterials.get(defaultSurface));
     }
 
     /** Those of some materials of model files that nothing is known of, so that they are what is left over. */

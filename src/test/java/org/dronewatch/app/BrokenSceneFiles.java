@@ -21,13 +21,13 @@ final class BrokenSceneFiles {
               atmosphere: {temperature: 15 degC, humidity: 40 %, pressure: 950 hPa}
               surfaces:
                 materials: {ground: grass_turf}
-                otherwise: solid
+                defaultSurface: solid
               rain: 4 mm/h
               origin: {latitude: 50.0755 deg, longitude: 14.4378 deg}
             drones:
               one:
                 model: {file: packaged:quadrotor.obj}
-                flight: {kind: inbound, target: [0, 0, 10], bearing: 45 deg, height: 20 m, distance: 300 m, nearest: 5 m}
+                flight: {kind: inbound, target: [0, 0, 10], bearing: 45 deg, height: 20 m, distance: 300 m, standoff: 5 m}
                 speed: 18 km/h
                 acceleration: 2 m/s2
                 radar: {crossSection: 0.02 m2, fluctuation: swerling-1}
@@ -68,7 +68,7 @@ final class BrokenSceneFiles {
               warm:
                 kind: thermal
                 position: [0, 0, 13]
-                noise: 40 mK
+                netd: 40 mK
                 transmission: 80 %
                 task: recognition
                 positioner:
@@ -149,7 +149,7 @@ final class BrokenSceneFiles {
                 "humidity",
                 "pressure",
                 "surfaces",
-                "otherwise",
+                "defaultSurface",
                 "rain",
                 "drones",
                 "model",
@@ -157,7 +157,7 @@ final class BrokenSceneFiles {
                 "target",
                 "bearing",
                 "distance",
-                "nearest",
+                "standoff",
                 "speed",
                 "acceleration",
                 "radar",
@@ -201,7 +201,7 @@ final class BrokenSceneFiles {
                 "purpose",
                 "platform",
                 "angle",
-                "noise",
+                "netd",
                 "transmission",
                 "task",
                 "positioner",
@@ -305,7 +305,7 @@ final class BrokenSceneFiles {
         change("heat", "excess: 6 K", "excess: 6 degC per hour");
         change("heat", "coolingTime: 90 s", "coolingTime: 0");
         change("dive", "angle: 40 deg", "angle: 5 deg");
-        change("netd", "noise: 40 mK", "noise: 0");
+        change("netd", "netd: 40 mK", "netd: 0");
         change("accuracy", "range: 4 m", "range: -4 m");
         change("temperature", "temperature: 15 degC", "temperature: 15");
         change("temperature", "temperature: 15 degC", "temperature: -300 degC");
@@ -321,7 +321,7 @@ final class BrokenSceneFiles {
         change("position", "position: [0, 0, 12]", "position: [0, 0, up]");
         change("position", "position: [0, 0, 12]", "position: {x: 1, y: 2}");
         change("range", "minRange: 60 m", "minRange: 60 km");
-        change("nearest", "nearest: 5 m", "nearest: 400 m");
+        change("standoff", "standoff: 5 m", "standoff: 400 m");
         change("duration", "duration: 1 min", "duration: 1e9");
         change("seed", "seed: 7", "seed: 7.5");
         change("seed", "seed: 7", "seed: 123456789012345678901234567890");

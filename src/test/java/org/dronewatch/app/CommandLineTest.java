@@ -109,7 +109,7 @@ class CommandLineTest {
                 "run camera-range --real-time -1                          | -1.0          | must be 0.001 to 1000000",
                 "run camera-range --colour                                | --colour      | --help",
                 "run                                                      | SCENE         | --help",
-                "run acoustic-range --set world.surfaces.otherwise=brick_ruogh | 'brick_ruogh' | brick_rough",
+                "run acoustic-range --set world.surfaces.defaultSurface=brick_ruogh | 'brick_ruogh' | brick_rough",
                 "run acoustic-range --set sensors.microphone.propagation.initialRays=0 | initialRays 0 | 1 to 100000",
                 "run acoustic-range --set drones.quadrotor.sound=c1-quadcopter | 'c1-quadcopter' | c1-quadrotor",
                 "run acoustic-range --set world.atmosphere.humidity=-5%   | humidity -0.05 | 0 to 1",

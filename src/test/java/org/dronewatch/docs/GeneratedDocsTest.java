@@ -87,6 +87,21 @@ class GeneratedDocsTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
+                "world: {models: [a.obj], surfaces: {otherwise: solid}}",
+                "world: {models: [a.obj]}\n"
+                        + "drones: {a: {model: b.obj, flight: {kind: pop-up, position: [0, 0, 1], hidden: 3, height: 4}}}",
+            })
+    void itAcceptsFormerNamesAndMarksThem(String scene) throws IOException {
+        assertThat(schema().validate(scene, InputFormat.YAML)).isEmpty();
+        assertThat(Files.readString(SCHEMA)).contains("\"deprecated\" : true");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "world: {models: [a.obj], surfaces: {otherwise: solid, defaultSurface: solid}}",
+                "world: {models: [a.obj]}\n"
+                        + "drones: {a: {model: b.obj, flight: {kind: pop-up, position: [0, 0, 1], height: 4}}}",
                 "world: {modles: [a.obj]}",
                 "{}",
                 "world: {models: [a.obj], backgroundNoise: 500}",

@@ -80,7 +80,7 @@ class ThreatFlightTest {
         FlightPath path = fly(flight, hill.newGround());
         Ground ground = hill.newGround();
         double end = duration(path, 1000.0);
-        double steepestSine = Math.sin(flight.steepest());
+        double steepestSine = Math.sin(flight.maxFlightPathAngle());
         for (int i = 0; i < 10_000; i++) {
             double time = end * random.nextDouble();
             FlightState state = path.at(time);
@@ -128,7 +128,7 @@ class ThreatFlightTest {
         assertThat(last.heading()).isZero();
     }
 
-    /** A block of 20 m from 100 m to 120 m north: the way up and down are straight lines at the steepest angle. */
+    /** A block of 20 m from 100 m to 120 m north: it climbs and descends along straight lines at the largest angle. */
     @ParameterizedTest
     @ValueSource(strings = {"30 deg", "45 deg", "85 deg"})
     void beforeAndBehindAWallTheProfileIsTheEnvelope(String steepest) {
@@ -256,11 +256,11 @@ class ThreatFlightTest {
                 .withMessageContaining("points: distance to point 1 0 m must be");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> north(100, 10, "86 deg"))
-                .withMessageContaining("steepest");
-        assertThat(north(100, 10, "5 deg").steepest()).isPositive();
+                .withMessageContaining("maxFlightPathAngle");
+        assertThat(north(100, 10, "5 deg").maxFlightPathAngle()).isPositive();
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new LowApproach(here, 0, 100, 5, 100))
-                .withMessage("nearest 100.0 m must be less than distance 100.0 m by 0.001 m or more");
+                .withMessage("standoff 100.0 m must be less than distance 100.0 m by 0.001 m or more");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Dive(new Position(0, 0, 0), 0, 90, 100, Math.PI / 4))
                 .withMessage("distance 90.0 m must be above 100.0 m, at which the dive from height 100.0 m begins");
@@ -269,6 +269,6 @@ class ThreatFlightTest {
                 .withMessageContaining("angle 5.729578 deg (0.1 rad) must be 10 to 90 deg");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new PopUp(new Position(0, 0, 0), -1, 10))
-                .withMessage("hidden -1 s must be 0 to 1000000");
+                .withMessage("hoverTime -1 s must be 0 to 1000000");
     }
 }

@@ -113,7 +113,7 @@ class CuedCameraTest {
 
     @Test
     void aPlaceAboveTheMountIsNotInSight() {
-        AlertResult below = runner().set("sensors.cued.positioner.highest", "-20 deg")
+        AlertResult below = runner().set("sensors.cued.positioner.maxTilt", "-20 deg")
                 .set("sensors.radar.minRange", "7 km")
                 .set("sensors.fixed.aim.azimuth", "200 deg")
                 .run()

@@ -161,7 +161,7 @@ public final class RandomScenes {
             case "DroneSettings.model" -> Optional.of(model(BOX));
             case "DroneSettings.sound" -> Optional.of(oneOf(List.copyOf(DroneSounds.names())));
             case "SurfaceSettings.materials" -> Optional.of(Map.of("grass", surface()));
-            case "SurfaceSettings.otherwise" -> Optional.of(surface());
+            case "SurfaceSettings.defaultSurface" -> Optional.of(surface());
             default -> Optional.of(value(part.getGenericType(), part, type));
         };
     }

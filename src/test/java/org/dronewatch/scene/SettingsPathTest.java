@@ -64,7 +64,7 @@ class SettingsPathTest {
                 "sensors.dice.luck              | .5        | 0.5",
                 "run.seed                       | 77        | 77",
                 "world.atmosphere.humidity      | 50 %      | 0.5",
-                "world.surfaces.otherwise       | concrete_rough | concrete_rough",
+                "world.surfaces.defaultSurface       | concrete_rough | concrete_rough",
                 "run.duration                   | 1 min     | 60.0",
             })
     void aValueIsWrittenWhereThePathLeads(String path, String text, String expected) {

@@ -114,7 +114,7 @@ public final class CameraSensor implements AssessableSensor {
         OptionalDouble probability = settings.detection().probability(view);
         double threshold = settings.detection().threshold(sample.random(drone.id(), Sample.DETECTION));
         Reading reading = new Reading(signal.quantity(), threshold, signal.unit());
-        double lock = settings.positioner().map(PositionerSettings::lock).orElse(Double.POSITIVE_INFINITY);
+        double lock = settings.positioner().map(PositionerSettings::lockPixels).orElse(Double.POSITIVE_INFINITY);
         return new Observation(
                 sample.look(settings.kind()),
                 new GroundTruth(drone.id(), view.range(), sample.time()),

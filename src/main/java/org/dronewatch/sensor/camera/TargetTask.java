@@ -6,6 +6,7 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -20,7 +21,7 @@ import org.dronewatch.setting.Quantity;
  * <p>The line pairs resolved are half the square root of the drone's pixels, fewer the weaker its contrast and the
  * faster it crosses the picture: {@code N = sqrt(pixels) / 2 * (1 - Ct / C) * (1 + b^2)^(-1/4)}. C is its contrast
  * reduced by the air (Koschmieder). Ct is the least contrast that the camera can detect; in poor light, where photons
- * are few, it grows as the square root of the ratio of good to actual light. b is the blur in pixels, in one of two
+ * are few, it grows as the square root of the ratio of {@code shotNoiseIlluminance} to the actual illuminance. b is the blur in pixels, in one of two
  * directions. The dependence on contrast is a straight line instead of a camera's measured curve of minimum resolvable
  * contrast.
  *
@@ -29,20 +30,20 @@ import org.dronewatch.setting.Quantity;
  *     chance
  * @param byChance whether each frame decides by a random number instead
  * @param contrast contrast of the drone to its background at close range, above 0 and at most 1
- * @param leastContrast least contrast that the camera can detect in good light, above 0 and below 1
- * @param goodLight illuminance below which more contrast is needed, above 0, lx
+ * @param contrastThreshold least contrast that the camera can detect in good light, above 0 and below 1
+ * @param shotNoiseIlluminance illuminance below which shot noise raises the contrast threshold, above 0, lx
  * @param exposure exposure time of a frame, 0 to 1 s
- * @param glare angle about the sun within which nothing is seen, 0 to pi/2, rad
+ * @param sunExclusionAngle angle about the sun within which nothing is seen, 0 to pi/2, rad
  */
 public record TargetTask(
         Discrimination task,
         @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
         boolean byChance,
         @In(value = Quantity.RATIO, above = 0, to = 1) double contrast,
-        @In(value = Quantity.RATIO, above = 0, below = 1) double leastContrast,
-        @In(value = Quantity.ILLUMINANCE, above = 0, to = 200_000) double goodLight,
+        @In(value = Quantity.RATIO, above = 0, below = 1) @Formerly("leastContrast") double contrastThreshold,
+        @In(value = Quantity.ILLUMINANCE, above = 0, to = 200_000) @Formerly("goodLight") double shotNoiseIlluminance,
         @In(value = Quantity.DURATION, from = 0, to = 1) double exposure,
-        @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 2) double glare)
+        @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 2) @Formerly("glare") double sunExclusionAngle)
         implements DetectionFunction {
     /**
      * Detection at a probability of 0.5, of a drone of contrast 0.5, by a camera that detects a contrast of 2 % down to
@@ -58,42 +59,83 @@ public record TargetTask(
     /** Checks the limits. */
     public TargetTask {
         Limits.check(
-                TargetTask.class, task, probability, byChance, contrast, leastContrast, goodLight, exposure, glare);
+                TargetTask.class,
+                task,
+                probability,
+                byChance,
+                contrast,
+                contrastThreshold,
+                shotNoiseIlluminance,
+                exposure,
+                sunExclusionAngle);
     }
 
     /** These settings for another task. */
     public TargetTask withTask(Discrimination other) {
-        return new TargetTask(other, probability, byChance, contrast, leastContrast, goodLight, exposure, glare);
+        return new TargetTask(
+                other,
+                probability,
+                byChance,
+                contrast,
+                contrastThreshold,
+                shotNoiseIlluminance,
+                exposure,
+                sunExclusionAngle);
     }
 
     /** These settings with another probability at which the task counts as done. */
     public TargetTask withProbability(double least) {
-        return new TargetTask(task, least, byChance, contrast, leastContrast, goodLight, exposure, glare);
+        return new TargetTask(
+                task, least, byChance, contrast, contrastThreshold, shotNoiseIlluminance, exposure, sunExclusionAngle);
     }
 
     /** These settings, deciding by chance or not. */
     public TargetTask withChance(boolean drawn) {
-        return new TargetTask(task, probability, drawn, contrast, leastContrast, goodLight, exposure, glare);
+        return new TargetTask(
+                task,
+                probability,
+                drawn,
+                contrast,
+                contrastThreshold,
+                shotNoiseIlluminance,
+                exposure,
+                sunExclusionAngle);
     }
 
     /** These settings for a drone with another contrast. */
     public TargetTask withContrast(double ofDrone) {
-        return new TargetTask(task, probability, byChance, ofDrone, leastContrast, goodLight, exposure, glare);
+        return new TargetTask(
+                task,
+                probability,
+                byChance,
+                ofDrone,
+                contrastThreshold,
+                shotNoiseIlluminance,
+                exposure,
+                sunExclusionAngle);
     }
 
     /** These settings with another exposure time, s. */
     public TargetTask withExposure(double seconds) {
-        return new TargetTask(task, probability, byChance, contrast, leastContrast, goodLight, seconds, glare);
+        return new TargetTask(
+                task,
+                probability,
+                byChance,
+                contrast,
+                contrastThreshold,
+                shotNoiseIlluminance,
+                seconds,
+                sunExclusionAngle);
     }
 
     /** The line pairs resolved across a drone. */
     public double resolved(DroneView view) {
-        if (view.sunAngle() < glare) {
+        if (view.sunAngle() < sunExclusionAngle) {
             return 0.0;
         }
         double seen = contrast * view.light().contrastLeft(view.range());
-        double needed =
-                leastContrast * Math.sqrt(Math.max(1.0, goodLight / view.light().illuminance()));
+        double needed = contrastThreshold
+                * Math.sqrt(Math.max(1.0, shotNoiseIlluminance / view.light().illuminance()));
         if (!(seen > needed)) {
             return 0.0;
         }

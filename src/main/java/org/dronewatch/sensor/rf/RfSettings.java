@@ -5,6 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -14,8 +15,8 @@ import org.dronewatch.setting.Quantity;
  *
  * @param position where its antenna is, m
  * @param rate looks per second, above 0, Hz
- * @param lowest lowest frequency that it receives, 1 MHz to 100 GHz, Hz
- * @param highest highest frequency that it receives, Hz
+ * @param minFrequency lowest frequency that it receives, 1 MHz to 100 GHz, Hz
+ * @param maxFrequency highest frequency that it receives, Hz
  * @param gain gain of its antenna, -50 to 60 dBi
  * @param bandwidth noise bandwidth, 1 to 1e10 Hz
  * @param noiseFigure noise figure of its electronics, 0 to 50 dB
@@ -25,8 +26,8 @@ import org.dronewatch.setting.Quantity;
 public record RfSettings(
         Position position,
         @In(value = Quantity.FREQUENCY, above = 0, to = 1000) double rate,
-        @In(value = Quantity.FREQUENCY, from = 1e6, to = 1e11) double lowest,
-        @In(value = Quantity.FREQUENCY, from = 1e6, to = 1e11) double highest,
+        @In(value = Quantity.FREQUENCY, from = 1e6, to = 1e11) @Formerly("lowest") double minFrequency,
+        @In(value = Quantity.FREQUENCY, from = 1e6, to = 1e11) @Formerly("highest") double maxFrequency,
         @In(value = Quantity.LEVEL, from = -50, to = 60) double gain,
         @In(value = Quantity.FREQUENCY, from = 1, to = 1e10) double bandwidth,
         @In(value = Quantity.LEVEL, from = 0, to = 50) double noiseFigure,
@@ -43,9 +44,19 @@ public record RfSettings(
      */
     public RfSettings {
         Limits.check(
-                RfSettings.class, position, rate, lowest, highest, gain, bandwidth, noiseFigure, clutter, threshold);
-        if (lowest >= highest) {
-            throw new IllegalArgumentException("lowest " + lowest + " Hz must be below highest " + highest + " Hz");
+                RfSettings.class,
+                position,
+                rate,
+                minFrequency,
+                maxFrequency,
+                gain,
+                bandwidth,
+                noiseFigure,
+                clutter,
+                threshold);
+        if (minFrequency >= maxFrequency) {
+            throw new IllegalArgumentException(
+                    "minFrequency " + minFrequency + " Hz must be below maxFrequency " + maxFrequency + " Hz");
         }
     }
 
@@ -57,7 +68,8 @@ public record RfSettings(
 
     @Override
     public RfSettings withPosition(Position other) {
-        return new RfSettings(other, rate, lowest, highest, gain, bandwidth, noiseFigure, clutter, threshold);
+        return new RfSettings(
+                other, rate, minFrequency, maxFrequency, gain, bandwidth, noiseFigure, clutter, threshold);
     }
 
     /** These settings for other frequencies, Hz. */
@@ -67,22 +79,25 @@ public record RfSettings(
 
     /** These settings with another antenna, dBi. */
     public RfSettings withGain(double dbi) {
-        return new RfSettings(position, rate, lowest, highest, dbi, bandwidth, noiseFigure, clutter, threshold);
+        return new RfSettings(
+                position, rate, minFrequency, maxFrequency, dbi, bandwidth, noiseFigure, clutter, threshold);
     }
 
     /** These settings with another loss by the surroundings, dB. */
     public RfSettings withClutter(double decibels) {
-        return new RfSettings(position, rate, lowest, highest, gain, bandwidth, noiseFigure, decibels, threshold);
+        return new RfSettings(
+                position, rate, minFrequency, maxFrequency, gain, bandwidth, noiseFigure, decibels, threshold);
     }
 
     /** These settings with another threshold, dB. */
     public RfSettings withThreshold(double decibels) {
-        return new RfSettings(position, rate, lowest, highest, gain, bandwidth, noiseFigure, clutter, decibels);
+        return new RfSettings(
+                position, rate, minFrequency, maxFrequency, gain, bandwidth, noiseFigure, clutter, decibels);
     }
 
     /** Whether a link emits on a frequency that it receives. */
     boolean hears(RadioLink link) {
-        return link.emits() && link.frequency() >= lowest && link.frequency() <= highest;
+        return link.emits() && link.frequency() >= minFrequency && link.frequency() <= maxFrequency;
     }
 
     /** Power of the noise in it, dBm. */

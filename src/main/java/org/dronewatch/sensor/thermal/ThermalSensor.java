@@ -101,9 +101,9 @@ public final class ThermalSensor implements AssessableSensor {
         figures.put("pixels", pixels);
         figures.put("signal_to_noise", ratio);
         figures.put(Observation.PROBABILITY, probability);
-        boolean locked =
-                pixels >= settings.positioner().map(PositionerSettings::lock).orElse(Double.POSITIVE_INFINITY);
-        boolean told = probability >= threshold || locked && ratio > settings.leastSignal();
+        boolean locked = pixels
+                >= settings.positioner().map(PositionerSettings::lockPixels).orElse(Double.POSITIVE_INFINITY);
+        boolean told = probability >= threshold || locked && ratio > settings.minSnr();
         return new Observation(
                 sample.look(settings.kind()),
                 new GroundTruth(drone.id(), range, sample.time()),
@@ -126,13 +126,11 @@ public final class ThermalSensor implements AssessableSensor {
      */
     double signalToNoise(double excess, double range, double pixels) {
         double air = Math.pow(settings.transmission(), range / KILOMETRE);
-        return Math.abs(excess) * air * Math.min(1.0, pixels) / settings.noise();
+        return Math.abs(excess) * air * Math.min(1.0, pixels) / settings.netd();
     }
 
     private double resolved(double pixels, double signal) {
-        return signal > settings.leastSignal()
-                ? 0.5 * Math.sqrt(pixels) * (1.0 - settings.leastSignal() / signal)
-                : 0.0;
+        return signal > settings.minSnr() ? 0.5 * Math.sqrt(pixels) * (1.0 - settings.minSnr() / signal) : 0.0;
     }
 
     /** The settings of this camera. */

@@ -12,6 +12,7 @@ import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -27,9 +28,9 @@ import org.dronewatch.setting.SettingsForm;
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the side of the picture that the field of view spans
  * @param rate frames per second, above 0, Hz
- * @param noise noise-equivalent temperature difference (NETD), 1e-6 to 100 K
+ * @param netd noise-equivalent temperature difference (NETD), 1e-6 to 100 K
  * @param transmission transmittance of a kilometre of air in its band and in the weather assumed, 1e-6 to 1
- * @param leastSignal signal-to-noise ratio below which nothing is resolved, above 0 and at most 1000
+ * @param minSnr signal-to-noise ratio below which nothing is resolved, above 0 and at most 1000
  * @param task what the picture must allow
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by
  *     chance
@@ -44,9 +45,9 @@ public record ThermalSettings(
         @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double fov,
         FieldOfView fovAxis,
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
-        @In(value = Quantity.TEMPERATURE_DIFFERENCE, from = 1e-6, to = 100) double noise,
+        @In(value = Quantity.TEMPERATURE_DIFFERENCE, from = 1e-6, to = 100) @Formerly("noise") double netd,
         @In(value = Quantity.RATIO, from = 1e-6, to = 1) double transmission,
-        @In(value = Quantity.NUMBER, above = 0, to = 1000) double leastSignal,
+        @In(value = Quantity.NUMBER, above = 0, to = 1000) @Formerly("leastSignal") double minSnr,
         Discrimination task,
         @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
         boolean byChance,
@@ -67,9 +68,9 @@ public record ThermalSettings(
                 fov,
                 fovAxis,
                 rate,
-                noise,
+                netd,
                 transmission,
-                leastSignal,
+                minSnr,
                 task,
                 probability,
                 byChance,
@@ -122,9 +123,14 @@ public record ThermalSettings(
         return with(Map.of("fov", angle, "fovAxis", FieldOfView.HORIZONTAL));
     }
 
-    /** These settings with another noise, K, and air that leaves another share of a kilometre. */
-    public ThermalSettings withNoise(double netd, double perKilometre) {
-        return with(Map.of("noise", netd, "transmission", perKilometre));
+    /** These settings with another noise-equivalent temperature difference, K. */
+    public ThermalSettings withNetd(double kelvins) {
+        return with(Map.of("netd", kelvins));
+    }
+
+    /** These settings with another transmittance of a kilometre of air, 1e-6 to 1. */
+    public ThermalSettings withTransmission(double perKilometre) {
+        return with(Map.of("transmission", perKilometre));
     }
 
     /** These settings for another task. */

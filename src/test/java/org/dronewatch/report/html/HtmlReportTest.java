@@ -364,7 +364,7 @@ class HtmlReportTest {
                 drones:
                   quadrotor:
                     model: packaged:quadrotor.obj
-                    flight: {kind: inbound, target: [0, 0, 145], bearing: 0 deg, distance: 100 m, nearest: 15 m}
+                    flight: {kind: inbound, target: [0, 0, 145], bearing: 0 deg, distance: 100 m, standoff: 15 m}
                     speed: 10 m/s
                 sensors:
                   west: {kind: camera, position: [0, 0, 145], aim: {azimuth: -50 deg, elevation: 5 deg}, fov: 120 deg, fovAxis: horizontal, rate: 2}

@@ -57,7 +57,7 @@ class ThermalAssessmentTest {
 
     @Test
     void noiseMakesItTooWeak() {
-        ThermalSettings noisy = CAMERA.withNoise(50.0, 0.85);
+        ThermalSettings noisy = CAMERA.withNetd(50.0).withTransmission(0.85);
 
         assertThat(assess(noisy, open(), cube(new Position(0, 200, 0))).cause()).isEqualTo(Cause.TOO_WEAK);
     }

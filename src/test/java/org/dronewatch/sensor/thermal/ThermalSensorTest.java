@@ -87,7 +87,8 @@ class ThermalSensorTest {
     void withHeatToSpareTwoPixelsAcrossAreAnEvenChance(double fov, double range) {
         ThermalSettings settings = ThermalSettings.at(CAMERA)
                 .withHorizontalFov(Math.toRadians(fov))
-                .withNoise(1e-6, 1.0);
+                .withNetd(1e-6)
+                .withTransmission(1.0);
         assertThat(0.5 * 0.35 * settings.focalLength()).isCloseTo(range, within(0.5));
 
         assertThat(look(settings, empty(), at(0.35, 0.35, 5, 0.97 * range)).isDetected())
@@ -201,7 +202,6 @@ class ThermalSensorTest {
 
     @Test
     void impossibleCamerasAreRefused() {
-        assertThatThrownBy(() -> ThermalSettings.at(CAMERA).withNoise(0, 0.85))
-                .hasMessage("noise 0 K must be 0.000001 to 100");
+        assertThatThrownBy(() -> ThermalSettings.at(CAMERA).withNetd(0)).hasMessage("netd 0 K must be 0.000001 to 100");
     }
 }

@@ -145,7 +145,7 @@ final class BackwardRay {
 
     /** Whether a path straight on to the source is one of those that are computed exactly. */
     private boolean isExact() {
-        return mirrors == 1 || mirrors > 1 && largeWallsOnly && mirrors <= model.mirrorOrder();
+        return mirrors == 1 || mirrors > 1 && largeWallsOnly && mirrors <= model.imageSourceOrder();
     }
 
     private void recordFlight(double length) {

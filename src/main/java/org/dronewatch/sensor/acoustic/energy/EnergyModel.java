@@ -5,6 +5,7 @@ import org.dronewatch.sensor.acoustic.propagation.Microphone;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
 import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -21,7 +22,7 @@ import org.dronewatch.world.World;
  * @param roulette fraction of its initial energy below which a ray survives by chance only (Russian roulette), above 0
  *     and below 1
  * @param maxOrder how many surfaces a ray may hit before it is dropped, 0 to 10,000
- * @param mirrorOrder order up to which specular reflections in the largest planes are computed exactly, 1 to 4;
+ * @param imageSourceOrder order up to which specular reflections in the largest planes are computed exactly, 1 to 4;
  *     first-order reflections in all surfaces always are
  * @param diffraction how diffraction round edges is computed
  * @param criterion which level is compared with the background
@@ -31,7 +32,7 @@ public record EnergyModel(
         @In(value = Quantity.LEVEL, from = 0, to = 10) double accuracy,
         @In(value = Quantity.NUMBER, above = 0, below = 1) double roulette,
         @In(value = Quantity.NUMBER, from = 0, to = 10_000) int maxOrder,
-        @In(value = Quantity.NUMBER, from = 1, to = 4) int mirrorOrder,
+        @In(value = Quantity.NUMBER, from = 1, to = 4) @Formerly("mirrorOrder") int imageSourceOrder,
         Diffraction diffraction,
         Criterion criterion)
         implements Propagation {
@@ -59,42 +60,42 @@ public record EnergyModel(
      * @throws IllegalArgumentException when one does not hold
      */
     public EnergyModel {
-        Limits.check(EnergyModel.class, rays, accuracy, roulette, maxOrder, mirrorOrder, diffraction, criterion);
+        Limits.check(EnergyModel.class, rays, accuracy, roulette, maxOrder, imageSourceOrder, diffraction, criterion);
     }
 
     /** This model with another number of rays. */
     public EnergyModel withRays(int number) {
-        return new EnergyModel(number, accuracy, roulette, maxOrder, mirrorOrder, diffraction, criterion);
+        return new EnergyModel(number, accuracy, roulette, maxOrder, imageSourceOrder, diffraction, criterion);
     }
 
     /** This model with another standard error at which no more rays are followed, dB. */
     public EnergyModel withAccuracy(double decibels) {
-        return new EnergyModel(rays, decibels, roulette, maxOrder, mirrorOrder, diffraction, criterion);
+        return new EnergyModel(rays, decibels, roulette, maxOrder, imageSourceOrder, diffraction, criterion);
     }
 
     /** This model with another share of energy below which rays go on by chance only. */
     public EnergyModel withRoulette(double share) {
-        return new EnergyModel(rays, accuracy, share, maxOrder, mirrorOrder, diffraction, criterion);
+        return new EnergyModel(rays, accuracy, share, maxOrder, imageSourceOrder, diffraction, criterion);
     }
 
     /** This model with another number of surfaces that a ray may meet. */
     public EnergyModel withMaxOrder(int orders) {
-        return new EnergyModel(rays, accuracy, roulette, orders, mirrorOrder, diffraction, criterion);
+        return new EnergyModel(rays, accuracy, roulette, orders, imageSourceOrder, diffraction, criterion);
     }
 
-    /** This model with exact mirror reflections up to another order. */
-    public EnergyModel withMirrorOrder(int order) {
+    /** This model with exact specular reflections, by image sources, up to another order. */
+    public EnergyModel withImageSourceOrder(int order) {
         return new EnergyModel(rays, accuracy, roulette, maxOrder, order, diffraction, criterion);
     }
 
     /** This model with another way round edges. */
     public EnergyModel withDiffraction(Diffraction kind) {
-        return new EnergyModel(rays, accuracy, roulette, maxOrder, mirrorOrder, kind, criterion);
+        return new EnergyModel(rays, accuracy, roulette, maxOrder, imageSourceOrder, kind, criterion);
     }
 
     /** This model with another criterion. */
     public EnergyModel withCriterion(Criterion kind) {
-        return new EnergyModel(rays, accuracy, roulette, maxOrder, mirrorOrder, diffraction, kind);
+        return new EnergyModel(rays, accuracy, roulette, maxOrder, imageSourceOrder, diffraction, kind);
     }
 
     @Override

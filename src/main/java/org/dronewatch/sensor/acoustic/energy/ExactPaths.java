@@ -43,7 +43,7 @@ final class ExactPaths {
         this.air = air;
         this.walls = new WallTransmission(world, surfaces);
         this.edges = new EdgePath(world);
-        this.imageSources = new ImageSources(world, planes, surfaces, air, model.mirrorOrder());
+        this.imageSources = new ImageSources(world, planes, surfaces, air, model.imageSourceOrder());
     }
 
     /** Finds all paths from a source to a sensor. */

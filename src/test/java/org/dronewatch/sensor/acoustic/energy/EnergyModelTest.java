@@ -390,8 +390,8 @@ class EnergyModelTest {
         SoundSource rotor = Sites.sound(new Position(2, 0, 0), KILOHERTZ, Directivity.ROTOR);
         Position sensor = new Position(4.5, 3, 0);
         EnergyModel model = EnergyModel.DEFAULT.withRays(100_000).withAccuracy(0.0);
-        EnergyReading byRays = Sites.read(model.withMirrorOrder(1), walls, rotor, sensor, 41);
-        EnergyReading byMirrors = Sites.read(model.withMirrorOrder(4), walls, rotor, sensor, 42);
+        EnergyReading byRays = Sites.read(model.withImageSourceOrder(1), walls, rotor, sensor, 41);
+        EnergyReading byMirrors = Sites.read(model.withImageSourceOrder(4), walls, rotor, sensor, 42);
 
         assertThat(byRays.reverberant().get(KILOHERTZ))
                 .isGreaterThan(1.5 * byMirrors.reverberant().get(KILOHERTZ));

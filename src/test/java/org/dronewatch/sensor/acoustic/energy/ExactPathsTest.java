@@ -47,7 +47,7 @@ class ExactPathsTest {
 
         assertThat(reading.totalLevel()).isCloseTo(Levels.ofRatio(expected), within(1e-6));
         EnergyReading twoOnly = Sites.read(
-                FEW.withMirrorOrder(2).withRays(20_000).withAccuracy(0),
+                FEW.withImageSourceOrder(2).withRays(20_000).withAccuracy(0),
                 Sites.world(corner, RIGID),
                 Sites.sound(source, LOWEST),
                 sensor,
@@ -75,7 +75,7 @@ class ExactPathsTest {
         double[] orders = {first, second, third, fourth};
         double before = 0.0;
         for (int order = 1; order <= orders.length; order++) {
-            EnergyReading reading = Sites.read(FEW.withMirrorOrder(order), room, source, sensor, 1);
+            EnergyReading reading = Sites.read(FEW.withImageSourceOrder(order), room, source, sensor, 1);
             double mirrored = reading.mirrored().get(LOWEST) / reading.direct().get(LOWEST);
             // The file's sums are without air, which takes up to 0.05 % on these ways at 63 Hz.
             assertThat(mirrored - before)
