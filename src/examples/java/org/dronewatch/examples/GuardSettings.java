@@ -3,9 +3,9 @@ package org.dronewatch.examples;
 import java.util.List;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
@@ -52,14 +52,14 @@ public record GuardSettings(
         return this::look;
     }
 
-    private List<Observation> look(World world, List<Drone> drones, Sample sample) {
-        return drones.stream().map(drone -> look(world, drone, sample)).toList();
+    private List<Observation> look(World world, List<Drone> drones, Look look) {
+        return drones.stream().map(drone -> look(world, drone, look)).toList();
     }
 
-    private Observation look(World world, Drone drone, Sample sample) {
+    private Observation look(World world, Drone drone, Look look) {
         double distance = drone.distance(position);
         boolean visible = !world.isOccluded(position.toPoint3d(), drone.position());
         double size = visible ? 2.0 * Math.atan(drone.reach() / distance) : 0.0;
-        return new Observation(sample.look(kind()), drone.id(), distance, new Reading(size, acuity, "rad"));
+        return new Observation(look.id(kind()), drone.id(), distance, new Reading(size, acuity, "rad"));
     }
 }

@@ -9,8 +9,8 @@ import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.camera.CameraSensor;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.world.World;
@@ -91,6 +91,6 @@ public class CameraFrame {
     private List<Observation> look(CameraSensor by) {
         long index = frame++ % FRAMES;
         double time = index / FRAMES_PER_SECOND;
-        return by.observe(world, List.of(drone.at(flight.at(time))), Sample.of(1, "camera", index, time));
+        return by.observe(world, List.of(drone.at(flight.at(time))), Look.of(1, "camera", index, time));
     }
 }

@@ -18,7 +18,7 @@ import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.acoustic.energy.EnergyReading;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
-import org.dronewatch.sensor.acoustic.level.Listening;
+import org.dronewatch.sensor.acoustic.level.LevelReading;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sound.Atmosphere;
@@ -114,7 +114,7 @@ public class Scaling {
 
     /** A look by the level model, everything traced. */
     @Benchmark
-    public Listening levelModel() {
+    public LevelReading levelModel() {
         return call(() -> levels.listenFully(world, drone, random, RayRecorder.NONE));
     }
 }

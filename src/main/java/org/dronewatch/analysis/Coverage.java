@@ -20,9 +20,9 @@ import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Explanation;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.RaySensor;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.World;
@@ -204,7 +204,7 @@ public final class Coverage {
 
         Optional<Assessment> assess(int column, int row) {
             return comingFrom(column, row).map(there -> {
-                Sample look = look(row * grid.cells() + column, there);
+                Look look = look(row * grid.cells() + column, there);
                 return assessor.assess(there, look.pointing(), look.random(there.id(), RaySensor.RAYS));
             });
         }
@@ -213,8 +213,8 @@ public final class Coverage {
             return comingFrom(column, row).map(there -> assessor.explainMiss(there, turnedTo(there)));
         }
 
-        private Sample look(int cell, Drone there) {
-            return Sample.of(seed, id, cell, 0.0).withPointing(turnedTo(there));
+        private Look look(int cell, Drone there) {
+            return Look.of(seed, id, cell, 0.0).withPointing(turnedTo(there));
         }
 
         private Optional<Pointing> turnedTo(Drone there) {

@@ -14,8 +14,8 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.RayRecorder;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
@@ -182,7 +182,7 @@ public final class CostStudy {
     private double frame(World site, List<Drone> drones, List<? extends Sensor> sensors) {
         return 1e6
                 * watch.seconds(() ->
-                        Workers.forEach(sensors.size(), i -> sensors.get(i).observe(site, drones, sample(i))));
+                        Workers.forEach(sensors.size(), i -> sensors.get(i).observe(site, drones, look(i))));
     }
 
     /** Cameras in a circle about the middle that look at it, or away from it. */
@@ -214,8 +214,8 @@ public final class CostStudy {
         return settings.create("drone", droneTree);
     }
 
-    private static Sample sample(int number) {
-        return Sample.of(number, "sensor", 0, 0.0);
+    private static Look look(int number) {
+        return Look.of(number, "sensor", 0, 0.0);
     }
 
     private static <T> List<T> of(int count, IntFunction<T> make) {

@@ -5,11 +5,11 @@ import java.util.Optional;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Positioner;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Measurement;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RaySensor;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.tracking.ContactLook;
@@ -52,15 +52,15 @@ final class ActiveSensor {
     }
 
     /** Turns the positioner to where it points at a time, and begins the next look. */
-    Sample nextLook(long seed, double time) {
+    Look nextLook(long seed, double time) {
         Optional<Pointing> pointing = positioner.map(mount -> mount.moveTo(time));
-        return Sample.of(seed, id, nextIndex++, time).withPointing(pointing);
+        return Look.of(seed, id, nextIndex++, time).withPointing(pointing);
     }
 
     /** Looks, on any thread. */
-    List<Observation> look(World world, List<Drone> drones, Sample sample, LookTimes times) {
+    List<Observation> look(World world, List<Drone> drones, Look look, LookTimes times) {
         long start = System.nanoTime();
-        List<Observation> observations = sensor.observe(world, drones, sample);
+        List<Observation> observations = sensor.observe(world, drones, look);
         times.add(settings.kind(), System.nanoTime() - start);
         return observations;
     }

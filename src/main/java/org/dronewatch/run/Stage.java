@@ -16,10 +16,10 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
@@ -144,9 +144,9 @@ public final class Stage {
 
     /** The sensor is a new one: the run may continue meanwhile on another thread. */
     private void trace(String sensor, Drone drone, double time, RayRecorder target) {
-        Sample sample = Sample.of(runSeed, sensor, 0, time);
+        Look look = Look.of(runSeed, sensor, 0, time);
         RaySensor fresh = (RaySensor) sensors.get(sensor).create();
-        fresh.traceRays(world, drone, sample.random(drone.id(), RaySensor.RAYS), target);
+        fresh.traceRays(world, drone, look.random(drone.id(), RaySensor.RAYS), target);
     }
 
     /** Names of the sensors that trace rays. */
@@ -164,8 +164,8 @@ public final class Stage {
         sensors.forEach((id, settings) -> {
             if (settings.create() instanceof CurveSensor sensor) {
                 for (Drone drone : dronesAt(time)) {
-                    Sample sample = Sample.of(runSeed, id, 0, time);
-                    sensor.curves(world, drone, sample.random(drone.id(), CurveSensor.CURVES))
+                    Look look = Look.of(runSeed, id, 0, time);
+                    sensor.curves(world, drone, look.random(drone.id(), CurveSensor.CURVES))
                             .forEach(curve -> target.accept(id + "-" + drone.id(), curve));
                 }
             }
@@ -183,12 +183,12 @@ public final class Stage {
         List<Supplier<List<Observation>>> looks = new ArrayList<>();
         for (ActiveSensor one : active) {
             if (one.nextTime() == time) {
-                Sample sample = one.nextLook(runSeed, time);
-                sample.pointing().ifPresent(where -> pointings.put(one.id(), where));
+                Look look = one.nextLook(runSeed, time);
+                look.pointing().ifPresent(where -> pointings.put(one.id(), where));
                 double speed = one.settings().signalSpeed(world);
                 List<Drone> reaching =
                         Double.isFinite(speed) ? dronesReaching(one.settings().position(), speed, time) : drones;
-                looks.add(() -> one.look(world, reaching, sample, times));
+                looks.add(() -> one.look(world, reaching, look, times));
             }
         }
         List<List<Observation>> seen = new ArrayList<>(Collections.nCopies(looks.size(), List.of()));

@@ -38,7 +38,7 @@ public final class Assessor {
         if (sensor instanceof AssessableSensor assessable) {
             return assessable.assess(world, drone, pointing, rayRandom);
         }
-        Sample look = Sample.of(rayRandom.nextLong(), id, 0, 0.0).withPointing(pointing);
+        Look look = Look.of(rayRandom.nextLong(), id, 0, 0.0).withPointing(pointing);
         Observation seen = sensor.observe(world, List.of(drone), look).get(0);
         Signal signal = new Signal(seen.probability(), seen.value(), seen.unit(), seen.threshold(), 0.0, 0.0);
         return new Assessment(signal, seen.isDetected() ? Explanation.DETECTED : explainByOutline(drone, pointing));

@@ -7,7 +7,7 @@ import org.dronewatch.world.World;
 
 /** A sensor that can draw more about a drone than one value per look. */
 public interface CurveSensor extends Sensor {
-    /** The purpose of the random numbers of curves: {@link Sample#random}. */
+    /** The purpose of the random numbers of curves: {@link Look#random}. */
     String CURVES = "curves";
 
     /**

@@ -1,11 +1,53 @@
 package org.dronewatch.sensor;
 
+import java.util.Optional;
+import java.util.random.RandomGenerator;
+import org.dronewatch.positioner.Pointing;
+
 /**
- * Which look of which sensor something was observed in.
+ * One look of one sensor. Its random numbers depend on the run's seed, the names of sensor and drone, the look's index
+ * and their purpose: they are the same in whatever order, and on however many threads, the work is done.
  *
  * @param sensor name of the sensor in the scene
- * @param kind its kind, such as {@code camera}
  * @param index number of the look, from 0
- * @param time when what it received reached the sensor, seconds since the start of the run
+ * @param time seconds since the start of the run
+ * @param seed of the run
+ * @param pointing where a positioner points the sensor now; empty for a sensor on a fixed mount, or one that is to look
+ *     along its own aim
  */
-public record Look(String sensor, String kind, long index, double time) {}
+public record Look(String sensor, long index, double time, long seed, Optional<Pointing> pointing) {
+    /** The purpose of the numbers that decide whether a drone is detected. */
+    public static final String DETECTION = "detection";
+
+    /** The purpose of the numbers that make the errors of a measurement. */
+    public static final String ERROR = "error";
+
+    /** A look along the sensor's own aim. */
+    public static Look of(long seed, String sensor, long index, double time) {
+        return new Look(sensor, index, time, seed, Optional.empty());
+    }
+
+    /** This look with the given pointing of the sensor's positioner. */
+    public Look withPointing(Optional<Pointing> where) {
+        return new Look(sensor, index, time, seed, where);
+    }
+
+    /**
+     * Which look this is, for its observations.
+     *
+     * @param kind of the sensor
+     */
+    public LookId id(String kind) {
+        return new LookId(sensor, kind, index, time);
+    }
+
+    /**
+     * The random numbers of this look for one purpose, from their beginning; see {@link Draws}.
+     *
+     * @param drone name of the drone that is looked at; empty for what concerns none
+     * @param purpose what is drawn, such as {@code detection}
+     */
+    public RandomGenerator random(String drone, String purpose) {
+        return Draws.stream(seed, sensor, drone, index, purpose);
+    }
+}

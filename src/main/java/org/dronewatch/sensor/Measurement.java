@@ -11,7 +11,7 @@ import org.dronewatch.positioner.Sighting;
  * @param reading the measured value, and its threshold
  * @param sighting where the sensor believes the source to be, errors and all; empty for a sensor that reports no direction
  */
-public record Measurement(Look look, Reading reading, Optional<Sighting> sighting) {
+public record Measurement(LookId look, Reading reading, Optional<Sighting> sighting) {
 
     /** Name of the sensor. */
     public String sensor() {

@@ -20,7 +20,7 @@ import org.dronewatch.positioner.Sighting;
  * @param sighting where the sensor believes the drone to be; empty for a sensor that reports no direction
  */
 public record Observation(
-        Look look, GroundTruth truth, Reading reading, Map<String, Double> figures, Optional<Sighting> sighting) {
+        LookId look, GroundTruth truth, Reading reading, Map<String, Double> figures, Optional<Sighting> sighting) {
 
     /** The figure of a sensor that knows how likely its look was to detect the drone. */
     public static final String PROBABILITY = "probability";
@@ -33,21 +33,21 @@ public record Observation(
     /**
      * An observation of a signal that arrives at once, without further figures and without where the drone is.
      *
-     * @param look of the sensor: {@link Sample#look}
+     * @param look of the sensor: {@link Look#id}
      * @param drone name of the drone
      * @param range distance from the sensor to the drone's origin, m
      */
-    public Observation(Look look, String drone, double range, Reading reading) {
+    public Observation(LookId look, String drone, double range, Reading reading) {
         this(look, new GroundTruth(drone, range, look.time()), reading, Map.of(), Optional.empty());
     }
 
     /**
      * What a sensor reports although there is no drone: noise, a bird, an echo.
      *
-     * @param look of the sensor: {@link Sample#look}
+     * @param look of the sensor: {@link Look#id}
      * @param sighting where the sensor believes the source to be
      */
-    public static Observation ofNothing(Look look, Reading reading, Optional<Sighting> sighting) {
+    public static Observation ofNothing(LookId look, Reading reading, Optional<Sighting> sighting) {
         return new Observation(look, GroundTruth.ofNothing(look.time()), reading, Map.of(), sighting);
     }
 

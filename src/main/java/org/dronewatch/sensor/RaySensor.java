@@ -6,7 +6,7 @@ import org.dronewatch.world.World;
 
 /** A sensor that traces rays from a drone and can report each of them. */
 public interface RaySensor extends Sensor {
-    /** The purpose of the random numbers of rays: {@link Sample#random}. */
+    /** The purpose of the random numbers of rays: {@link Look#random}. */
     String RAYS = "rays";
 
     /**

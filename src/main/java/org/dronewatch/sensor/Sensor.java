@@ -14,11 +14,11 @@ public interface Sensor {
      * One look.
      *
      * @param world the site
-     * @param drones the drones as they appear at the sensor at the sample's time: as they are, or, for a signal that
+     * @param drones the drones as they appear at the sensor at the look's time: as they are, or, for a signal that
      *     takes time to arrive, as they were when it left them
-     * @param sample which look of which sensor this is, when, and with which random numbers
+     * @param look which look of which sensor this is, when, and with which random numbers
      * @return what was observed: usually one observation of each drone, in the same order; a sensor may leave drones out,
      *     observe one several times, and report what is no drone ({@link Observation#ofNothing})
      */
-    List<Observation> observe(World world, List<Drone> drones, Sample sample);
+    List<Observation> observe(World world, List<Drone> drones, Look look);
 }

@@ -49,8 +49,8 @@ public final class FaultyScenes {
 
         @Override
         public Sensor create() {
-            return (world, drones, sample) -> {
-                if (sample.index() == 2) {
+            return (world, drones, look) -> {
+                if (look.index() == 2) {
                     throw failure.get();
                 }
                 return java.util.List.of();

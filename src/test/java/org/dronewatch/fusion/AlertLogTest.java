@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.LookId;
 import org.dronewatch.sensor.Measurement;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.tracking.ContactLook;
@@ -20,8 +20,8 @@ class AlertLogTest {
     private static final int CONTACT = 7;
 
     private static ContactLook look(String sensor, double time, double value) {
-        Measurement measured =
-                new Measurement(new Look(sensor, "camera", 0, time), new Reading(value, 12.0, "px"), Optional.empty());
+        Measurement measured = new Measurement(
+                new LookId(sensor, "camera", 0, time), new Reading(value, 12.0, "px"), Optional.empty());
         boolean detected = measured.isDetected();
         return new ContactLook(CONTACT, sensor, time, detected ? 1.0 : 0.0, detected ? List.of(measured) : List.of());
     }

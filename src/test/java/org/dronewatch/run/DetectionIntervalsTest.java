@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.run.DetectionIntervals.Interval;
 import org.dronewatch.sensor.GroundTruth;
-import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.LookId;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.junit.jupiter.api.Test;
@@ -18,7 +18,7 @@ class DetectionIntervalsTest {
                 0,
                 gained,
                 new Observation(
-                        new Look(sensor, "acoustic", 0, arrival),
+                        new LookId(sensor, "acoustic", 0, arrival),
                         new GroundTruth(drone, 50, emission),
                         new Reading(gained ? 9 : 1, 5, "dB"),
                         Map.of(),

@@ -3,9 +3,9 @@ package org.dronewatch.scene;
 import java.util.List;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.In;
@@ -31,13 +31,13 @@ public record DiceSettings(Position position, @In(Quantity.FREQUENCY) double rat
         return this::observe;
     }
 
-    private List<Observation> observe(World world, List<Drone> drones, Sample sample) {
+    private List<Observation> observe(World world, List<Drone> drones, Look look) {
         return drones.stream()
                 .map(drone -> new Observation(
-                        sample.look(kind()),
+                        look.id(kind()),
                         drone.id(),
                         drone.distance(position),
-                        new Reading(sample.random(drone.id(), Sample.DETECTION).nextDouble(), luck, "")))
+                        new Reading(look.random(drone.id(), Look.DETECTION).nextDouble(), luck, "")))
                 .toList();
     }
 }

@@ -23,9 +23,9 @@ import org.dronewatch.run.Frame;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.sensor.DirectionFinding;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
@@ -69,24 +69,24 @@ class FalseMeasurementsTest {
             return this::look;
         }
 
-        private List<Observation> look(World world, List<Drone> drones, Sample sample) {
+        private List<Observation> look(World world, List<Drone> drones, Look look) {
             List<Observation> all = new ArrayList<>();
-            if (sample.index() >= 3) {
-                drones.forEach(drone -> all.add(of(drone, sample, 1.0)));
-                drones.forEach(drone -> all.add(of(drone, sample, 9.0)));
+            if (look.index() >= 3) {
+                drones.forEach(drone -> all.add(of(drone, look, 1.0)));
+                drones.forEach(drone -> all.add(of(drone, look, 9.0)));
             }
-            if (sample.index() >= 1) {
+            if (look.index() >= 1) {
                 all.add(Observation.ofNothing(
-                        sample.look(kind()),
+                        look.id(kind()),
                         new Reading(7.0, 5.0, "dB"),
                         Optional.of(new Sighting(position, NOWHERE, OptionalDouble.empty()))));
             }
             return all;
         }
 
-        private Observation of(Drone drone, Sample sample, double value) {
+        private Observation of(Drone drone, Look look, double value) {
             return new Observation(
-                    sample.look(kind()), drone.id(), drone.distance(position), new Reading(value, 5.0, "dB"));
+                    look.id(kind()), drone.id(), drone.distance(position), new Reading(value, 5.0, "dB"));
         }
     }
 

@@ -19,7 +19,7 @@ import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.RunSettings;
-import org.dronewatch.sensor.Sample;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
@@ -34,7 +34,7 @@ class InterruptTest {
     private static final Duration PROMPT = Duration.ofMinutes(1);
 
     /** Does something at each look, as a sensor of a user might. */
-    private record Doing(Position position, Consumer<Sample> action) implements SensorSettings<Sensor> {
+    private record Doing(Position position, Consumer<Look> action) implements SensorSettings<Sensor> {
         @Override
         public Doing withPosition(Position other) {
             return new Doing(other, action);
@@ -52,8 +52,8 @@ class InterruptTest {
 
         @Override
         public Sensor create() {
-            return (world, drones, sample) -> {
-                action.accept(sample);
+            return (world, drones, look) -> {
+                action.accept(look);
                 return List.of();
             };
         }
@@ -63,9 +63,9 @@ class InterruptTest {
     private static final class DoingScene extends Scene {
         private static final long serialVersionUID = 1L;
         private final int sensors;
-        private final transient Consumer<Sample> action;
+        private final transient Consumer<Look> action;
 
-        DoingScene(int sensors, Consumer<Sample> action) {
+        DoingScene(int sensors, Consumer<Look> action) {
             this.sensors = sensors;
             this.action = action;
         }
@@ -119,7 +119,7 @@ class InterruptTest {
     void anInterruptReachesSensorsThatWait(boolean keepsFlag) throws InterruptedException {
         AtomicInteger looks = new AtomicInteger();
         CountDownLatch waiting = new CountDownLatch(3);
-        SceneRunner runner = new SceneRunner(new DoingScene(3, sample -> {
+        SceneRunner runner = new SceneRunner(new DoingScene(3, look -> {
             if (looks.incrementAndGet() > 3 && looks.get() <= 6) {
                 waiting.countDown();
                 try {
@@ -153,7 +153,7 @@ class InterruptTest {
                             "drone-" + i,
                             DroneSettings.of(loadPackaged("quadrotor.obj"), Hover.at(new Position(i - 20, 4, 144))));
                 }
-                add("first", new Doing(new Position(0, 0, 144), sample -> looking.countDown()));
+                add("first", new Doing(new Position(0, 0, 144), look -> looking.countDown()));
                 add("eye", CameraSettings.at(new Position(0, 0, 144)).withResolution(6000, 6000));
                 setRun(RunSettings.DEFAULT.withDuration(1000.0));
             }
@@ -219,7 +219,7 @@ class InterruptTest {
                 new NoClassDefFoundError("a/B"),
                 new IllegalArgumentException("of the user"))) {
             AtomicInteger looks = new AtomicInteger();
-            SceneRunner runner = new SceneRunner(new DoingScene(3, sample -> {
+            SceneRunner runner = new SceneRunner(new DoingScene(3, look -> {
                         if (looks.incrementAndGet() == 5) {
                             sneak(error);
                         }

@@ -300,7 +300,7 @@ class SceneRunTest {
 
         @Override
         public Sensor create() {
-            return (world, drones, sample) -> {
+            return (world, drones, look) -> {
                 throw new IllegalStateException("broken");
             };
         }

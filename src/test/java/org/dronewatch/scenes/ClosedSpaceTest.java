@@ -19,7 +19,7 @@ import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.energy.EnergyReading;
-import org.dronewatch.sensor.acoustic.level.Listening;
+import org.dronewatch.sensor.acoustic.level.LevelReading;
 import org.dronewatch.sound.Levels;
 import org.junit.jupiter.api.Test;
 
@@ -54,7 +54,7 @@ class ClosedSpaceTest {
     /** Everything that 20 x 20 rays and three orders can reach; what the order cuts is counted, and always the same. */
     @Test
     void tracingFullyAgreesAndTellsWhatWasCut() {
-        List<Listening> heard = new ArrayList<>();
+        List<LevelReading> heard = new ArrayList<>();
         for (int budget : new int[] {200_000, 200_000, 50_000}) {
             SceneRunner runner = new SceneRunner(new ClosedSpace())
                     .set("sensors.microphone.propagation.initialRays", "20")
@@ -69,7 +69,7 @@ class ClosedSpaceTest {
                             .detected())
                     .isTrue();
         }
-        Listening full = heard.get(0);
+        LevelReading full = heard.get(0);
         assertThat(full.detected()).isTrue();
         assertThat(full.bestLevel()).isCloseTo(55 - 0.05 * 10, within(1e-9));
         assertThat(full.traced()).isBetween(20_000L, 176_841L);
@@ -91,23 +91,23 @@ class ClosedSpaceTest {
         SceneSettings settings = runner.settings();
         Stage stage = runner.stage(settings);
         Drone drone = stage.dronesAt(0.0).get(0);
-        List<Callable<Listening>> looks = new ArrayList<>();
+        List<Callable<LevelReading>> looks = new ArrayList<>();
         for (int i = 0; i < 2; i++) {
             AcousticSensor sensor = ((AcousticSettings) settings.sensors().get("microphone")).create();
             looks.add(() -> sensor.listenFully(stage.world(), drone, new SplittableRandom(9), RayRecorder.NONE));
         }
-        List<Listening> together = results(looks, 2);
+        List<LevelReading> together = results(looks, 2);
         assertThat(together.get(0).cutByOrder()).isPositive();
         assertThat(together.get(0).cutByBudget()).isPositive();
         assertThat(together.get(1)).isEqualTo(together.get(0));
         assertThat(results(looks.subList(0, 1), 1).get(0)).isEqualTo(together.get(0));
     }
 
-    private static List<Listening> results(List<Callable<Listening>> looks, int threads) throws Exception {
+    private static List<LevelReading> results(List<Callable<LevelReading>> looks, int threads) throws Exception {
         ExecutorService pool = Executors.newFixedThreadPool(threads);
         try {
-            List<Listening> results = new ArrayList<>();
-            for (Future<Listening> look : pool.invokeAll(looks)) {
+            List<LevelReading> results = new ArrayList<>();
+            for (Future<LevelReading> look : pool.invokeAll(looks)) {
                 results.add(look.get());
             }
             return results;

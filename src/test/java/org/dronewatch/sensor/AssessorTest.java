@@ -57,9 +57,9 @@ class AssessorTest {
 
         @Override
         public Sensor create() {
-            return (world, drones, sample) -> drones.stream()
+            return (world, drones, look) -> drones.stream()
                     .map(drone -> new Observation(
-                                    sample.look(kind()),
+                                    look.id(kind()),
                                     drone.id(),
                                     drone.distance(HERE),
                                     new Reading(100.0 / drone.distance(HERE), 1.0, ""))

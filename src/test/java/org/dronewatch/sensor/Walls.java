@@ -117,7 +117,7 @@ public final class Walls {
     /** A look of a fresh sensor. */
     public static Observation look(SensorSettings<?> settings, World world, Drone drone, long seed) {
         return settings.create()
-                .observe(world, List.of(drone), Sample.of(seed, "sensor", 0, 10.0))
+                .observe(world, List.of(drone), Look.of(seed, "sensor", 0, 10.0))
                 .get(0);
     }
 }

@@ -12,7 +12,7 @@ import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Sighting;
-import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.LookId;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.junit.jupiter.api.Test;
@@ -22,12 +22,12 @@ class PerfectAssociationTest {
             Optional.of(new Sighting(new Position(0, 0, 0), new Direction(1.0, 0.1), OptionalDouble.of(123.0)));
 
     private static Observation look(String sensor, String drone, double value) {
-        return new Observation(new Look(sensor, "radar", 4, 8.0), drone, 321.0, new Reading(value, 12.0, "dB"))
+        return new Observation(new LookId(sensor, "radar", 4, 8.0), drone, 321.0, new Reading(value, 12.0, "dB"))
                 .withSighting(SIGHTING);
     }
 
     private static Observation nothing(String sensor) {
-        return Observation.ofNothing(new Look(sensor, "radar", 4, 8.0), new Reading(13.0, 12.0, "dB"), SIGHTING);
+        return Observation.ofNothing(new LookId(sensor, "radar", 4, 8.0), new Reading(13.0, 12.0, "dB"), SIGHTING);
     }
 
     @Test

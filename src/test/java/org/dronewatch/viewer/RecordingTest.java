@@ -11,7 +11,7 @@ import org.dronewatch.run.Frame;
 import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scene.SceneRunner;
-import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.LookId;
 import org.dronewatch.sensor.Observation;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -65,7 +65,7 @@ class RecordingTest {
         int all = 5 * Readings.MOST;
         for (int i = 0; i < all; i++) {
             readings.add(new Observation(
-                    new Look("s", "camera", i, i), "d", 100.0, new org.dronewatch.sensor.Reading(i, 12.0, "px")));
+                    new LookId("s", "camera", i, i), "d", 100.0, new org.dronewatch.sensor.Reading(i, 12.0, "px")));
         }
         assertThat(readings.count()).isBetween(Readings.MOST / 2, Readings.MOST);
         for (int i = 0; i < all; i += 9973) {

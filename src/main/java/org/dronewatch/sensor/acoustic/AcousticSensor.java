@@ -13,16 +13,16 @@ import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.GroundTruth;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Reading;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.acoustic.energy.EnergyHearing;
 import org.dronewatch.sensor.acoustic.energy.EnergyReading;
 import org.dronewatch.sensor.acoustic.level.LevelHearing;
-import org.dronewatch.sensor.acoustic.level.Listening;
+import org.dronewatch.sensor.acoustic.level.LevelReading;
 import org.dronewatch.sensor.acoustic.propagation.Heard;
 import org.dronewatch.sensor.acoustic.propagation.Microphone;
 import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
@@ -52,20 +52,20 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     }
 
     @Override
-    public List<Observation> observe(World world, List<Drone> drones, Sample sample) {
+    public List<Observation> observe(World world, List<Drone> drones, Look look) {
         List<Observation> observations = new ArrayList<>(drones.size());
         for (Drone drone : drones) {
-            observations.add(observe(world, drone, sample));
+            observations.add(observe(world, drone, look));
         }
         return observations;
     }
 
-    private Observation observe(World world, Drone drone, Sample sample) {
-        Heard sound = tracer(world).hear(drone, sample.random(drone.id(), RAYS));
+    private Observation observe(World world, Drone drone, Look look) {
+        Heard sound = tracer(world).hear(drone, look.random(drone.id(), RAYS));
         double distance = drone.distance(settings.position());
-        double emission = sample.time() - distance / settings.signalSpeed(world);
+        double emission = look.time() - distance / settings.signalSpeed(world);
         return new Observation(
-                sample.look(settings.kind()),
+                look.id(settings.kind()),
                 new GroundTruth(drone.id(), distance, emission),
                 new Reading(sound.value(), sound.threshold(), UNIT),
                 sound.figures(),
@@ -94,7 +94,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
      *
      * @throws IllegalStateException when this sensor follows sound by another model
      */
-    public Listening listen(World world, Drone drone, RandomGenerator random) {
+    public LevelReading listen(World world, Drone drone, RandomGenerator random) {
         return levels(world).listen(drone, random, false, RayRecorder.NONE);
     }
 
@@ -104,7 +104,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
      * @param recorder is told every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
      * @throws IllegalStateException when this sensor follows sound by another model
      */
-    public Listening listenFully(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
+    public LevelReading listenFully(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
         return levels(world).listen(drone, random, true, recorder);
     }
 

@@ -17,9 +17,9 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Cover;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.GroundTruth;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DepthImage;
@@ -54,12 +54,12 @@ public final class CameraSensor implements AssessableSensor {
 
     /** Counts each drone's pixels that are nearer than the world and the other drones. */
     @Override
-    public List<Observation> observe(World site, List<Drone> drones, Sample sample) {
-        turn(site, sample.pointing());
+    public List<Observation> observe(World site, List<Drone> drones, Look look) {
+        turn(site, look.pointing());
         picture.draw(world, drones);
         List<Observation> observations = new ArrayList<>(drones.size());
         for (int i = 0; i < drones.size(); i++) {
-            observations.add(observe(drones.get(i), picture.pixels(i), sample));
+            observations.add(observe(drones.get(i), picture.pixels(i), look));
         }
         return observations;
     }
@@ -108,16 +108,16 @@ public final class CameraSensor implements AssessableSensor {
                 : Signal.certain(value, detection.unit(), detection.threshold());
     }
 
-    private Observation observe(Drone drone, int pixels, Sample sample) {
+    private Observation observe(Drone drone, int pixels, Look look) {
         DroneView view = view(drone, pixels);
         Signal signal = signal(view);
         OptionalDouble probability = settings.detection().probability(view);
-        double threshold = settings.detection().threshold(sample.random(drone.id(), Sample.DETECTION));
+        double threshold = settings.detection().threshold(look.random(drone.id(), Look.DETECTION));
         Reading reading = new Reading(signal.quantity(), threshold, signal.unit());
         double lock = settings.positioner().map(PositionerSettings::lockPixels).orElse(Double.POSITIVE_INFINITY);
         return new Observation(
-                sample.look(settings.kind()),
-                new GroundTruth(drone.id(), view.range(), sample.time()),
+                look.id(settings.kind()),
+                new GroundTruth(drone.id(), view.range(), look.time()),
                 reading,
                 probability.isPresent() ? Map.of(Observation.PROBABILITY, probability.getAsDouble()) : Map.of(),
                 reading.isDetected() || pixels >= lock ? Optional.of(sighting(drone)) : Optional.empty());

@@ -15,9 +15,9 @@ import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cover;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.GroundTruth;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
@@ -45,9 +45,9 @@ public final class RadarSensor implements AssessableSensor {
     }
 
     @Override
-    public List<Observation> observe(World site, List<Drone> drones, Sample sample) {
+    public List<Observation> observe(World site, List<Drone> drones, Look look) {
         enter(site);
-        return drones.stream().map(drone -> look(drone, sample)).toList();
+        return drones.stream().map(drone -> look(drone, look)).toList();
     }
 
     private void enter(World site) {
@@ -96,7 +96,7 @@ public final class RadarSensor implements AssessableSensor {
         return share * drone.settings().radar().towards(aspect(drone));
     }
 
-    private Observation look(Drone drone, Sample sample) {
+    private Observation look(Drone drone, Look look) {
         Position place = Position.of(drone.position());
         double share = visibleShare(drone);
         double area = crossSection(drone, share);
@@ -109,14 +109,14 @@ public final class RadarSensor implements AssessableSensor {
         figures.put("visible_share", share);
         figures.put("cross_section_m2", area);
         figures.put(Observation.PROBABILITY, settings.detection().probability(echo, fluctuation));
-        double threshold = settings.detection().threshold(fluctuation, sample.random(drone.id(), Sample.DETECTION));
+        double threshold = settings.detection().threshold(fluctuation, look.random(drone.id(), Look.DETECTION));
         Optional<Sighting> sighting = echo >= threshold
-                ? Optional.of(settings.accuracy()
-                        .sighting(settings.position(), place, sample.random(drone.id(), Sample.ERROR)))
+                ? Optional.of(
+                        settings.accuracy().sighting(settings.position(), place, look.random(drone.id(), Look.ERROR)))
                 : Optional.empty();
         return new Observation(
-                sample.look(settings.kind()),
-                new GroundTruth(drone.id(), range(drone), sample.time()),
+                look.id(settings.kind()),
+                new GroundTruth(drone.id(), range(drone), look.time()),
                 new Reading(echo, threshold, UNIT),
                 figures,
                 sighting);

@@ -12,9 +12,9 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Explanation;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.Visibility;
@@ -37,9 +37,9 @@ public final class RfSensor implements AssessableSensor {
     }
 
     @Override
-    public List<Observation> observe(World world, List<Drone> drones, Sample sample) {
+    public List<Observation> observe(World world, List<Drone> drones, Look look) {
         enter(world);
-        return drones.stream().map(drone -> listen(drone, sample)).toList();
+        return drones.stream().map(drone -> listen(drone, look)).toList();
     }
 
     private void enter(World world) {
@@ -83,14 +83,14 @@ public final class RfSensor implements AssessableSensor {
                 .orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
     }
 
-    private Observation listen(Drone drone, Sample sample) {
+    private Observation listen(Drone drone, Look look) {
         double ofDrone = ofDrone(drone);
         double ofPilot = ofPilot(drone);
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("drone_snr_db", ofDrone);
         figures.put("pilot_snr_db", ofPilot);
         return new Observation(
-                        sample.look(settings.kind()),
+                        look.id(settings.kind()),
                         drone.id(),
                         drone.distance(settings.position()),
                         new Reading(Math.max(ofDrone, ofPilot), settings.threshold(), UNIT))

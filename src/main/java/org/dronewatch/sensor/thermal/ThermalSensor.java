@@ -17,10 +17,10 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Cover;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.GroundTruth;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Reading;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.VisibleArea;
@@ -49,9 +49,9 @@ public final class ThermalSensor implements AssessableSensor {
     }
 
     @Override
-    public List<Observation> observe(World world, List<Drone> drones, Sample sample) {
-        turn(world, sample.pointing());
-        return drones.stream().map(drone -> look(drone, sample)).toList();
+    public List<Observation> observe(World world, List<Drone> drones, Look look) {
+        turn(world, look.pointing());
+        return drones.stream().map(drone -> look(drone, look)).toList();
     }
 
     private void turn(World world, Optional<Pointing> where) {
@@ -89,13 +89,13 @@ public final class ThermalSensor implements AssessableSensor {
                 : Signal.certain(probability, Quantity.RATIO.unit(), settings.probability());
     }
 
-    private Observation look(Drone drone, Sample sample) {
+    private Observation look(Drone drone, Look look) {
         double range = drone.distance(settings.position());
         double pixels = area.of(drone);
         double ratio = signalToNoise(drone.heat(), range, pixels);
         double probability = signal(drone, pixels).quantity();
         double threshold = settings.byChance()
-                ? 1.0 - sample.random(drone.id(), Sample.DETECTION).nextDouble()
+                ? 1.0 - look.random(drone.id(), Look.DETECTION).nextDouble()
                 : settings.probability();
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("pixels", pixels);
@@ -105,8 +105,8 @@ public final class ThermalSensor implements AssessableSensor {
                 >= settings.positioner().map(PositionerSettings::lockPixels).orElse(Double.POSITIVE_INFINITY);
         boolean told = probability >= threshold || locked && ratio > settings.minSnr();
         return new Observation(
-                sample.look(settings.kind()),
-                new GroundTruth(drone.id(), range, sample.time()),
+                look.id(settings.kind()),
+                new GroundTruth(drone.id(), range, look.time()),
                 new Reading(probability, threshold, Quantity.RATIO.unit()),
                 figures,
                 told ? Optional.of(sighting(drone)) : Optional.empty());

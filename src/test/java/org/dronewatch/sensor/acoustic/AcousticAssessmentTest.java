@@ -21,9 +21,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RaySensor;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel.Criterion;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
@@ -58,7 +58,7 @@ class AcousticAssessmentTest {
                         world,
                         drone,
                         Optional.empty(),
-                        Sample.of(seed, "sensor", 0, 10.0).random("drone", RaySensor.RAYS));
+                        Look.of(seed, "sensor", 0, 10.0).random("drone", RaySensor.RAYS));
     }
 
     @Test
@@ -97,8 +97,8 @@ class AcousticAssessmentTest {
         int looks = 3000;
         int hits = 0;
         for (int i = 0; i < looks; i++) {
-            Sample sample = Sample.of(i, "sensor", 0, 10.0);
-            hits += sensor.observe(world, List.of(drone(100)), sample).get(0).isDetected() ? 1 : 0;
+            Look look = Look.of(i, "sensor", 0, 10.0);
+            hits += sensor.observe(world, List.of(drone(100)), look).get(0).isDetected() ? 1 : 0;
         }
         Assessment[] fields = new Assessment[300];
         for (int i = 0; i < fields.length; i++) {

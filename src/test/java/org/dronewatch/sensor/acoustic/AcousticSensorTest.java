@@ -11,8 +11,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel.Criterion;
 import org.dronewatch.sound.Atmosphere;
@@ -45,7 +45,7 @@ class AcousticSensorTest {
     private static Observation observe(World world, EnergyModel model, AcousticSettings settings, double range) {
         return settings.withPropagation(model)
                 .create()
-                .observe(world, List.of(drone(range)), Sample.of(1, "microphone", 0, 10.0))
+                .observe(world, List.of(drone(range)), Look.of(1, "microphone", 0, 10.0))
                 .get(0);
     }
 

@@ -22,8 +22,8 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Draws;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.World;
@@ -151,7 +151,7 @@ class CameraAssessmentTest {
         CameraSensor sensor = camera.create();
         int hits = 0;
         for (int i = 0; i < 2000; i++) {
-            Observation look = sensor.observe(open(), List.of(drone), Sample.of(Draws.mix(7, i), "sensor", 0, 0))
+            Observation look = sensor.observe(open(), List.of(drone), Look.of(Draws.mix(7, i), "sensor", 0, 0))
                     .get(0);
             assertThat(look.value()).isEqualTo(one.quantity());
             hits += look.isDetected() ? 1 : 0;

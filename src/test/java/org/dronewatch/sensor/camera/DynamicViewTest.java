@@ -8,8 +8,8 @@ import java.util.Random;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.optics.*;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
@@ -31,7 +31,7 @@ class DynamicViewTest {
     /** Checks counts, marks and distances, and gives the count of each drone. */
     private List<Integer> counts(World world, List<Drone> drones) {
         FullRetrace expected = new FullRetrace(camera.camera(), world, drones);
-        List<Observation> observations = camera.observe(world, drones, Sample.of(1, "camera", 0, 0.0));
+        List<Observation> observations = camera.observe(world, drones, Look.of(1, "camera", 0, 0.0));
         List<Integer> counts = new ArrayList<>();
         for (int i = 0; i < drones.size(); i++) {
             assertThat((int) observations.get(i).value()).isEqualTo(expected.pixels(i));

@@ -22,8 +22,8 @@ import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.Draws;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.optics.*;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.World;
@@ -119,9 +119,8 @@ class TargetTaskTest {
             DroneView view = view(pixels, 200, 0, Light.DAY);
             int detected = 0;
             for (int run = 0; run < runs; run++) {
-                Sample sample = Sample.of(Draws.mix(seed, run), "camera", pixels, 0.0);
-                detected +=
-                        function.value(view) >= function.threshold(sample.random("drone", Sample.DETECTION)) ? 1 : 0;
+                Look look = Look.of(Draws.mix(seed, run), "camera", pixels, 0.0);
+                detected += function.value(view) >= function.threshold(look.random("drone", Look.DETECTION)) ? 1 : 0;
             }
             double expected = function.value(view);
             double[] interval = Wilson.interval(detected, runs, 3.0);
@@ -177,7 +176,7 @@ class TargetTaskTest {
                         KDTree.of(box))
                 .at(new FlightState(drone, velocity, 0.0));
         List<Observation> observations = settings.create()
-                .observe(world, List.of(flying), Sample.of(1, "camera", 0, 0.0).withPointing(pointing));
+                .observe(world, List.of(flying), Look.of(1, "camera", 0, 0.0).withPointing(pointing));
         assertThat(observations).hasSize(1);
         return views.get(0);
     }

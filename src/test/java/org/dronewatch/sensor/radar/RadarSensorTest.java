@@ -16,8 +16,8 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.radar.LinkBudget.Hardware;
 import org.dronewatch.sensor.radar.Rain.Polarisation;
 import org.dronewatch.world.World;
@@ -63,7 +63,7 @@ class RadarSensorTest {
 
     private static Observation look(RadarSettings radar, World world, Drone drone) {
         return radar.create()
-                .observe(world, List.of(drone), Sample.of(SEED, "radar", 0, 0))
+                .observe(world, List.of(drone), Look.of(SEED, "radar", 0, 0))
                 .get(0);
     }
 
@@ -192,8 +192,8 @@ class RadarSensorTest {
         int looks = 20_000;
         int detected = 0;
         for (int i = 0; i < looks; i++) {
-            Sample sample = Sample.of(SEED, "radar", i, i);
-            detected += sensor.observe(OPEN, List.of(drone), sample).get(0).isDetected() ? 1 : 0;
+            Look look = Look.of(SEED, "radar", i, i);
+            detected += sensor.observe(OPEN, List.of(drone), look).get(0).isDetected() ? 1 : 0;
         }
         double expected = Detectability.probability(ratio, 1e-6, fluctuation);
         double chance = 4 * Math.sqrt(expected * (1 - expected) / looks) + 1e-9;

@@ -16,8 +16,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,7 +72,7 @@ class ThermalAssessmentTest {
         World world = open();
         int hits = 0;
         for (int i = 0; i < 1000; i++) {
-            Observation look = sensor.observe(world, List.of(drone), Sample.of(i, "sensor", 0, 0))
+            Observation look = sensor.observe(world, List.of(drone), Look.of(i, "sensor", 0, 0))
                     .get(0);
             hits += look.isDetected() ? 1 : 0;
         }

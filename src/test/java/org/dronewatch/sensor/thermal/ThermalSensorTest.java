@@ -18,8 +18,8 @@ import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.Draws;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.Sample;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.VisibleArea;
@@ -66,7 +66,7 @@ class ThermalSensorTest {
 
     private static Observation look(ThermalSettings settings, World world, Drone drone) {
         return settings.create()
-                .observe(world, List.of(drone), Sample.of(1, "heat", 0, 0.0))
+                .observe(world, List.of(drone), Look.of(1, "heat", 0, 0.0))
                 .get(0);
     }
 
@@ -190,10 +190,10 @@ class ThermalSensorTest {
         int hits = 0;
         double probability = 0.0;
         for (int run = 0; run < 1000; run++) {
-            Sample sample = Sample.of(Draws.mix(seed, run), "heat", 0, 0.0);
-            Observation look = sensor.observe(world, List.of(drone), sample).get(0);
-            probability = look.probability();
-            hits += look.isDetected() ? 1 : 0;
+            Look look = Look.of(Draws.mix(seed, run), "heat", 0, 0.0);
+            Observation seen = sensor.observe(world, List.of(drone), look).get(0);
+            probability = seen.probability();
+            hits += seen.isDetected() ? 1 : 0;
         }
         System.out.println("seed " + seed + ": " + hits + " of 1000, expected " + probability);
         double[] interval = Wilson.interval(hits, 1000, 3.0);

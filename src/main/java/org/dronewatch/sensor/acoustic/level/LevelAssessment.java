@@ -16,7 +16,7 @@ final class LevelAssessment {
     /** One look of the level model. */
     interface Look {
         /** Traces until the first ray that is loud enough. */
-        Listening listen(RandomGenerator rays);
+        LevelReading listen(RandomGenerator rays);
     }
 
     /**
@@ -29,7 +29,7 @@ final class LevelAssessment {
         if (straightLevel < threshold) {
             return Signal.certain(straightLevel, UNIT, threshold);
         }
-        Listening first = look.listen(rays);
+        LevelReading first = look.listen(rays);
         if (first.detected() && first.traced() == 1) {
             return Signal.certain(first.bestLevel(), UNIT, threshold);
         }
@@ -37,7 +37,7 @@ final class LevelAssessment {
         levels[0] = first.bestLevel();
         int hits = first.detected() ? 1 : 0;
         for (int i = 1; i < TRACES; i++) {
-            Listening next = look.listen(rays);
+            LevelReading next = look.listen(rays);
             levels[i] = next.bestLevel();
             hits += next.detected() ? 1 : 0;
         }

@@ -30,18 +30,18 @@ public final class LevelHearing implements SoundTracer {
      * @param fully whether to go on after the first ray that is loud enough
      * @param recorder is told every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
      */
-    public Listening listen(Drone drone, RandomGenerator random, boolean fully, RayRecorder recorder) {
+    public LevelReading listen(Drone drone, RandomGenerator random, boolean fully, RayRecorder recorder) {
         return tracer.trace(Position.of(drone.position()), drone.soundLevel(), random, fully, recorder);
     }
 
-    private Listening listen(Drone drone, RandomGenerator random) {
+    private LevelReading listen(Drone drone, RandomGenerator random) {
         return listen(drone, random, false, RayRecorder.NONE);
     }
 
     @Override
     public Heard hear(Drone drone, RandomGenerator random) {
-        Listening listening = listen(drone, random);
-        return new Heard(listening.bestLevel(), threshold, listening.figures());
+        LevelReading reading = listen(drone, random);
+        return new Heard(reading.bestLevel(), threshold, reading.figures());
     }
 
     @Override

@@ -68,7 +68,7 @@ public final class LevelTracer {
      * @param sourceLevel its level, dB
      * @param fully whether to go on after the first detection
      */
-    public Listening trace(
+    public LevelReading trace(
             Position source, double sourceLevel, RandomGenerator random, boolean fully, RayRecorder recorder) {
         reset();
         emit(source, sourceLevel, random);
@@ -98,7 +98,7 @@ public final class LevelTracer {
             }
         }
         OptionalInt cutAt = cutByBudget > 0 ? OptionalInt.of(cutOrder) : OptionalInt.empty();
-        return new Listening(
+        return new LevelReading(
                 bestLevel, bestLevel >= detectionLevel, energy, received, traced, cutByOrder, cutByBudget, cutAt);
     }
 

@@ -69,14 +69,14 @@ class LevelModelTest {
         return AcousticSettings.at(new Position(0, 0, 0)).withPropagation(model).create();
     }
 
-    private static Listening fully(World world, Drone drone, LevelModel model) {
+    private static LevelReading fully(World world, Drone drone, LevelModel model) {
         return sensor(model).listenFully(world, drone, new SplittableRandom(1), RayRecorder.NONE);
     }
 
     @Test
     void inTheOpenTheLevelFallsByTheAirOnlyAtTheWayToTheCentre() {
         for (double range : new double[] {1, 10, 123.4, 400}) {
-            Listening heard = fully(farGround(), drone(55, new Position(0, range, 0)), TEN);
+            LevelReading heard = fully(farGround(), drone(55, new Position(0, range, 0)), TEN);
             assertThat(heard.bestLevel()).isCloseTo(55 - 0.05 * range, within(1e-9));
             assertThat(heard.received()).isPositive();
         }
@@ -119,7 +119,7 @@ class LevelModelTest {
         assertThat(fully(hidden, behind, TEN).received()).isZero();
 
         World revealed = world(wall(1, 10, 3), wall(0, 15, 40));
-        Listening heard = fully(revealed, behind, TEN.withRays(300, 10));
+        LevelReading heard = fully(revealed, behind, TEN.withRays(300, 10));
         double mirrored = Math.hypot(30, 20);
         double loss = -10 * Math.log10(1 - alpha(revealed));
         assertThat(heard.bestLevel()).isLessThanOrEqualTo(55 - loss - 0.05 * mirrored + 1e-9);
@@ -134,8 +134,8 @@ class LevelModelTest {
     @Test
     void whatIsCutIsCountedByOrder() {
         Drone drone = drone(90, new Position(3, 2, 1));
-        Listening all = fully(room(), drone, new LevelModel(5, 4, 0.05, 2, 1_000_000));
-        Listening cut = fully(room(), drone, new LevelModel(5, 4, 0.05, 2, 30));
+        LevelReading all = fully(room(), drone, new LevelModel(5, 4, 0.05, 2, 1_000_000));
+        LevelReading cut = fully(room(), drone, new LevelModel(5, 4, 0.05, 2, 30));
 
         assertThat(all.cutByBudget()).isZero();
         assertThat(all.cutByOrder()).isPositive();
@@ -160,7 +160,7 @@ class LevelModelTest {
     @Test
     void everyPieceThatIsTracedIsRecorded() {
         List<double[]> pieces = new ArrayList<>();
-        Listening heard = sensor(TEN)
+        LevelReading heard = sensor(TEN)
                 .listenFully(
                         room(),
                         drone(50, new Position(4, 3, 2)),
@@ -192,8 +192,8 @@ class LevelModelTest {
         AcousticSensor sensor = AcousticSettings.at(new Position(0, 0, 0))
                 .withPropagation(LevelModel.DEFAULT.withRays(40, 20).withLimits(3, 7_000))
                 .create();
-        Listening alone = sensor.listenFully(room, drone, new SplittableRandom(9), RayRecorder.NONE);
-        Listening soon = sensor.listen(room, drone, new SplittableRandom(9));
+        LevelReading alone = sensor.listenFully(room, drone, new SplittableRandom(9), RayRecorder.NONE);
+        LevelReading soon = sensor.listen(room, drone, new SplittableRandom(9));
         for (int threads = 1; threads <= 3; threads++) {
             try (Workers workers = new Workers(threads)) {
                 assertThat(workers.call(

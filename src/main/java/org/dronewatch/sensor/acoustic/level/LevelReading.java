@@ -17,7 +17,7 @@ import java.util.OptionalInt;
  * @param cutByBudget how many branches were not followed because of the ray budget
  * @param cutOrder the lowest order at which the budget cut a branch; empty when it cut none
  */
-public record Listening(
+public record LevelReading(
         double bestLevel,
         boolean detected,
         double energy,
