@@ -164,7 +164,7 @@ final class CameraPanel extends JPanel {
      *
      * @param told gives what a camera of a name told of each drone
      */
-    void mark(Function<String, Map<String, Reading>> told, String selected) {
+    void mark(Function<String, Map<String, PairReading>> told, String selected) {
         for (CameraVisual visual : visuals) {
             visual.mark(told.apply(visual.eye().id()), visual.eye().id().equals(selected));
         }

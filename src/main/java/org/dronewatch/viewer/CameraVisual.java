@@ -46,7 +46,7 @@ final class CameraVisual extends JPanel {
 
     private final transient CameraEye eye;
     private transient CameraShot shot;
-    private transient Map<String, Reading> readings = Map.of();
+    private transient Map<String, PairReading> readings = Map.of();
     private boolean selected;
     private transient Consumer<String> hint = text -> {};
 
@@ -80,7 +80,7 @@ final class CameraVisual extends JPanel {
     }
 
     /** Shows what the camera told last of each drone that it had in its picture, and whether it is selected. */
-    void mark(Map<String, Reading> told, boolean isSelected) {
+    void mark(Map<String, PairReading> told, boolean isSelected) {
         if (!readings.equals(told) || selected != isSelected) {
             readings = told;
             selected = isSelected;
@@ -89,7 +89,7 @@ final class CameraVisual extends JPanel {
     }
 
     private boolean isDetecting() {
-        return readings.values().stream().anyMatch(Reading::isEnough);
+        return readings.values().stream().anyMatch(PairReading::isEnough);
     }
 
     /** Where the picture lies in this panel: as large as fits, its sides in the camera's proportion. */
@@ -162,7 +162,7 @@ final class CameraVisual extends JPanel {
         double height = Math.max(SMALLEST * Scaled.factor(), (drone.rows() + 2) * sy);
         double x = frame.x + (drone.left() + 0.5 * drone.columns()) * sx - 0.5 * width;
         double y = frame.y + (drone.top() + 0.5 * drone.rows()) * sy - 0.5 * height;
-        Reading told = readings.get(drone.drone());
+        PairReading told = readings.get(drone.drone());
         g.setColor(told != null && told.isEnough() ? DETECTED : UNDETECTED);
         g.setStroke(new BasicStroke(1.5f));
         g.draw(new Rectangle2D.Double(x, y, width, height));
@@ -178,12 +178,12 @@ final class CameraVisual extends JPanel {
     }
 
     private String shortCount(DronePixels drone) {
-        Reading told = readings.get(drone.drone());
+        PairReading told = readings.get(drone.drone());
         return told == null ? drone.count() + " px" : told.text();
     }
 
     private String count(DronePixels drone) {
-        Reading told = readings.get(drone.drone());
+        PairReading told = readings.get(drone.drone());
         boolean inPixels = told != null && told.unit().equals("px");
         return drone.drone() + ": " + (inPixels ? "" : drone.count() + " px") + (told == null || inPixels ? "" : ", ")
                 + (told == null ? "" : told.text());

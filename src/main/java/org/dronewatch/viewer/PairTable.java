@@ -21,7 +21,7 @@ final class PairTable extends AbstractTableModel {
         private final String kind;
         private final String drone;
         private boolean detected;
-        private Optional<Reading> reading = Optional.empty();
+        private Optional<PairReading> reading = Optional.empty();
 
         Row(String sensor, String kind, String drone) {
             this.sensor = sensor;
@@ -47,7 +47,7 @@ final class PairTable extends AbstractTableModel {
         for (int i = 0; i < rows.size(); i++) {
             Row row = rows.get(i);
             boolean detected = run.isDetected(row.sensor, row.drone, time);
-            Optional<Reading> reading = run.reading(row.sensor, row.drone, time);
+            Optional<PairReading> reading = run.reading(row.sensor, row.drone, time);
             if (detected != row.detected || !reading.equals(row.reading)) {
                 row.detected = detected;
                 row.reading = reading;

@@ -59,12 +59,12 @@ final class Readings {
     }
 
     /** The last that was told up to a time. */
-    Optional<Reading> at(double time) {
+    Optional<PairReading> at(double time) {
         int found = Arrays.binarySearch(times, 0, count, time);
         int last = found >= 0 ? found : -found - 2;
         return last < 0
                 ? Optional.empty()
-                : Optional.of(new Reading(times[last], values[last], thresholds[last], unit, ranges[last]));
+                : Optional.of(new PairReading(times[last], values[last], thresholds[last], unit, ranges[last]));
     }
 
     int count() {

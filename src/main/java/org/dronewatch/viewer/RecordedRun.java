@@ -77,7 +77,7 @@ final class RecordedRun {
     }
 
     /** What a sensor last told of a drone up to a time. */
-    synchronized Optional<Reading> reading(String sensor, String drone, double time) {
+    synchronized Optional<PairReading> reading(String sensor, String drone, double time) {
         Readings known = readings.get(List.of(sensor, drone));
         return known == null ? Optional.empty() : known.at(time);
     }

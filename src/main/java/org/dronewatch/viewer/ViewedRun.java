@@ -58,8 +58,8 @@ final class ViewedRun {
     }
 
     /** What a sensor told last of each drone. */
-    Map<String, Reading> readings(String sensor, double time) {
-        Map<String, Reading> told = new HashMap<>();
+    Map<String, PairReading> readings(String sensor, double time) {
+        Map<String, PairReading> told = new HashMap<>();
         for (String drone : drones) {
             run.reading(sensor, drone, time).ifPresent(reading -> told.put(drone, reading));
         }

@@ -97,7 +97,7 @@ class CameraVisualTest {
     void significantPixelsAreFramedInTheColourOfTheDecision() {
         CameraShot near = eye.look(8.0, 320, 240);
         CameraVisual visual = new CameraVisual(eye);
-        visual.mark(Map.of("quadrotor", new Reading(8.0, 295, 12, "px", 5.1)), false);
+        visual.mark(Map.of("quadrotor", new PairReading(8.0, 295, 12, "px", 5.1)), false);
         BufferedImage image = painted(visual, near, 320, 240);
         DronePixels drone = near.drones().get(0);
         Color left = new Color(image.getRGB(drone.left() - 1, drone.top() + drone.rows() / 2));
@@ -157,7 +157,7 @@ class CameraVisualTest {
         new SceneRunner(new Yard(directory)).listener(recording).run();
         for (double time = 0.05; time < 9.0; time += 0.333) {
             CameraShot shot = eye.look(time, 160, 120);
-            Reading told =
+            PairReading told =
                     recording.runs().get(0).reading("camera", "quadrotor", time).orElseThrow();
             assertThat(shot.time()).isCloseTo(told.time(), within(1e-9));
             assertThat(shot.drones().get(0).count()).isEqualTo((int) told.value());

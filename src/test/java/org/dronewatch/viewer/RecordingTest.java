@@ -13,6 +13,7 @@ import org.dronewatch.run.SceneResult;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.LookId;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Reading;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -40,7 +41,7 @@ class RecordingTest {
     void holdsWhatTheSensorsTold() {
         assertThat(told).hasSizeGreaterThan(150);
         for (Observation o : told) {
-            Reading reading =
+            PairReading reading =
                     run.reading(o.sensor(), o.drone(), o.arrival() + 1e-9).orElseThrow();
             assertThat(reading.value()).isCloseTo(o.value(), within(1e-4));
             assertThat(reading.range()).isCloseTo(o.range(), within(1e-4));
@@ -64,12 +65,11 @@ class RecordingTest {
         Readings readings = new Readings();
         int all = 5 * Readings.MOST;
         for (int i = 0; i < all; i++) {
-            readings.add(new Observation(
-                    new LookId("s", "camera", i, i), "d", 100.0, new org.dronewatch.sensor.Reading(i, 12.0, "px")));
+            readings.add(new Observation(new LookId("s", "camera", i, i), "d", 100.0, new Reading(i, 12.0, "px")));
         }
         assertThat(readings.count()).isBetween(Readings.MOST / 2, Readings.MOST);
         for (int i = 0; i < all; i += 9973) {
-            Reading reading = readings.at(i).orElseThrow();
+            PairReading reading = readings.at(i).orElseThrow();
             assertThat(reading.time()).isLessThanOrEqualTo(i).isGreaterThan(i - 16.0);
         }
         assertThat(readings.at(-1.0)).isEmpty();

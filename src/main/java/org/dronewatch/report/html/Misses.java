@@ -66,9 +66,9 @@ final class Misses {
     }
 
     private String why(String sensor, List<String> members) {
-        Optional<Look> best = members.stream()
+        Optional<BestLook> best = members.stream()
                 .flatMap(drone -> looks.best(sensor, drone).stream())
-                .max(Comparator.comparingDouble(Look::margin));
+                .max(Comparator.comparingDouble(BestLook::margin));
         return reasons.of(sensor, some(members), best);
     }
 

@@ -59,7 +59,7 @@ final class Reasons {
      * @param drones that the sensor did not detect, at least one
      * @param best the best look at any of them
      */
-    String of(String sensor, List<String> drones, Optional<Look> best) {
+    String of(String sensor, List<String> drones, Optional<BestLook> best) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
         Shares shares = shares(sensor, drones, weakness(missing, best), 0.0);
         boolean measured = shares.weak() > 0 && best.filter(Reasons::isReading).isPresent();
@@ -144,11 +144,11 @@ final class Reasons {
         return named;
     }
 
-    private static boolean isReading(Look look) {
+    private static boolean isReading(BestLook look) {
         return Double.isFinite(look.value()) && look.value() != 0.0;
     }
 
-    private static String weakness(SensorSettings<?> sensor, Optional<Look> best) {
+    private static String weakness(SensorSettings<?> sensor, Optional<BestLook> best) {
         return sensor.description().weakness()
                 + best.filter(Reasons::isReading)
                         .map(look -> format(
@@ -157,7 +157,7 @@ final class Reasons {
                         .orElse(" for any reading");
     }
 
-    private static String threshold(Look look) {
+    private static String threshold(BestLook look) {
         return look.unit().isEmpty()
                 ? ReadableNumbers.measured(look.threshold(), "")
                 : ReadableNumbers.number(look.threshold());

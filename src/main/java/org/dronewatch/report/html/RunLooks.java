@@ -14,7 +14,7 @@ public final class RunLooks {
     /** Intervals of a run in which positioners' last pointings are kept: ten for each moment that {@link Reasons} looks at. */
     private static final int INTERVALS = 10 * Reasons.MOMENTS;
 
-    private final Map<List<String>, Look> best = new HashMap<>();
+    private final Map<List<String>, BestLook> best = new HashMap<>();
     private final Map<List<String>, long[]> counts = new HashMap<>();
     private final Pointings pointings;
     private final Stage stage;
@@ -34,7 +34,7 @@ public final class RunLooks {
         pointings.add(frame);
         for (Observation o : frame.ofDrones()) {
             List<String> pair = List.of(o.sensor(), o.drone());
-            Look look = new Look(o.arrival(), o.range(), o.value(), o.threshold(), o.unit());
+            BestLook look = new BestLook(o.arrival(), o.range(), o.value(), o.threshold(), o.unit());
             best.merge(pair, look, (old, now) -> now.margin() > old.margin() ? now : old);
             long[] count = counts.computeIfAbsent(pair, key -> new long[2]);
             count[0]++;
@@ -53,7 +53,7 @@ public final class RunLooks {
     }
 
     /** The best look of a sensor at a drone. */
-    Optional<Look> best(String sensor, String drone) {
+    Optional<BestLook> best(String sensor, String drone) {
         return Optional.ofNullable(best.get(List.of(sensor, drone)));
     }
 

@@ -485,7 +485,7 @@ class HtmlReportTest {
                         "covered", CameraSettings.at(new Position(0, -0.5, 0.5)).withLookAt(new Position(0, 25, 14)))
                 .withSensor("short", radar.withRanges(0.1, 3.0));
         Reasons reasons = new Reasons(more, yard.stage(), new Pointings(), 8.0);
-        Optional<Look> weak = Optional.of(new Look(1, 30, 7, 12, "px"));
+        Optional<BestLook> weak = Optional.of(new BestLook(1, 30, 7, 12, "px"));
 
         assertThat(reasons.of("away", QUADROTOR, weak))
                 .isEqualTo("always out of its field of view; the closest approach was 5 m");
@@ -493,14 +493,14 @@ class HtmlReportTest {
         assertThat(reasons.of("short", QUADROTOR, weak)).isEqualTo("always out of range; the closest approach was 5 m");
         assertThat(reasons.of("camera", QUADROTOR, weak))
                 .contains("too small or too faint: at best 7 px (needs 12), 30 m away");
-        assertThat(reasons.of("microphone", QUADROTOR, Optional.of(new Look(1, 30, 41.26, 45, "dB"))))
+        assertThat(reasons.of("microphone", QUADROTOR, Optional.of(new BestLook(1, 30, 41.26, 45, "dB"))))
                 .as("behind the wall it would be heard if the wall were not there")
                 .isEqualTo("66 % of the time hidden by yard.obj (brick); 34 % of the time too quiet: at best 41.3 dB"
                         + " (needs 45), 30 m away");
         assertThat(reasons.of(
-                        "microphone", QUADROTOR, Optional.of(new Look(1, 30, Double.NEGATIVE_INFINITY, 45, "dB"))))
+                        "microphone", QUADROTOR, Optional.of(new BestLook(1, 30, Double.NEGATIVE_INFINITY, 45, "dB"))))
                 .contains("34 % of the time too quiet for any reading; the closest approach was");
-        assertThat(reasons.of("camera", QUADROTOR, Optional.of(new Look(1, 30, 0.031, 0.5, ""))))
+        assertThat(reasons.of("camera", QUADROTOR, Optional.of(new BestLook(1, 30, 0.031, 0.5, ""))))
                 .contains("at best 3.1 % (needs 50 %), 30 m away");
     }
 }

@@ -9,7 +9,7 @@ package org.dronewatch.viewer;
  * @param unit of both
  * @param range distance to the drone, m
  */
-record Reading(double time, double value, double threshold, String unit, double range) {
+record PairReading(double time, double value, double threshold, String unit, double range) {
     /** Whether the value reaches the threshold. */
     boolean isEnough() {
         return value >= threshold;

@@ -9,7 +9,7 @@ package org.dronewatch.report.html;
  * @param threshold what it had to reach
  * @param unit of both
  */
-record Look(double time, double range, double value, double threshold, String unit) {
+record BestLook(double time, double range, double value, double threshold, String unit) {
     /** How far above the threshold. */
     double margin() {
         return value - threshold;
