@@ -1,7 +1,6 @@
 package org.dronewatch.drone;
 
 import java.nio.file.Path;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -111,17 +110,17 @@ public record DroneSettings(
 
     /** These settings with another mesh. */
     public DroneSettings withModel(ModelSettings other) {
-        return with("model", other);
+        return SettingsForm.with(this, "model", other);
     }
 
     /** These settings with another flight. */
     public DroneSettings withFlight(FlightPathSettings other) {
-        return with("flight", other);
+        return SettingsForm.with(this, "flight", other);
     }
 
     /** These settings with another cruise speed, m/s. */
     public DroneSettings withSpeed(double metresPerSecond) {
-        return with("speed", metresPerSecond);
+        return SettingsForm.with(this, "speed", metresPerSecond);
     }
 
     /** These settings with another radar cross-section, m2. */
@@ -131,50 +130,42 @@ public record DroneSettings(
 
     /** These settings with another radar signature. */
     public DroneSettings withRadar(RadarSignature other) {
-        return with("radar", other);
+        return SettingsForm.with(this, "radar", other);
     }
 
     /** These settings with another thermal signature. */
     public DroneSettings withHeat(HeatSignature other) {
-        return with("heat", other);
+        return SettingsForm.with(this, "heat", other);
     }
 
     /** These settings controlled in another way. */
     public DroneSettings withRadio(RadioLink other) {
-        return with("radio", other);
+        return SettingsForm.with(this, "radio", other);
     }
 
     /** These settings with another level for the level model, dB. */
     public DroneSettings withSoundLevel(double level) {
-        return with("soundLevel", level);
+        return SettingsForm.with(this, "soundLevel", level);
     }
 
     /** These settings with the sound of another kind of drone, spectrum and loudness. */
     public DroneSettings withSound(DroneSound other) {
-        return with(Map.of("soundPowerLevel", other.level(), "sound", other.name()));
+        return SettingsForm.with(this, Map.of("soundPowerLevel", other.level(), "sound", other.name()));
     }
 
     /** These settings with another directivity. */
     public DroneSettings withDirectivity(Directivity other) {
-        return with("directivity", other);
+        return SettingsForm.with(this, "directivity", other);
     }
 
     /** These settings as a swarm. */
     public DroneSettings withSwarm(Swarm other) {
-        return with("swarm", Optional.of(Check.present("swarm", other)));
+        return SettingsForm.with(this, "swarm", Optional.of(Check.present("swarm", other)));
     }
 
     /** These settings with another label. */
     public DroneSettings withLabel(ThreatLabel other) {
-        return with("label", other);
-    }
-
-    private DroneSettings with(String part, Object value) {
-        return with(Collections.singletonMap(part, value));
-    }
-
-    private DroneSettings with(Map<String, Object> parts) {
-        return (DroneSettings) SettingsForm.of(DroneSettings.class).with(this, parts);
+        return SettingsForm.with(this, "label", other);
     }
 
     /** What flies: this drone, or the individual drones of its swarm, the leader first. */
@@ -182,7 +173,7 @@ public record DroneSettings(
         if (swarm.isEmpty()) {
             return List.of(this);
         }
-        DroneSettings alone = with("swarm", Optional.empty());
+        DroneSettings alone = SettingsForm.with(this, "swarm", Optional.empty());
         return swarm.get().offsets().stream()
                 .map(offset -> alone.withFlight(new Displaced(flight, offset)))
                 .toList();
@@ -200,7 +191,7 @@ public record DroneSettings(
 
     /** These settings quieter or louder with the motors off, dB below the sound of the motors. */
     public DroneSettings withGlideReduction(double decibels) {
-        return with("glideReduction", decibels);
+        return SettingsForm.with(this, "glideReduction", decibels);
     }
 
     /**

@@ -4,6 +4,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * A drone's thermal signature.
@@ -26,7 +27,7 @@ public record HeatSignature(
 
     /** This signature, warmer or colder, K. */
     public HeatSignature withExcess(double kelvins) {
-        return new HeatSignature(kelvins, coolingTime);
+        return SettingsForm.with(this, "excess", kelvins);
     }
 
     /**

@@ -5,6 +5,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * A drone's radar signature.
@@ -50,17 +51,17 @@ public record RadarSignature(
 
     /** This signature with another mean cross-section, m2. */
     public RadarSignature withCrossSection(double area) {
-        return new RadarSignature(area, fluctuation, aspects);
+        return SettingsForm.with(this, "crossSection", area);
     }
 
     /** This signature with another fluctuation. */
     public RadarSignature withFluctuation(Fluctuation other) {
-        return new RadarSignature(crossSection, other, aspects);
+        return SettingsForm.with(this, "fluctuation", other);
     }
 
     /** This signature with other gains by aspect, dB. */
     public RadarSignature withAspects(List<Double> gains) {
-        return new RadarSignature(crossSection, fluctuation, gains);
+        return SettingsForm.with(this, "aspects", gains);
     }
 
     /**

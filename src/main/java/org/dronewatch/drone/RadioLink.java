@@ -6,6 +6,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * How a drone is controlled, and which radio signals can be received. One that flies autonomously, or on a fibre,
@@ -44,22 +45,22 @@ public record RadioLink(
 
     /** This link with another kind of control. */
     public RadioLink withControl(Control other) {
-        return new RadioLink(other, frequency, power, pilot, pilotPower);
+        return SettingsForm.with(this, "control", other);
     }
 
     /** This link with another carrier, Hz. */
     public RadioLink withFrequency(double hertz) {
-        return new RadioLink(control, hertz, power, pilot, pilotPower);
+        return SettingsForm.with(this, "frequency", hertz);
     }
 
     /** This link with another power of the drone, dBm. */
     public RadioLink withPower(double dbm) {
-        return new RadioLink(control, frequency, dbm, pilot, pilotPower);
+        return SettingsForm.with(this, "power", dbm);
     }
 
     /** This link with a pilot at a position, m. */
     public RadioLink withPilot(Position place) {
-        return new RadioLink(control, frequency, power, Optional.of(place), pilotPower);
+        return SettingsForm.with(this, "pilot", Optional.of(place));
     }
 
     /** Whether it transmits anything that can be received. */

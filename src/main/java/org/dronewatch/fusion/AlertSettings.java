@@ -1,10 +1,12 @@
 package org.dronewatch.fusion;
 
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * When an alert is raised, what has to be protected, and how much time the response needs.
@@ -36,16 +38,16 @@ public record AlertSettings(
 
     /** These settings with another rule. */
     public AlertSettings withRule(AlertRule other) {
-        return new AlertSettings(other, confirm, protect, response);
+        return SettingsForm.with(this, "rule", other);
     }
 
     /** These settings with a number of detections required out of a number of looks of a sensor. */
     public AlertSettings withConfirmation(int hits, int looks) {
-        return new AlertSettings(rule, new Confirmation(hits, looks), protect, response);
+        return SettingsForm.with(this, "confirm", new Confirmation(hits, looks));
     }
 
     /** These settings with a protected zone and the time that the response to an alert takes, s. */
     public AlertSettings withProtectedZone(ProtectedZone zone, double seconds) {
-        return new AlertSettings(rule, confirm, Optional.of(zone), seconds);
+        return SettingsForm.with(this, Map.of("protect", Optional.of(zone), "response", seconds));
     }
 }

@@ -5,6 +5,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * Where on earth the scene's origin lies (WGS 84), so that results can be shown on a map.
@@ -30,6 +31,6 @@ public record Origin(
 
     /** This origin at a known height above sea level, m. */
     public Origin withHeight(double metres) {
-        return new Origin(latitude, longitude, Optional.of(metres));
+        return SettingsForm.with(this, "height", Optional.of(metres));
     }
 }

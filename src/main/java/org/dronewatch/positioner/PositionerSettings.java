@@ -2,6 +2,7 @@ package org.dronewatch.positioner;
 
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
@@ -10,6 +11,7 @@ import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * A motorised mount with unlimited pan and limited tilt. It searches until a sensor that cues it reports where a drone
@@ -107,24 +109,21 @@ public record PositionerSettings(
 
     /** These settings, cued by some sensors. */
     public PositionerSettings withCues(String... sensors) {
-        return new PositionerSettings(
-                List.of(sensors), panSpeed, tiltSpeed, minTilt, maxTilt, delay, hold, lockPixels, search, zoom);
+        return SettingsForm.with(this, "cues", List.of(sensors));
     }
 
     /** These settings with other pan and tilt rates, rad/s. */
     public PositionerSettings withSpeed(double pan, double tilt) {
-        return new PositionerSettings(cues, pan, tilt, minTilt, maxTilt, delay, hold, lockPixels, search, zoom);
+        return SettingsForm.with(this, Map.of("panSpeed", pan, "tiltSpeed", tilt));
     }
 
     /** These settings with another search pattern. */
     public PositionerSettings withSearch(SearchPattern pattern) {
-        return new PositionerSettings(
-                cues, panSpeed, tiltSpeed, minTilt, maxTilt, delay, hold, lockPixels, pattern, zoom);
+        return SettingsForm.with(this, "search", pattern);
     }
 
     /** These settings with a lens that zooms. */
     public PositionerSettings withZoom(ZoomSettings lens) {
-        return new PositionerSettings(
-                cues, panSpeed, tiltSpeed, minTilt, maxTilt, delay, hold, lockPixels, search, Optional.of(lens));
+        return SettingsForm.with(this, "zoom", Optional.of(lens));
     }
 }

@@ -1,5 +1,7 @@
 package org.dronewatch.render;
 
+import org.dronewatch.setting.SettingsForm;
+
 /**
  * What of a site's state is drawn, and how large.
  *
@@ -15,26 +17,26 @@ public record SiteStyle(double scale, boolean labels, boolean outlines, boolean 
 
     /** This style on a screen of another density. */
     public SiteStyle withScale(double density) {
-        return new SiteStyle(density, labels, outlines, flights, filter);
+        return SettingsForm.with(this, "scale", density);
     }
 
     /** This style with or without names. */
     public SiteStyle withLabels(boolean shown) {
-        return new SiteStyle(scale, shown, outlines, flights, filter);
+        return SettingsForm.with(this, "labels", shown);
     }
 
     /** This style with or without what sensors look into. */
     public SiteStyle withOutlines(boolean shown) {
-        return new SiteStyle(scale, labels, shown, flights, filter);
+        return SettingsForm.with(this, "outlines", shown);
     }
 
     /** This style with or without the ways of drones. */
     public SiteStyle withFlights(boolean shown) {
-        return new SiteStyle(scale, labels, outlines, shown, filter);
+        return SettingsForm.with(this, "flights", shown);
     }
 
     /** This style with other rays of sound. */
     public SiteStyle withFilter(RayFilter other) {
-        return new SiteStyle(scale, labels, outlines, flights, other);
+        return SettingsForm.with(this, "filter", other);
     }
 }

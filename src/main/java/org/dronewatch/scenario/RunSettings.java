@@ -4,6 +4,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * The duration of a scene's run and the seed of its random numbers.
@@ -23,11 +24,11 @@ public record RunSettings(@In(value = Quantity.DURATION, above = 0, to = 1e6) do
 
     /** These settings with another duration, s. */
     public RunSettings withDuration(double seconds) {
-        return new RunSettings(seconds, seed);
+        return SettingsForm.with(this, "duration", seconds);
     }
 
     /** These settings with another seed. */
     public RunSettings withSeed(long number) {
-        return new RunSettings(duration, number);
+        return SettingsForm.with(this, "seed", number);
     }
 }

@@ -16,6 +16,7 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Spelling;
 import org.dronewatch.setting.Switchable;
 import org.dronewatch.world.WorldSettings;
@@ -182,14 +183,14 @@ public record SceneSettings(
         } else {
             off.add(sensor);
         }
-        return new SceneSettings(world, drones, sensors, off, alert, prices, run, sweep);
+        return SettingsForm.with(this, "disabled", off);
     }
 
     /** These settings with the sensor of this id replaced. */
     public SceneSettings withSensor(String id, SensorSettings<?> sensor) {
         Map<String, SensorSettings<?>> others = new LinkedHashMap<>(sensors);
         others.put(id, sensor);
-        return new SceneSettings(world, drones, others, disabled, alert, prices, run, sweep);
+        return SettingsForm.with(this, "sensors", others);
     }
 
     /**

@@ -8,6 +8,7 @@ import java.lang.reflect.Member;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.lang.reflect.RecordComponent;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -167,7 +168,7 @@ public final class SettingsForm {
             return construct(
                     parts.stream().map(part -> values.get(part.getName())).toArray());
         }
-        return with(byDefault(values), values);
+        return changed(byDefault(values), values);
     }
 
     /** The record with everything by default but what is required. */
@@ -186,12 +187,35 @@ public final class SettingsForm {
     }
 
     /**
-     * A record with some parts changed.
+     * A copy of a record with one part changed: the body of every {@code withX} of settings.
      *
-     * @param values by name of the part
-     * @throws IllegalArgumentException when a limit does not hold
+     * @param part name of a component
+     * @throws IllegalArgumentException when a limit does not hold, or the record has no such component
      */
-    public Record with(Record settings, Map<String, Object> values) {
+    public static <R extends Record> R with(R settings, String part, Object value) {
+        return with(settings, Collections.singletonMap(part, value));
+    }
+
+    /**
+     * A copy of a record with several parts changed at once, so that a limit between them need not hold in between.
+     *
+     * @param values by name of the component
+     * @throws IllegalArgumentException when a limit does not hold, or the record has no such component
+     */
+    @SuppressWarnings("unchecked")
+    public static <R extends Record> R with(R settings, Map<String, ?> values) {
+        SettingsForm form = of(settings.getClass());
+        values.keySet().forEach(form::checkPart);
+        return (R) form.changed(settings, values);
+    }
+
+    private void checkPart(String name) {
+        if (parts.stream().noneMatch(part -> part.getName().equals(name))) {
+            throw new IllegalArgumentException(type.getName() + " has no component " + name);
+        }
+    }
+
+    private Record changed(Record settings, Map<String, ?> values) {
         return construct(parts.stream()
                 .map(part -> values.containsKey(part.getName()) ? values.get(part.getName()) : get(settings, part))
                 .toArray());

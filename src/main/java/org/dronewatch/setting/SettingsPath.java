@@ -113,7 +113,7 @@ public final class SettingsPath {
             value = replaced(tree, SettingsForm.get(settings, part), depth + 1, text);
         }
         try {
-            return SettingsForm.of(settings.getClass()).with(settings, Map.of(part.getName(), value));
+            return SettingsForm.with(settings, part.getName(), value);
         } catch (IllegalArgumentException e) {
             throw new InputException(path + "=" + PlainText.value(text) + ": " + e.getMessage(), e);
         }

@@ -48,7 +48,7 @@ final class Switches {
         } else {
             names.add(name);
         }
-        return SettingsForm.of(settings.getClass()).with(settings, Map.of(namesOfThoseOff.getName(), names));
+        return SettingsForm.with(settings, namesOfThoseOff.getName(), names);
     }
 
     private Set<?> namesOf(Record settings) {

@@ -4,6 +4,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * Air at rest, the same everywhere.
@@ -35,17 +36,17 @@ public record Atmosphere(
 
     /** This air at another temperature, K. */
     public Atmosphere withTemperature(double kelvin) {
-        return new Atmosphere(kelvin, humidity, pressure);
+        return SettingsForm.with(this, "temperature", kelvin);
     }
 
     /** This air with another relative humidity, 0 to 1. */
     public Atmosphere withHumidity(double share) {
-        return new Atmosphere(temperature, share, pressure);
+        return SettingsForm.with(this, "humidity", share);
     }
 
     /** This air under another pressure, Pa. */
     public Atmosphere withPressure(double pascal) {
-        return new Atmosphere(temperature, humidity, pascal);
+        return SettingsForm.with(this, "pressure", pascal);
     }
 
     /** Speed of sound, m/s: ISO 9613-1, equation (A.5). */

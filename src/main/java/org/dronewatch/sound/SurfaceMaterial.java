@@ -2,9 +2,11 @@ package org.dronewatch.sound;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * What a surface does to sound, by octave band. Of what arrives, {@code 1 - absorption} is reflected; what is not
@@ -97,8 +99,8 @@ public record SurfaceMaterial(
 
     /** This surface as a wall through which sound passes with a loss that is the same in all bands, dB. */
     public SurfaceMaterial withTransmissionLoss(double loss, Wall kind) {
-        return new SurfaceMaterial(
-                name, absorption, scattering, Collections.nCopies(OctaveBands.COUNT, loss), kind, speed, source);
+        return SettingsForm.with(
+                this, Map.of("transmissionLoss", Collections.nCopies(OctaveBands.COUNT, loss), "wall", kind));
     }
 
     /** A surface with the same absorption and scattering in all bands, opaque. */

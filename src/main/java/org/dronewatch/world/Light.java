@@ -6,6 +6,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * Visibility and daylight; they matter to cameras that decide by contrast.
@@ -37,22 +38,22 @@ public record Light(
 
     /** This light with another visibility, m. */
     public Light withVisibility(double metres) {
-        return new Light(metres, contrastAtVisibility, illuminance, sun);
+        return SettingsForm.with(this, "visibility", metres);
     }
 
     /** This light with what is left of a black object's contrast at the visibility, 0.02 or 0.05. */
     public Light withContrastAtVisibility(double share) {
-        return new Light(visibility, share, illuminance, sun);
+        return SettingsForm.with(this, "contrastAtVisibility", share);
     }
 
     /** This light, brighter or darker, lx. */
     public Light withIlluminance(double lux) {
-        return new Light(visibility, contrastAtVisibility, lux, sun);
+        return SettingsForm.with(this, "illuminance", lux);
     }
 
     /** This light with the sun in the sky. */
     public Light withSun(Sun shining) {
-        return new Light(visibility, contrastAtVisibility, illuminance, Optional.of(shining));
+        return SettingsForm.with(this, "sun", Optional.of(shining));
     }
 
     /**

@@ -2,6 +2,7 @@ package org.dronewatch.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.mesh.io.ModelSettings;
@@ -9,6 +10,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.BandLevels;
@@ -75,17 +77,17 @@ public record WorldSettings(
     public WorldSettings withModel(ModelSettings model) {
         List<ModelSettings> more = new ArrayList<>(models);
         more.add(model);
-        return new WorldSettings(more, backgroundNoise, noiseShape, surfaces, atmosphere, rain, light, origin);
+        return SettingsForm.with(this, "models", more);
     }
 
     /** These settings with another level of the background, A-weighted, dB re 20 uPa. */
     public WorldSettings withBackgroundNoise(double level) {
-        return new WorldSettings(models, level, noiseShape, surfaces, atmosphere, rain, light, origin);
+        return SettingsForm.with(this, "backgroundNoise", level);
     }
 
     /** These settings with another background. */
     public WorldSettings withBackgroundNoise(BackgroundNoise noise) {
-        return new WorldSettings(models, noise.level(), noise.shape(), surfaces, atmosphere, rain, light, origin);
+        return SettingsForm.with(this, Map.of("backgroundNoise", noise.level(), "noiseShape", noise.shape()));
     }
 
     /** The background. */
@@ -95,28 +97,26 @@ public record WorldSettings(
 
     /** These settings with other surfaces. */
     public WorldSettings withSurfaces(SurfaceSettings other) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, other, atmosphere, rain, light, origin);
+        return SettingsForm.with(this, "surfaces", other);
     }
 
     /** These settings with other air. */
     public WorldSettings withAtmosphere(Atmosphere air) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, air, rain, light, origin);
+        return SettingsForm.with(this, "atmosphere", air);
     }
 
     /** These settings somewhere on earth. */
     public WorldSettings withOrigin(Origin place) {
-        return new WorldSettings(
-                models, backgroundNoise, noiseShape, surfaces, atmosphere, rain, light, Optional.of(place));
+        return SettingsForm.with(this, "origin", Optional.of(place));
     }
 
     /** These settings with rain, mm/h. */
     public WorldSettings withRain(double millimetresPerHour) {
-        return new WorldSettings(
-                models, backgroundNoise, noiseShape, surfaces, atmosphere, millimetresPerHour, light, origin);
+        return SettingsForm.with(this, "rain", millimetresPerHour);
     }
 
     /** These settings by another light. */
     public WorldSettings withLight(Light other) {
-        return new WorldSettings(models, backgroundNoise, noiseShape, surfaces, atmosphere, rain, other, origin);
+        return SettingsForm.with(this, "light", other);
     }
 }

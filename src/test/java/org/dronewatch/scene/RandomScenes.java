@@ -273,8 +273,7 @@ public final class RandomScenes {
     /** Makes the same scene last otherwise. */
     private static final class SceneSettingsDuration {
         static SceneSettings of(SceneSettings scene, double seconds) {
-            return (SceneSettings) SettingsForm.of(SceneSettings.class)
-                    .with(scene, Map.of("run", scene.run().withDuration(seconds)));
+            return SettingsForm.with(scene, "run", scene.run().withDuration(seconds));
         }
     }
 }

@@ -6,6 +6,7 @@ import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * Which model file to load and how to place it. The model is first turned upright, then scaled, then turned to its
@@ -56,27 +57,27 @@ public record ModelSettings(
 
     /** These settings with another axis up. */
     public ModelSettings withUpAxis(UpAxis axis) {
-        return new ModelSettings(file, axis, scale, position, heading, role);
+        return SettingsForm.with(this, "upAxis", axis);
     }
 
     /** These settings with another scale, metres for each unit of the file. */
     public ModelSettings withScale(double factor) {
-        return new ModelSettings(file, upAxis, factor, position, heading, role);
+        return SettingsForm.with(this, "scale", factor);
     }
 
     /** These settings with another place, m. */
     public ModelSettings withPosition(Position place) {
-        return new ModelSettings(file, upAxis, scale, place, heading, role);
+        return SettingsForm.with(this, "position", place);
     }
 
     /** These settings with another heading, rad clockwise from above. */
     public ModelSettings withHeading(double angle) {
-        return new ModelSettings(file, upAxis, scale, position, angle, role);
+        return SettingsForm.with(this, "heading", angle);
     }
 
     /** These settings as another part of the site. */
     public ModelSettings withRole(ModelRole other) {
-        return new ModelSettings(file, upAxis, scale, position, heading, other);
+        return SettingsForm.with(this, "role", other);
     }
 
     /** The file's name as results show it: without {@value #PACKAGED}. */

@@ -15,6 +15,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.World;
 
 /**
@@ -53,32 +54,32 @@ public record AcousticSettings(
 
     @Override
     public AcousticSettings withPosition(Position other) {
-        return new AcousticSettings(other, radius, rate, threshold, arrayGain, propagation);
+        return SettingsForm.with(this, "position", other);
     }
 
     /** These settings with another radius, m. */
     public AcousticSettings withRadius(double metres) {
-        return new AcousticSettings(position, metres, rate, threshold, arrayGain, propagation);
+        return SettingsForm.with(this, "radius", metres);
     }
 
     /** These settings with another number of looks a second, Hz. */
     public AcousticSettings withRate(double looksPerSecond) {
-        return new AcousticSettings(position, radius, looksPerSecond, threshold, arrayGain, propagation);
+        return SettingsForm.with(this, "rate", looksPerSecond);
     }
 
     /** These settings with another threshold above the background, dB. */
     public AcousticSettings withThreshold(double decibels) {
-        return new AcousticSettings(position, radius, rate, decibels, arrayGain, propagation);
+        return SettingsForm.with(this, "threshold", decibels);
     }
 
     /** These settings with another gain of the array, dB. */
     public AcousticSettings withArrayGain(double decibels) {
-        return new AcousticSettings(position, radius, rate, threshold, decibels, propagation);
+        return SettingsForm.with(this, "arrayGain", decibels);
     }
 
     /** These settings with another propagation. */
     public AcousticSettings withPropagation(Propagation model) {
-        return new AcousticSettings(position, radius, rate, threshold, arrayGain, model);
+        return SettingsForm.with(this, "propagation", model);
     }
 
     /** The level from which on a sound is detected over a background: dB re 20 uPa. */

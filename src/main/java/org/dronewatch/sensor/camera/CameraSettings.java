@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.camera;
 
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
@@ -12,6 +13,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.Light;
 
 /**
@@ -69,7 +71,7 @@ public record CameraSettings(
 
     @Override
     public CameraSettings withPosition(Position other) {
-        return new CameraSettings(other, aim, width, height, fov, fovAxis, rate, detection, positioner);
+        return SettingsForm.with(this, "position", other);
     }
 
     /** These settings looking at another point, m. */
@@ -79,53 +81,42 @@ public record CameraSettings(
 
     @Override
     public CameraSettings withAim(Aim other) {
-        return new CameraSettings(position, other, width, height, fov, fovAxis, rate, detection, positioner);
+        return SettingsForm.with(this, "aim", other);
     }
 
     /** These settings with another picture size in pixels. */
     public CameraSettings withResolution(int pixelsWide, int pixelsHigh) {
-        return new CameraSettings(position, aim, pixelsWide, pixelsHigh, fov, fovAxis, rate, detection, positioner);
+        return SettingsForm.with(this, Map.of("width", pixelsWide, "height", pixelsHigh));
     }
 
     /** These settings with another vertical field of view, rad. */
     public CameraSettings withVerticalFov(double angle) {
-        return new CameraSettings(
-                position, aim, width, height, angle, FieldOfView.VERTICAL, rate, detection, positioner);
+        return SettingsForm.with(this, Map.of("fov", angle, "fovAxis", FieldOfView.VERTICAL));
     }
 
     /** These settings with another horizontal field of view, rad. */
     public CameraSettings withHorizontalFov(double angle) {
-        return new CameraSettings(
-                position, aim, width, height, angle, FieldOfView.HORIZONTAL, rate, detection, positioner);
+        return SettingsForm.with(this, Map.of("fov", angle, "fovAxis", FieldOfView.HORIZONTAL));
     }
 
     /** These settings with another frame rate, Hz. */
     public CameraSettings withRate(double framesPerSecond) {
-        return new CameraSettings(position, aim, width, height, fov, fovAxis, framesPerSecond, detection, positioner);
+        return SettingsForm.with(this, "rate", framesPerSecond);
     }
 
     /** These settings with another detection function. */
     public CameraSettings withDetection(DetectionFunction function) {
-        return new CameraSettings(position, aim, width, height, fov, fovAxis, rate, function, positioner);
+        return SettingsForm.with(this, "detection", function);
     }
 
     /** These settings on a positioner. */
     public CameraSettings withPositioner(PositionerSettings mount) {
-        return new CameraSettings(position, aim, width, height, fov, fovAxis, rate, detection, Optional.of(mount));
+        return SettingsForm.with(this, "positioner", Optional.of(mount));
     }
 
     @Override
     public CameraSettings pointed(Pointing pointing) {
-        return new CameraSettings(
-                position,
-                Aim.Direction.of(pointing.direction()),
-                width,
-                height,
-                pointing.fov(),
-                fovAxis,
-                rate,
-                detection,
-                Optional.empty());
+        return PictureSensorSettings.pointed(this, pointing);
     }
 
     @Override

@@ -10,6 +10,7 @@ import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * How likely it is that a person, or a program as good as one, can do something with a drone's picture: notice it,
@@ -72,60 +73,27 @@ public record TargetTask(
 
     /** These settings for another task. */
     public TargetTask withTask(Discrimination other) {
-        return new TargetTask(
-                other,
-                probability,
-                byChance,
-                contrast,
-                contrastThreshold,
-                shotNoiseIlluminance,
-                exposure,
-                sunExclusionAngle);
+        return SettingsForm.with(this, "task", other);
     }
 
     /** These settings with another probability at which the task counts as done. */
     public TargetTask withProbability(double least) {
-        return new TargetTask(
-                task, least, byChance, contrast, contrastThreshold, shotNoiseIlluminance, exposure, sunExclusionAngle);
+        return SettingsForm.with(this, "probability", least);
     }
 
     /** These settings, deciding by chance or not. */
     public TargetTask withChance(boolean drawn) {
-        return new TargetTask(
-                task,
-                probability,
-                drawn,
-                contrast,
-                contrastThreshold,
-                shotNoiseIlluminance,
-                exposure,
-                sunExclusionAngle);
+        return SettingsForm.with(this, "byChance", drawn);
     }
 
     /** These settings for a drone with another contrast. */
     public TargetTask withContrast(double ofDrone) {
-        return new TargetTask(
-                task,
-                probability,
-                byChance,
-                ofDrone,
-                contrastThreshold,
-                shotNoiseIlluminance,
-                exposure,
-                sunExclusionAngle);
+        return SettingsForm.with(this, "contrast", ofDrone);
     }
 
     /** These settings with another exposure time, s. */
     public TargetTask withExposure(double seconds) {
-        return new TargetTask(
-                task,
-                probability,
-                byChance,
-                contrast,
-                contrastThreshold,
-                shotNoiseIlluminance,
-                seconds,
-                sunExclusionAngle);
+        return SettingsForm.with(this, "exposure", seconds);
     }
 
     /** The line pairs resolved across a drone. */

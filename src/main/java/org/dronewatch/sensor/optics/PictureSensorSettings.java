@@ -1,11 +1,15 @@
 package org.dronewatch.sensor.optics;
 
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Positioner;
 import org.dronewatch.positioner.PositionerSettings;
+import org.dronewatch.positioner.Sighting;
+import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Outline;
@@ -14,6 +18,7 @@ import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * Settings of a sensor that takes pictures: its field of view is a frustum, a picture gives directions, and a positioner
@@ -39,6 +44,26 @@ public interface PictureSensorSettings<S extends Sensor>
     @Override
     default Optional<Pointing> turnedTo(Position target) {
         return positioner().map(mount -> mount.turnedTo(position(), target, fov()));
+    }
+
+    /** How many pixels of a drone let its positioner follow it although it is not detected; infinite on a fixed mount. */
+    default double lockPixels() {
+        return positioner().map(PositionerSettings::lockPixels).orElse(Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * Where a picture shows a drone: the direction, to a pixel or better, but no range.
+     *
+     * @param drone its position, m
+     */
+    default Sighting sighting(Position drone) {
+        return new Sighting(position(), Direction.of(drone.minus(position())), OptionalDouble.empty());
+    }
+
+    /** The settings of a camera on a fixed mount that points as a positioner does now. */
+    static <R extends Record> R pointed(R camera, Pointing pointing) {
+        Aim aim = Aim.Direction.of(pointing.direction());
+        return SettingsForm.with(camera, Map.of("aim", aim, "fov", pointing.fov(), "positioner", Optional.empty()));
     }
 
     /** The most pixels of a picture: 8192 x 8192. */

@@ -109,56 +109,52 @@ public record RadarSettings(
 
     @Override
     public RadarSettings withPosition(Position other) {
-        return with(Map.of("position", other));
+        return SettingsForm.with(this, "position", other);
     }
 
     @Override
     public RadarSettings withAim(Aim other) {
-        return with(Map.of("aim", other));
+        return SettingsForm.with(this, "aim", other);
     }
 
     /** These settings with another field of view, rad. */
     public RadarSettings withFieldOfView(double azimuth, double elevation) {
-        return with(Map.of("azimuthWidth", azimuth, "elevationWidth", elevation));
+        return SettingsForm.with(this, Map.of("azimuthWidth", azimuth, "elevationWidth", elevation));
     }
 
     /** These settings with other ranges between which drones are looked for, m. */
     public RadarSettings withRanges(double least, double most) {
-        return with(Map.of("minRange", least, "maxRange", most));
+        return SettingsForm.with(this, Map.of("minRange", least, "maxRange", most));
     }
 
     /** These settings with other radial speeds between which drones are looked for, m/s. */
     public RadarSettings withSpeeds(double least, double most) {
-        return with(Map.of("minSpeed", least, "maxSpeed", most));
+        return SettingsForm.with(this, Map.of("minSpeed", least, "maxSpeed", most));
     }
 
     /** These settings with another number of scans a second, Hz. */
     public RadarSettings withRate(double scansPerSecond) {
-        return with(Map.of("rate", scansPerSecond));
+        return SettingsForm.with(this, "rate", scansPerSecond);
     }
 
     /** These settings with another wave: carrier, Hz, and polarisation. */
     public RadarSettings withWave(double hertz, Rain.Polarisation other) {
-        return with(Map.of("frequency", hertz, "polarisation", other));
+        return SettingsForm.with(this, Map.of("frequency", hertz, "polarisation", other));
     }
 
     /** These settings with another link budget. */
     public RadarSettings withBudget(LinkBudget other) {
-        return with(Map.of("budget", other));
+        return SettingsForm.with(this, "budget", other);
     }
 
     /** These settings with another detection function. */
     public RadarSettings withDetection(RadarDetection other) {
-        return with(Map.of("detection", other));
+        return SettingsForm.with(this, "detection", other);
     }
 
     /** These settings telling places more or less exactly. */
     public RadarSettings withAccuracy(Accuracy other) {
-        return with(Map.of("accuracy", other));
-    }
-
-    private RadarSettings with(Map<String, Object> parts) {
-        return (RadarSettings) SettingsForm.of(RadarSettings.class).with(this, parts);
+        return SettingsForm.with(this, "accuracy", other);
     }
 
     /** The space that it looks into. */

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.rf;
 
+import java.util.Map;
 import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.SensorDescription;
@@ -9,6 +10,7 @@ import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * An omnidirectional radio receiver.
@@ -68,31 +70,27 @@ public record RfSettings(
 
     @Override
     public RfSettings withPosition(Position other) {
-        return new RfSettings(
-                other, rate, minFrequency, maxFrequency, gain, bandwidth, noiseFigure, clutter, threshold);
+        return SettingsForm.with(this, "position", other);
     }
 
     /** These settings for other frequencies, Hz. */
     public RfSettings withFrequencies(double from, double to) {
-        return new RfSettings(position, rate, from, to, gain, bandwidth, noiseFigure, clutter, threshold);
+        return SettingsForm.with(this, Map.of("minFrequency", from, "maxFrequency", to));
     }
 
     /** These settings with another antenna, dBi. */
     public RfSettings withGain(double dbi) {
-        return new RfSettings(
-                position, rate, minFrequency, maxFrequency, dbi, bandwidth, noiseFigure, clutter, threshold);
+        return SettingsForm.with(this, "gain", dbi);
     }
 
     /** These settings with another loss by the surroundings, dB. */
     public RfSettings withClutter(double decibels) {
-        return new RfSettings(
-                position, rate, minFrequency, maxFrequency, gain, bandwidth, noiseFigure, decibels, threshold);
+        return SettingsForm.with(this, "clutter", decibels);
     }
 
     /** These settings with another threshold, dB. */
     public RfSettings withThreshold(double decibels) {
-        return new RfSettings(
-                position, rate, minFrequency, maxFrequency, gain, bandwidth, noiseFigure, clutter, decibels);
+        return SettingsForm.with(this, "threshold", decibels);
     }
 
     /** Whether a link emits on a frequency that it receives. */

@@ -105,12 +105,12 @@ public record ThermalSettings(
 
     @Override
     public ThermalSettings withPosition(Position other) {
-        return with(Map.of("position", other));
+        return SettingsForm.with(this, "position", other);
     }
 
     @Override
     public ThermalSettings withAim(Aim other) {
-        return with(Map.of("aim", other));
+        return SettingsForm.with(this, "aim", other);
     }
 
     /** These settings looking at a point, m. */
@@ -120,42 +120,37 @@ public record ThermalSettings(
 
     /** These settings with another horizontal field of view, rad. */
     public ThermalSettings withHorizontalFov(double angle) {
-        return with(Map.of("fov", angle, "fovAxis", FieldOfView.HORIZONTAL));
+        return SettingsForm.with(this, Map.of("fov", angle, "fovAxis", FieldOfView.HORIZONTAL));
     }
 
     /** These settings with another noise-equivalent temperature difference, K. */
     public ThermalSettings withNetd(double kelvins) {
-        return with(Map.of("netd", kelvins));
+        return SettingsForm.with(this, "netd", kelvins);
     }
 
     /** These settings with another transmittance of a kilometre of air, 1e-6 to 1. */
     public ThermalSettings withTransmission(double perKilometre) {
-        return with(Map.of("transmission", perKilometre));
+        return SettingsForm.with(this, "transmission", perKilometre);
     }
 
     /** These settings for another task. */
     public ThermalSettings withTask(Discrimination other) {
-        return with(Map.of("task", other));
+        return SettingsForm.with(this, "task", other);
     }
 
     /** These settings, deciding by chance or not. */
     public ThermalSettings withChance(boolean drawn) {
-        return with(Map.of("byChance", drawn));
+        return SettingsForm.with(this, "byChance", drawn);
     }
 
     /** These settings on a positioner. */
     public ThermalSettings withPositioner(PositionerSettings mount) {
-        return with(Map.of("positioner", Optional.of(mount)));
-    }
-
-    private ThermalSettings with(Map<String, Object> parts) {
-        return (ThermalSettings) SettingsForm.of(ThermalSettings.class).with(this, parts);
+        return SettingsForm.with(this, "positioner", Optional.of(mount));
     }
 
     @Override
     public ThermalSettings pointed(Pointing pointing) {
-        return with(Map.of(
-                "aim", Aim.Direction.of(pointing.direction()), "fov", pointing.fov(), "positioner", Optional.empty()));
+        return PictureSensorSettings.pointed(this, pointing);
     }
 
     @Override

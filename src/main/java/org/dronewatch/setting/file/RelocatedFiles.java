@@ -41,9 +41,8 @@ final class RelocatedFiles {
     }
 
     private Record record(Record settings, String path) {
-        SettingsForm form = SettingsForm.of(settings.getClass());
         Map<String, Object> changed = new LinkedHashMap<>();
-        for (RecordComponent part : form.parts()) {
+        for (RecordComponent part : SettingsForm.of(settings.getClass()).parts()) {
             Object value = SettingsForm.get(settings, part);
             String here = path.isEmpty() ? part.getName() : path + "." + part.getName();
             FileName rule = part.getAnnotation(FileName.class);
@@ -52,7 +51,7 @@ final class RelocatedFiles {
                 changed.put(part.getName(), moved);
             }
         }
-        return changed.isEmpty() ? settings : form.with(settings, changed);
+        return changed.isEmpty() ? settings : SettingsForm.with(settings, changed);
     }
 
     private Object value(Object value, String path) {

@@ -9,6 +9,7 @@ import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.World;
 
 /**
@@ -65,37 +66,37 @@ public record EnergyModel(
 
     /** This model with another number of rays. */
     public EnergyModel withRays(int number) {
-        return new EnergyModel(number, accuracy, roulette, maxOrder, imageSourceOrder, diffraction, criterion);
+        return SettingsForm.with(this, "rays", number);
     }
 
     /** This model with another standard error at which no more rays are followed, dB. */
     public EnergyModel withAccuracy(double decibels) {
-        return new EnergyModel(rays, decibels, roulette, maxOrder, imageSourceOrder, diffraction, criterion);
+        return SettingsForm.with(this, "accuracy", decibels);
     }
 
     /** This model with another share of energy below which rays go on by chance only. */
     public EnergyModel withRoulette(double share) {
-        return new EnergyModel(rays, accuracy, share, maxOrder, imageSourceOrder, diffraction, criterion);
+        return SettingsForm.with(this, "roulette", share);
     }
 
     /** This model with another number of surfaces that a ray may meet. */
     public EnergyModel withMaxOrder(int orders) {
-        return new EnergyModel(rays, accuracy, roulette, orders, imageSourceOrder, diffraction, criterion);
+        return SettingsForm.with(this, "maxOrder", orders);
     }
 
     /** This model with exact specular reflections, by image sources, up to another order. */
     public EnergyModel withImageSourceOrder(int order) {
-        return new EnergyModel(rays, accuracy, roulette, maxOrder, order, diffraction, criterion);
+        return SettingsForm.with(this, "imageSourceOrder", order);
     }
 
     /** This model with another way round edges. */
     public EnergyModel withDiffraction(Diffraction kind) {
-        return new EnergyModel(rays, accuracy, roulette, maxOrder, imageSourceOrder, kind, criterion);
+        return SettingsForm.with(this, "diffraction", kind);
     }
 
     /** This model with another criterion. */
     public EnergyModel withCriterion(Criterion kind) {
-        return new EnergyModel(rays, accuracy, roulette, maxOrder, imageSourceOrder, diffraction, kind);
+        return SettingsForm.with(this, "criterion", kind);
     }
 
     @Override

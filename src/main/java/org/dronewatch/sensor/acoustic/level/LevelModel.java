@@ -9,6 +9,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.World;
 
 /**
@@ -45,17 +46,17 @@ public record LevelModel(
 
     /** This model with so many rays from the drone and from each surface. */
     public LevelModel withRays(int initial, int perHit) {
-        return new LevelModel(initial, perHit, attenuation, maxOrder, rayBudget);
+        return SettingsForm.with(this, Map.of("initialRays", initial, "reflectionsPerHit", perHit));
     }
 
     /** This model with another loss in the air, dB/m. */
     public LevelModel withAttenuation(double loss) {
-        return new LevelModel(initialRays, reflectionsPerHit, loss, maxOrder, rayBudget);
+        return SettingsForm.with(this, "attenuation", loss);
     }
 
     /** This model with other ends: orders and pieces of rays. */
     public LevelModel withLimits(int orders, int budget) {
-        return new LevelModel(initialRays, reflectionsPerHit, attenuation, orders, budget);
+        return SettingsForm.with(this, Map.of("maxOrder", orders, "rayBudget", budget));
     }
 
     @Override
