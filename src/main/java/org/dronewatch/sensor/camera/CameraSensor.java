@@ -10,8 +10,6 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
-import org.dronewatch.positioner.PositionerSettings;
-import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Cover;
@@ -114,19 +112,13 @@ public final class CameraSensor implements AssessableSensor {
         OptionalDouble probability = settings.detection().probability(view);
         double threshold = settings.detection().threshold(look.random(drone.id(), Look.DETECTION));
         Reading reading = new Reading(signal.quantity(), threshold, signal.unit());
-        double lock = settings.positioner().map(PositionerSettings::lockPixels).orElse(Double.POSITIVE_INFINITY);
+        boolean sighted = reading.isDetected() || pixels >= settings.lockPixels();
         return new Observation(
                 look.id(settings.kind()),
                 new GroundTruth(drone.id(), view.range(), look.time()),
                 reading,
                 probability.isPresent() ? Map.of(Observation.PROBABILITY, probability.getAsDouble()) : Map.of(),
-                reading.isDetected() || pixels >= lock ? Optional.of(sighting(drone)) : Optional.empty());
-    }
-
-    /** A picture gives the direction, to a pixel or better, but no range. */
-    private Sighting sighting(Drone drone) {
-        Position way = Position.of(drone.position()).minus(settings.position());
-        return new Sighting(settings.position(), Direction.of(way), OptionalDouble.empty());
+                sighted ? Optional.of(settings.sighting(Position.of(drone.position()))) : Optional.empty());
     }
 
     private DroneView view(Drone drone, int pixels) {

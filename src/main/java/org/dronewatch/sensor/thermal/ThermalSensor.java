@@ -4,14 +4,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
-import org.dronewatch.positioner.PositionerSettings;
-import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Cover;
@@ -101,20 +97,13 @@ public final class ThermalSensor implements AssessableSensor {
         figures.put("pixels", pixels);
         figures.put("signal_to_noise", ratio);
         figures.put(Observation.PROBABILITY, probability);
-        boolean locked = pixels
-                >= settings.positioner().map(PositionerSettings::lockPixels).orElse(Double.POSITIVE_INFINITY);
-        boolean told = probability >= threshold || locked && ratio > settings.minSnr();
+        boolean sighted = probability >= threshold || pixels >= settings.lockPixels() && ratio > settings.minSnr();
         return new Observation(
                 look.id(settings.kind()),
                 new GroundTruth(drone.id(), range, look.time()),
                 new Reading(probability, threshold, Quantity.RATIO.unit()),
                 figures,
-                told ? Optional.of(sighting(drone)) : Optional.empty());
-    }
-
-    private Sighting sighting(Drone drone) {
-        Position way = Position.of(drone.position()).minus(settings.position());
-        return new Sighting(settings.position(), Direction.of(way), OptionalDouble.empty());
+                sighted ? Optional.of(settings.sighting(Position.of(drone.position()))) : Optional.empty());
     }
 
     /**
