@@ -49,7 +49,7 @@ public final class Coverage {
      * @param settings of one run
      * @param stage its world and drones
      * @param drone id of the drone that is put at the points
-     * @param progress is told how many points a sensor has looked at since it was last told; by any thread
+     * @param progress receives how many points a sensor has looked at since the last call; by any thread
      * @throws IllegalArgumentException when there is no such drone
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; it stays so
      */

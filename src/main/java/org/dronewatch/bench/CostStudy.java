@@ -44,7 +44,7 @@ public final class CostStudy {
      *
      * @param droneMesh the drone's model in its own frame
      * @param largest triangles of the largest ground
-     * @param progress is told what is measured next
+     * @param progress receives what is measured next
      */
     public CostStudy(TriangleMesh droneMesh, int largest, Consumer<String> progress) {
         this(droneMesh, largest, new Stopwatch(), progress);

@@ -52,7 +52,7 @@ public final class KernelBench {
      * Measures one set of rays, after a second of passes to warm up, and one at least.
      *
      * @param passes how many passes count, 1 or more
-     * @param progress is told when the warm-up is over, and after each pass that counts
+     * @param progress is called when the warm-up is over, and after each pass that counts
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; it stays so
      */
     public TracingSpeed measure(RaySet set, int passes, Consumer<String> progress) {

@@ -26,7 +26,7 @@ final class TracingStudy {
      * A study.
      *
      * @param largest triangles of the largest ground, 1000 or more
-     * @param progress is told what is measured next
+     * @param progress receives what is measured next
      */
     TracingStudy(int largest, Stopwatch watch, Consumer<String> progress) {
         this.largest = largest;

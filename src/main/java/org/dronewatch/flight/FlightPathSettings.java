@@ -13,7 +13,7 @@ import org.dronewatch.world.Ground;
 
 /**
  * How a drone flies; its speed is a setting of the drone itself. Anyone may implement it; {@link
- * org.dronewatch.setting.Kind} tells how files come to know a new one.
+ * org.dronewatch.setting.Kind} explains how scene files can then choose it.
  */
 public interface FlightPathSettings {
     /** The shortest leg of a flight, m. */

@@ -11,8 +11,9 @@ import org.dronewatch.geometry.Position;
 public record Direction(double azimuth, double elevation) {
 
     /** The direction of a vector of any length but 0. */
-    public static Direction of(Position way) {
-        return new Direction(Math.atan2(way.x(), way.y()), Math.atan2(way.z(), Math.hypot(way.x(), way.y())));
+    public static Direction of(Position vector) {
+        return new Direction(
+                Math.atan2(vector.x(), vector.y()), Math.atan2(vector.z(), Math.hypot(vector.x(), vector.y())));
     }
 
     /** The unit vector. */

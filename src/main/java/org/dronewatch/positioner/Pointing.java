@@ -13,7 +13,7 @@ import java.util.OptionalInt;
  */
 public record Pointing(Direction direction, double panRate, double tiltRate, double fov, OptionalInt contact) {
 
-    /** The pointing of a mount that does not move. */
+    /** The pointing of a positioner that does not move. */
     public static Pointing still(Direction direction, double fov, OptionalInt contact) {
         return new Pointing(direction, 0.0, 0.0, fov, contact);
     }

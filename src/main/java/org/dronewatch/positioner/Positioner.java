@@ -7,7 +7,7 @@ import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
 
 /**
- * A positioner during a run: where it points, what it has been told, which contact it follows. Its own sensor reports
+ * A positioner during a run: where it points, which cues it has received, which contact it follows. Its own sensor reports
  * to it what it sees, and the sensors that cue it what they detect; both take effect from the next look on. For one run
  * and one thread.
  */
@@ -23,7 +23,7 @@ public final class Positioner {
     private record Cue(double due, int contact, Sighting sighting, double time) {}
 
     private final PositionerSettings settings;
-    private final Position place;
+    private final Position position;
     private final Direction rest;
     private final double widest;
     private final double fresh;
@@ -39,14 +39,14 @@ public final class Positioner {
     /**
      * A positioner at the start of a run.
      *
-     * @param place its position, m
+     * @param position where it stands, m
      * @param rest the direction of its sensor's own aim
      * @param widest its sensor's own field of view, rad
      * @param interval between two looks of its sensor, s
      */
-    public Positioner(PositionerSettings settings, Position place, Direction rest, double widest, double interval) {
+    public Positioner(PositionerSettings settings, Position position, Direction rest, double widest, double interval) {
         this.settings = settings;
-        this.place = place;
+        this.position = position;
         this.rest = rest;
         this.widest = widest;
         this.fresh = Math.max(OWN, LOOKS * interval);
@@ -71,7 +71,7 @@ public final class Positioner {
         cues.add(new Cue(detected + settings.delay(), contact, sighting, detected));
     }
 
-    /** The mount's own sensor has seen a contact, at its last look. */
+    /** The positioner's own sensor has seen a contact, at its last look. */
     public void see(int contact, Sighting sighting, double seen) {
         follow(contact, sighting, seen, seen);
         if (track.filter(followed -> followed.contact() == contact).isPresent()) {
@@ -80,18 +80,18 @@ public final class Positioner {
         }
     }
 
-    private void follow(int contact, Sighting sighting, double seen, double told) {
+    private void follow(int contact, Sighting sighting, double seen, double received) {
         if (track.isEmpty()) {
-            track = Optional.of(new Track(contact, sighting, seen, told));
+            track = Optional.of(new Track(contact, sighting, seen, received));
             ownTime = Double.NEGATIVE_INFINITY;
         } else if (track.get().contact() == contact) {
-            track.get().add(sighting, seen, told);
+            track.get().add(sighting, seen, received);
         }
     }
 
     /** Turns, tilts and zooms until a time, not before the last one, and returns where it then points. */
     public Pointing moveTo(double now) {
-        track = track.filter(followed -> now - followed.told() <= settings.hold());
+        track = track.filter(followed -> now - followed.received() <= settings.hold());
         while (!cues.isEmpty() && cues.peek().due() <= now) {
             Cue cue = cues.poll();
             if (now - cue.due() <= settings.hold()) {
@@ -101,7 +101,7 @@ public final class Positioner {
         boolean holds = track.isPresent() && now - ownTime <= fresh;
         Direction seen = own;
         Direction wanted = settings.tilted(
-                track.map(followed -> holds ? seen : followed.from(place, now, settings.hold() + settings.delay()))
+                track.map(followed -> holds ? seen : followed.from(position, now, settings.hold() + settings.delay()))
                         .orElseGet(() -> settings.search().at(rest, now)));
         double since = now - time;
         double turned = limited(Direction.turn(direction.azimuth(), wanted.azimuth()), settings.panSpeed() * since);

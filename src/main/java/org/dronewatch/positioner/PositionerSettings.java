@@ -23,7 +23,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param tiltSpeed tilt rate, above 0 and at most 600 degrees per second, rad/s
  * @param minTilt lowest elevation, -pi/2 to pi/2, rad
  * @param maxTilt highest elevation; not below the lowest, -pi/2 to pi/2, rad
- * @param delay time from another sensor's detection until the mount begins to turn, 0 to 60 s
+ * @param delay time from another sensor's detection until the positioner begins to turn, 0 to 60 s
  * @param hold how long it waits for a drone that is no longer seen, 0 to 3600 s
  * @param lockPixels pixels on a drone that its own camera needs to track it, 1 or more
  * @param search what it does until it is cued
@@ -92,17 +92,18 @@ public record PositionerSettings(
     /**
      * Where it points once it has turned to a position and zoomed in as far as possible.
      *
-     * @param mount position of the mount, m
+     * @param from position of the positioner, m
+     * @param target the position to which it turns, m
      * @param widest its sensor's own field of view, rad
      * @return the pointing; it does not reach the position if that is too high or too low
      */
-    public Pointing turnedTo(Position mount, Position place, double widest) {
-        Position way = place.minus(mount);
-        Direction wanted = way.length() > 0.0 ? Direction.of(way) : new Direction(0.0, 0.0);
+    public Pointing turnedTo(Position from, Position target, double widest) {
+        Position offset = target.minus(from);
+        Direction wanted = offset.length() > 0.0 ? Direction.of(offset) : new Direction(0.0, 0.0);
         return Pointing.still(tilted(wanted), zoom.map(ZoomSettings::tracked).orElse(widest), OptionalInt.empty());
     }
 
-    /** A direction limited to the elevations that the mount can reach. */
+    /** A direction limited to the elevations that the positioner can reach. */
     Direction tilted(Direction wanted) {
         return new Direction(wanted.azimuth(), Math.max(minTilt, Math.min(maxTilt, wanted.elevation())));
     }

@@ -17,8 +17,8 @@ public sealed interface SearchPattern {
     Direction at(Direction aim, double time);
 
     /** The position of something that moves to and fro between 0 and a length, after a distance travelled. */
-    private static double toAndFro(double way, double length) {
-        double phase = way - 2.0 * length * Math.floor(way / (2.0 * length));
+    private static double toAndFro(double travelled, double length) {
+        double phase = travelled - 2.0 * length * Math.floor(travelled / (2.0 * length));
         return phase <= length ? phase : 2.0 * length - phase;
     }
 
@@ -79,9 +79,9 @@ public sealed interface SearchPattern {
 
         @Override
         public Direction at(Direction aim, double time) {
-            double way = toAndFro(speed * time, rows * width);
-            int row = Math.min(rows - 1, (int) (way / width));
-            double inRow = way - row * width;
+            double travelled = toAndFro(speed * time, rows * width);
+            int row = Math.min(rows - 1, (int) (travelled / width));
+            double inRow = travelled - row * width;
             double across = row % 2 == 0 ? inRow : width - inRow;
             double up = rows == 1 ? 0.0 : height * (row / (rows - 1.0) - 0.5);
             return aim.turned(across - 0.5 * width, up);

@@ -14,7 +14,7 @@ import org.dronewatch.geometry.Position;
 public record Sighting(Position from, Direction direction, OptionalDouble range) {
 
     /** The estimated position; empty when only its direction is known. */
-    public Optional<Position> place() {
+    public Optional<Position> position() {
         return range.isPresent()
                 ? Optional.of(from.plus(direction.unit().times(range.getAsDouble())))
                 : Optional.empty();

@@ -15,15 +15,15 @@ final class Track {
     private static final Position REST = new Position(0, 0, 0);
 
     private final int contact;
-    private Optional<Position> place = Optional.empty();
+    private Optional<Position> position = Optional.empty();
     private Position velocity = REST;
-    private double placed;
+    private double positionTime;
     private Direction direction;
-    private double told;
+    private double received;
 
-    Track(int contact, Sighting sighting, double time, double told) {
+    Track(int contact, Sighting sighting, double time, double received) {
         this.contact = contact;
-        add(sighting, time, told);
+        add(sighting, time, received);
     }
 
     int contact() {
@@ -31,8 +31,8 @@ final class Track {
     }
 
     /** When the positioner last received a sighting of it, s. */
-    double told() {
-        return told;
+    double received() {
+        return received;
     }
 
     /**
@@ -42,33 +42,33 @@ final class Track {
      * @param now when the positioner received it, s
      */
     void add(Sighting sighting, double time, double now) {
-        told = now;
+        received = now;
         direction = sighting.direction();
-        sighting.place().ifPresent(found -> add(found, time));
+        sighting.position().ifPresent(found -> add(found, time));
     }
 
     private void add(Position found, double time) {
-        double since = time - placed;
-        if (place.isPresent() && since > 0.0) {
-            Position expected = place.get().plus(velocity.times(since));
+        double since = time - positionTime;
+        if (position.isPresent() && since > 0.0) {
+            Position expected = position.get().plus(velocity.times(since));
             Position difference = found.minus(expected);
-            place = Optional.of(expected.plus(difference.times(ALPHA)));
+            position = Optional.of(expected.plus(difference.times(ALPHA)));
             velocity = velocity.plus(difference.times(BETA / since));
         } else {
-            place = Optional.of(found);
+            position = Optional.of(found);
         }
-        placed = time;
+        positionTime = time;
     }
 
     /**
-     * Where to look from a place at a time.
+     * The direction in which to look at a time.
      *
      * @param patience how old the last position may be, s: after that the last direction is better
      */
-    Direction from(Position mount, double time, double patience) {
-        return place.filter(last -> time - placed <= patience)
-                .map(last -> last.plus(velocity.times(time - placed)).minus(mount))
-                .filter(way -> way.length() > 0.0)
+    Direction from(Position from, double time, double patience) {
+        return position.filter(last -> time - positionTime <= patience)
+                .map(last -> last.plus(velocity.times(time - positionTime)).minus(from))
+                .filter(offset -> offset.length() > 0.0)
                 .map(Direction::of)
                 .orElse(direction);
     }

@@ -1,2 +1,2 @@
-/** Motorised mounts: they search, and follow once another sensor cues them. */
+/** Positioners, which turn sensors: they search, and follow once another sensor cues them. */
 package org.dronewatch.positioner;

@@ -73,7 +73,7 @@ public final class SitePicture {
      * @param title of the picture
      * @param time seconds since the start of the run
      * @param detects whether a sensor of a name detects a drone of a name then
-     * @param pointing where the mount of a sensor of a name points then; empty for one that stands still
+     * @param pointing where the positioner of a sensor of a name points then; empty for one that stands still
      * @param selected the sensor or drone that matters most
      * @param rays rays of sound
      */

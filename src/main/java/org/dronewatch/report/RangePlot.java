@@ -23,7 +23,7 @@ final class RangePlot {
     /** The threshold is to be seen below the top, in thresholds. */
     private static final double LEAST_TOP = 1.5;
 
-    /** Thresholds of more runs than that are told without their runs. */
+    /** Thresholds of more runs than that are listed without their runs. */
     private static final int NAMED_RUNS = 2;
 
     private final SceneResult result;

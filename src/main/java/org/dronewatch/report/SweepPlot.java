@@ -63,9 +63,9 @@ final class SweepPlot {
     private SweepAxis ofTheSetting() {
         SettingsPath path = new SettingsPath(parameter);
         Quantity quantity = path.quantity(result.runs().get(0).settings());
-        String unit = quantity.toldUnit();
+        String unit = quantity.displayUnit();
         String label = unit.isEmpty() ? parameter : parameter + " [" + unit + "]";
-        return new SweepAxis(label, settings -> quantity.told(((Number) path.read(settings)).doubleValue()));
+        return new SweepAxis(label, settings -> quantity.displayed(((Number) path.read(settings)).doubleValue()));
     }
 
     private void addMeasured(XYChart chart, SweepAxis axis, String sensor) {

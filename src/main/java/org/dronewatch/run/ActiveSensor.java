@@ -16,7 +16,7 @@ import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.world.World;
 
 /**
- * A sensor during a run, with its positioner: when it looks next, where it points, what its positioner has been told.
+ * A sensor during a run, with its positioner: when it looks next, where it points, which cues its positioner has received.
  */
 final class ActiveSensor {
     private final String id;
@@ -53,7 +53,7 @@ final class ActiveSensor {
 
     /** Turns the positioner to where it points at a time, and begins the next look. */
     Look nextLook(long seed, double time) {
-        Optional<Pointing> pointing = positioner.map(mount -> mount.moveTo(time));
+        Optional<Pointing> pointing = positioner.map(it -> it.moveTo(time));
         return Look.of(seed, id, nextIndex++, time).withPointing(pointing);
     }
 
@@ -67,16 +67,16 @@ final class ActiveSensor {
 
     /** Passes to its positioner what the sensor saw itself, and what the sensors that cue it detected. */
     void learn(List<ContactLook> looks) {
-        positioner.ifPresent(mount ->
-                looks.forEach(look -> look.measurements().forEach(measured -> learn(mount, look.contact(), measured))));
+        positioner.ifPresent(it ->
+                looks.forEach(look -> look.measurements().forEach(measured -> learn(it, look.contact(), measured))));
     }
 
-    private void learn(Positioner mount, int contact, Measurement measured) {
+    private void learn(Positioner informed, int contact, Measurement measured) {
         measured.sighting().ifPresent(sighting -> {
             if (measured.sensor().equals(id)) {
-                mount.see(contact, sighting, measured.time());
-            } else if (measured.isDetected() && mount.isCuedBy(measured.sensor())) {
-                mount.cue(contact, sighting, measured.time());
+                informed.see(contact, sighting, measured.time());
+            } else if (measured.isDetected() && informed.isCuedBy(measured.sensor())) {
+                informed.cue(contact, sighting, measured.time());
             }
         });
     }

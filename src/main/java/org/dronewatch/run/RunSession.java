@@ -85,7 +85,7 @@ public final class RunSession implements AutoCloseable {
     }
 
     /**
-     * Adds a listener and tells it that the run has started; the looks that follow are reported on the thread of the
+     * Adds a listener and notifies it that the run has started; the looks that follow are reported on the thread of the
      * run.
      */
     public void listen(SceneListener listener) {
@@ -119,7 +119,7 @@ public final class RunSession implements AutoCloseable {
     }
 
     /**
-     * Lets the sensors that are due next look, at their time and at the run's pace, and tells the listeners.
+     * Lets the sensors that are due next look, at their time and at the run's pace, and notifies the listeners.
      *
      * @return the drones at that time, and the observations
      * @throws IllegalStateException when there are no more looks
@@ -144,7 +144,7 @@ public final class RunSession implements AutoCloseable {
 
     /**
      * Ends the run and returns its result: up to the last look if there could have been more, otherwise up to its end.
-     * The listeners are told once.
+     * The listeners are notified once.
      *
      * @throws IllegalStateException when the run was closed without a result
      */

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.scenario.MountAdvice;
+import org.dronewatch.scenario.PositionerAdvice;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SweptValue;
 import org.dronewatch.sensor.Mounted;
@@ -25,7 +25,7 @@ record SiteAdvice(SceneSettings settings, World world) {
     void giveTo(Consumer<String> target) {
         onSurfaces(target);
         settings.enabledSensors().forEach((id, sensor) -> Mounted.positioner(sensor)
-                .ifPresent(mount -> new MountAdvice(settings, id, mount).tell(target)));
+                .ifPresent(positioner -> new PositionerAdvice(settings, id, positioner).giveTo(target)));
         if (settings.enabledSensors().isEmpty() && !settings.sensors().isEmpty()) {
             target.accept(switchedBy() + "all sensors are switched off: nothing is observed");
         }

@@ -1,6 +1,6 @@
 package org.dronewatch.scenario;
 
-/** What people are told of settings records and their components: the words of their Javadoc. */
+/** What people read about settings records and their components: the words of their Javadoc. */
 public interface SettingTexts {
 
     /** The first sentence on a record; empty when nothing is said. */

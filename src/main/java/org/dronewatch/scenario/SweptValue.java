@@ -24,7 +24,7 @@ public final class SweptValue {
 
     /** With the whole path: {@code sensors.camera.fov=30 deg}. */
     public String text() {
-        return (parameter + "=" + number() + " " + quantity.toldUnit()).strip();
+        return (parameter + "=" + number() + " " + quantity.displayUnit()).strip();
     }
 
     /** With the name of the setting only: {@code fov 30 deg}. */
@@ -39,7 +39,7 @@ public final class SweptValue {
 
     /** The value with its unit: {@code 30 deg}. */
     public String value() {
-        return (number() + " " + quantity.toldUnit()).strip();
+        return (number() + " " + quantity.displayUnit()).strip();
     }
 
     private String number() {

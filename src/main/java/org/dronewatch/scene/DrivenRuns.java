@@ -17,7 +17,7 @@ import org.dronewatch.run.SceneListener;
  * @param scene the scene to run
  * @param simulator the scene's own simulator
  * @param models where models come from
- * @param listeners are told of each run
+ * @param listeners are notified of each run
  * @param control of each run, which ends no later than its settings state
  */
 record DrivenRuns(

@@ -53,9 +53,9 @@ public sealed interface Aim {
         @Defaults
         public static final Direction DEFAULT = new Direction(0.0, 0.0);
 
-        /** As a mount points. */
-        public static Direction of(org.dronewatch.positioner.Direction mount) {
-            return new Direction(mount.azimuth(), mount.elevation());
+        /** As a positioner points. */
+        public static Direction of(org.dronewatch.positioner.Direction pointing) {
+            return new Direction(pointing.azimuth(), pointing.elevation());
         }
 
         /** Checks the limits. */

@@ -23,7 +23,7 @@ public record Measurement(LookId look, Reading reading, Optional<Sighting> sight
         return look.time();
     }
 
-    /** Whether the value reaches the threshold. A weaker measurement still serves the mount of its own sensor. */
+    /** Whether the value reaches the threshold. A weaker measurement still serves the positioner of its own sensor. */
     public boolean isDetected() {
         return reading.isDetected();
     }

@@ -90,7 +90,7 @@ public final class Limits {
     public static String inWords(In limits) {
         Quantity quantity = limits.value();
         // Where the unit is not that of a bare number it must be said.
-        String unit = quantity.toldUnit().equals(quantity.unit()) ? "" : " " + quantity.toldUnit();
+        String unit = quantity.displayUnit().equals(quantity.unit()) ? "" : " " + quantity.displayUnit();
         boolean closedBelow = limits.from() > limits.above();
         boolean closedAbove = limits.to() < limits.below();
         double low = closedBelow ? limits.from() : limits.above();

@@ -64,10 +64,10 @@ public enum Quantity {
             Pattern.compile("([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)\\s*(\\S*)");
     private static final int LONGEST = 60;
     private static final int LONGEST_PLAIN = 12;
-    /** So few digits have radians that somebody wrote, hardly ever degrees that were turned into them. */
+    /** Radians that somebody wrote have at most this many digits; degrees that were converted hardly ever do. */
     private static final int LONGEST_WRITTEN = 6;
-    /** Degrees are told in so many digits, that 200 stay 200 though kept as radians. */
-    private static final MathContext TOLD = new MathContext(7);
+    /** Degrees are shown with this many digits, so that 200 stay 200 although they are kept as radians. */
+    private static final MathContext DISPLAYED = new MathContext(7);
 
     private static final MathContext BRIEF = new MathContext(4);
 
@@ -85,7 +85,7 @@ public enum Quantity {
     }
 
     /** The unit in which a value is shown to people: degrees for angles, otherwise that of a bare number. */
-    public String toldUnit() {
+    public String displayUnit() {
         return switch (this) {
             case ANGLE -> "deg";
             case ANGULAR_SPEED -> "deg/s";
@@ -94,24 +94,24 @@ public enum Quantity {
     }
 
     /** A value in the unit in which it is shown to people. */
-    public double told(double value) {
-        if (unit.equals(toldUnit()) || !Double.isFinite(value)) {
+    public double displayed(double value) {
+        if (unit.equals(displayUnit()) || !Double.isFinite(value)) {
             return value;
         }
-        return new BigDecimal(Math.toDegrees(value)).round(TOLD).doubleValue();
+        return new BigDecimal(Math.toDegrees(value)).round(DISPLAYED).doubleValue();
     }
 
     /** A value as shown in tables and plots, without its unit: whole numbers whole, others in four digits. */
     public String inBrief(double value) {
-        double told = told(value);
-        return told == Math.rint(told) || !Double.isFinite(told)
-                ? plain(told)
-                : new BigDecimal(told).round(BRIEF).stripTrailingZeros().toPlainString();
+        double shown = displayed(value);
+        return shown == Math.rint(shown) || !Double.isFinite(shown)
+                ? plain(shown)
+                : new BigDecimal(shown).round(BRIEF).stripTrailingZeros().toPlainString();
     }
 
     /** A value as shown to people, without its unit. */
     String number(double value) {
-        return plain(told(value));
+        return plain(displayed(value));
     }
 
     /**
@@ -119,13 +119,13 @@ public enum Quantity {
      * them: {@code 3437.747 deg (60 rad)}.
      */
     public String inWords(double value) {
-        String told = (number(value) + " " + toldUnit()).strip();
+        String shown = (number(value) + " " + displayUnit()).strip();
         String written = plain(value);
-        boolean bare = !unit.equals(toldUnit())
+        boolean bare = !unit.equals(displayUnit())
                 && Double.isFinite(value)
                 && value != 0.0
                 && written.length() <= LONGEST_WRITTEN;
-        return bare ? told + " (" + written + " " + unit + ")" : told;
+        return bare ? shown + " (" + written + " " + unit + ")" : shown;
     }
 
     /** A number as a person writes it: {@code 0.5}, {@code 10000}. */

@@ -4,7 +4,7 @@ import java.util.List;
 import org.dronewatch.sensor.Measurement;
 
 /**
- * One look of a sensor at a contact: what it measured of it, if anything. Mounts, alerts and fusion receive these; no truth
+ * One look of a sensor at a contact: what it measured of it, if anything. Positioners, alerts and fusion receive these; no truth
  * can be reached from them.
  *
  * @param contact number of the contact

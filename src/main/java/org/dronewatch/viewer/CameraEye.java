@@ -33,7 +33,7 @@ final class CameraEye {
      * A camera's eye.
      *
      * @param sensor settings of a sensor that takes pictures
-     * @param pointings where its mount points at a time; empty for a camera that stands still
+     * @param pointings where its positioner points at a time; empty for a camera that stands still
      */
     CameraEye(String id, SensorSettings<?> sensor, Stage stage, DoubleFunction<Optional<Pointing>> pointings) {
         this.id = id;

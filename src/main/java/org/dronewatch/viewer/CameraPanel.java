@@ -36,9 +36,9 @@ final class CameraPanel extends JPanel {
      * An empty panel.
      *
      * @param threads how many trace
-     * @param hint is told what is under the pointer
-     * @param selection is told which camera was clicked on
-     * @param failed is told what went wrong
+     * @param hint receives what is under the pointer
+     * @param selection receives which camera was clicked on
+     * @param failed receives what went wrong
      */
     CameraPanel(int threads, Consumer<String> hint, Consumer<String> selection, Consumer<Throwable> failed) {
         super(new BorderLayout());
@@ -160,9 +160,9 @@ final class CameraPanel extends JPanel {
     }
 
     /**
-     * Shows what each camera told last, and which one is selected.
+     * Shows what each camera last measured, and which one is selected.
      *
-     * @param told gives what a camera of a name told of each drone
+     * @param told gives what a camera of a name measured of each drone
      */
     void mark(Function<String, Map<String, PairReading>> told, String selected) {
         for (CameraVisual visual : visuals) {

@@ -12,6 +12,6 @@ import org.dronewatch.sensor.optics.DronePixels;
  * @param background the site in blues, at no more pixels than the panel has
  * @param time seconds since the start of the run
  * @param drones the pixels of each drone, at the camera's own resolution
- * @param pointing where its mount points then; empty for a camera that stands still
+ * @param pointing where its positioner points then; empty for a camera that stands still
  */
 record CameraShot(BufferedImage background, double time, List<DronePixels> drones, Optional<Pointing> pointing) {}

@@ -68,7 +68,7 @@ final class CameraVisual extends JPanel {
         return eye;
     }
 
-    /** Is told what the pixel under the pointer shows. */
+    /** Receives what the pixel under the pointer shows. */
     void onHint(Consumer<String> target) {
         hint = target;
     }
@@ -79,7 +79,7 @@ final class CameraVisual extends JPanel {
         repaint();
     }
 
-    /** Shows what the camera told last of each drone that it had in its picture, and whether it is selected. */
+    /** Shows what the camera last measured of each drone that it had in its picture, and whether it is selected. */
     void mark(Map<String, PairReading> told, boolean isSelected) {
         if (!readings.equals(told) || selected != isSelected) {
             readings = told;
@@ -203,7 +203,7 @@ final class CameraVisual extends JPanel {
         g.drawString(text, left + 4, top + 1 + metrics.getAscent());
     }
 
-    /** The camera's name; of one on a mount also what that does, and how narrow the view is. */
+    /** The camera's name; of one on a positioner also what that does, and how narrow the view is. */
     String name() {
         if (shot == null || shot.pointing().isEmpty()) {
             return eye.id();

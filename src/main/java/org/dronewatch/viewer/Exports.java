@@ -30,7 +30,7 @@ final class Exports {
     /**
      * For a pane.
      *
-     * @param failed is told what went wrong
+     * @param failed receives what went wrong
      */
     Exports(ViewerPane pane, Consumer<Throwable> failed) {
         this.pane = pane;

@@ -39,7 +39,7 @@ final class FrameExport {
     /**
      * Writes them.
      *
-     * @param progress is told how many are written
+     * @param progress receives how many are written
      * @param cancelled asked before each: once it says true, the rest is left out
      * @return how many were written
      */

@@ -24,7 +24,7 @@ final class Latest implements AutoCloseable {
      * Starts the thread.
      *
      * @param threads how many may help
-     * @param failed is told what went wrong
+     * @param failed receives what went wrong
      */
     Latest(String name, int threads, Consumer<Throwable> failed) {
         this.threads = threads;

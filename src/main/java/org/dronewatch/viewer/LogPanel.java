@@ -9,7 +9,7 @@ import javax.swing.JTextArea;
 import javax.swing.text.BadLocationException;
 import org.dronewatch.run.DetectionEvent;
 
-/** What has been read, what looked odd, who was gained and lost, in the order in which it was told. */
+/** What has been read, what looked odd, who was gained and lost, in the order in which it happened. */
 final class LogPanel extends JPanel {
     private static final long serialVersionUID = 1L;
 

@@ -1,9 +1,9 @@
 package org.dronewatch.viewer;
 
 /**
- * What a sensor last told of a drone at some time.
+ * What a sensor last measured of a drone at some time.
  *
- * @param time when it told, seconds since the start of the run
+ * @param time when it did, seconds since the start of the run
  * @param value what it measured
  * @param threshold what the value must reach
  * @param unit of both

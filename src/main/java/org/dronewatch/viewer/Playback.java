@@ -18,7 +18,7 @@ final class Playback {
     private boolean playing;
     private double step = 0.1;
 
-    /** Is told whenever something has changed. */
+    /** Is called whenever something has changed. */
     void listen(Runnable listener) {
         listeners.add(listener);
     }

@@ -47,8 +47,8 @@ final class RayPanel extends JPanel {
      * An empty panel.
      *
      * @param threads how many trace
-     * @param filtered is told which rays are to be drawn
-     * @param failed is told what went wrong
+     * @param filtered receives which rays are to be drawn
+     * @param failed receives what went wrong
      */
     RayPanel(int threads, Playback playback, Consumer<RayFilter> filtered, Consumer<Throwable> failed) {
         super(new GridLayout(0, 1));

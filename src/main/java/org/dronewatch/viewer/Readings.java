@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.dronewatch.sensor.Observation;
 
 /**
- * All that a sensor told of a drone, in order of time. A very long run is thinned: once {@link #MOST} are kept, every other
+ * All that a sensor measured of a drone, in order of time. A very long run is thinned: once {@link #MOST} are kept, every other
  * one is forgotten. Guarded by its owner.
  */
 final class Readings {
@@ -58,7 +58,7 @@ final class Readings {
         stride *= 2;
     }
 
-    /** The last that was told up to a time. */
+    /** The last one up to a time. */
     Optional<PairReading> at(double time) {
         int found = Arrays.binarySearch(times, 0, count, time);
         int last = found >= 0 ? found : -found - 2;

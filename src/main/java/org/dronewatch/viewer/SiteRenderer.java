@@ -38,7 +38,7 @@ final class SiteRenderer implements AutoCloseable {
      * Starts the threads.
      *
      * @param target is given each finished picture, on any thread
-     * @param failed is told what went wrong
+     * @param failed receives what went wrong
      */
     SiteRenderer(int threads, Consumer<BufferedImage> target, Consumer<Throwable> failed) {
         this.target = target;

@@ -29,7 +29,7 @@ final class SiteSection extends JPanel {
      * An empty section.
      *
      * @param threads how many paint the site
-     * @param failed is told what went wrong
+     * @param failed receives what went wrong
      */
     SiteSection(int threads, Consumer<Throwable> failed) {
         super(new BorderLayout());

@@ -57,7 +57,7 @@ final class ViewedRun {
         return drones.stream().anyMatch(drone -> run.isDetected(sensor, drone, time));
     }
 
-    /** What a sensor told last of each drone. */
+    /** What a sensor last measured of each drone. */
     Map<String, PairReading> readings(String sensor, double time) {
         Map<String, PairReading> told = new HashMap<>();
         for (String drone : drones) {

@@ -57,7 +57,7 @@ final class ViewerPane extends JPanel {
      * A pane for a scene that is about to run.
      *
      * @param title of the scene
-     * @param recording is told what happens
+     * @param recording receives what happens
      * @param threads how many trace
      */
     ViewerPane(String title, Recording recording, int threads) {

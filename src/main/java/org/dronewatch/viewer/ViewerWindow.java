@@ -46,8 +46,8 @@ final class ViewerWindow {
      * @param layout how the user left it
      * @param text gives settings as the text of a scene file
      * @param opening opens other scenes; empty where the run is fixed
-     * @param closing is told when the user closes it
-     * @param closed is told when it is gone, with all threads of the pane
+     * @param closing is called when the user closes it
+     * @param closed is called when it is gone, with all threads of the pane
      */
     ViewerWindow(
             String title,

@@ -49,7 +49,7 @@ final class WorldPanel extends JPanel {
      * An empty view.
      *
      * @param threads how many paint the site
-     * @param failed is told what went wrong
+     * @param failed receives what went wrong
      */
     WorldPanel(int threads, Consumer<Throwable> failed) {
         this.renderer = new SiteRenderer(
@@ -77,12 +77,12 @@ final class WorldPanel extends JPanel {
         });
     }
 
-    /** Is told the sensor or drone that was clicked on. */
+    /** Receives the sensor or drone that was clicked on. */
     void onSelection(Consumer<String> target) {
         selection = target;
     }
 
-    /** Is told what is under the pointer. */
+    /** Receives what is under the pointer. */
     void onHint(Consumer<String> target) {
         hint = target;
     }

@@ -151,9 +151,8 @@ class CuedCameraTest {
                 .contains(
                         "warning: sensor 'cued' holds a drone for 0.40 s, but 'radar', which cues it,"
                                 + " looks every 1.0 s: it will let go in between",
-                        "warning: sensor 'cued' aims at an elevation of -70.0 degrees, but its mount tilts from"
-                                + " -50.0 to 60.0"
-                                + " degrees only");
+                        "warning: sensor 'cued' aims at an elevation of -70.0 degrees, but its positioner"
+                                + " tilts only from -50.0 to 60.0 degrees");
     }
 
     @Test

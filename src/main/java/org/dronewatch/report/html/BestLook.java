@@ -1,7 +1,7 @@
 package org.dronewatch.report.html;
 
 /**
- * The best that a sensor told of a drone in a run: what came nearest to its threshold, or farthest above it.
+ * The best that a sensor measured of a drone in a run: what came nearest to its threshold, or farthest above it.
  *
  * @param time s
  * @param range m

@@ -82,7 +82,7 @@ final class Verdict {
     }
 
     private String sentences(DroneGroup group) {
-        // A swarm of one drone is told of like a drone.
+        // A swarm of one drone is described like a drone.
         boolean isSwarm = group.members().size() > 1;
         String detected = isSwarm ? ofSwarm(group) : ofDrone(group.members().get(0));
         if (run.settings().alert().equals(AlertSettings.DEFAULT)) {

@@ -10,7 +10,7 @@ import java.util.Map;
  * @param name what people call it
  * @param shape where it is
  * @param colour what it is drawn in
- * @param properties what is told of it, by name: text, BigDecimal or null, as {@link Properties} gives them
+ * @param properties its properties, by name: text, BigDecimal or null, as {@link Properties} gives them
  */
 record MapFeature(Role role, String name, Shape shape, Color colour, Map<String, Object> properties) {
     MapFeature(Role role, String name, Shape shape, Color colour, Properties properties) {

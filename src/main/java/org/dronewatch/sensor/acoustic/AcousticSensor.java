@@ -101,7 +101,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     /**
      * By the level model: traces everything.
      *
-     * @param recorder is told every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
+     * @param recorder receives every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
      * @throws IllegalStateException when this sensor follows sound by another model
      */
     public LevelReading listenFully(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {

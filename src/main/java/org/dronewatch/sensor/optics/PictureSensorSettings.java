@@ -96,7 +96,7 @@ public interface PictureSensorSettings<S extends Sensor>
     }
 
     /**
-     * Checks that a mount's lens zooms in, not out.
+     * Checks that a positioner's lens zooms in, not out.
      *
      * @param fov the camera's own field of view, rad
      * @throws IllegalArgumentException when it does not

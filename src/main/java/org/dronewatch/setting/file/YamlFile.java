@@ -119,7 +119,7 @@ final class YamlFile {
      * The one mapping that a document consists of.
      *
      * @param name what messages call the file
-     * @param problems is told of names that stand twice
+     * @param problems receives names that are given twice
      * @throws InputException when the text is no YAML or breaks a bound
      */
     static Node.Mapping read(String name, String text, Problems problems) {

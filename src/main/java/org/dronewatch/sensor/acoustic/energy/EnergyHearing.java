@@ -52,7 +52,7 @@ public final class EnergyHearing implements SoundTracer {
     /**
      * One look: levels in octave bands.
      *
-     * @param recorder is told every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
+     * @param recorder receives every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
      */
     public EnergyReading read(Drone drone, RandomGenerator random, RayRecorder recorder) {
         return tracer.trace(sound(drone), random, recorder);

@@ -68,7 +68,7 @@ public final class EnergyTracer {
      *
      * @param drone the drone's sound
      * @param random the random numbers of the rays
-     * @param recorder is told every piece of every ray that counts, from the sensor on
+     * @param recorder receives every piece of every ray that counts, from the sensor on
      */
     public EnergyReading trace(SoundSource drone, RandomGenerator random, RayRecorder recorder) {
         SoundSource source = drone.at(clearance.of(drone.place()));

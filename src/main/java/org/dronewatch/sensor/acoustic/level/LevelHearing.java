@@ -28,7 +28,7 @@ public final class LevelHearing implements SoundTracer {
      * One look.
      *
      * @param fully whether to go on after the first ray that is loud enough
-     * @param recorder is told every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
+     * @param recorder receives every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
      */
     public LevelReading listen(Drone drone, RandomGenerator random, boolean fully, RayRecorder recorder) {
         return tracer.trace(Position.of(drone.position()), drone.soundLevel(), random, fully, recorder);

@@ -6,7 +6,7 @@ import org.dronewatch.world.World;
 
 /**
  * How sound is followed from a drone to a microphone. Implementations are immutable records; {@link org.dronewatch.setting.Kind}
- * tells how files come to know a new one.
+ * explains how scene files can choose a new one.
  */
 public interface Propagation {
 

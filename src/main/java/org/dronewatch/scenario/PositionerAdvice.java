@@ -12,21 +12,21 @@ import org.dronewatch.sensor.SensorSettings;
  *
  * @param scene where it stands
  * @param id name of the sensor
- * @param mount its mount
+ * @param positioner its positioner
  */
-public record MountAdvice(SceneSettings scene, String id, PositionerSettings mount) {
+public record PositionerAdvice(SceneSettings scene, String id, PositionerSettings positioner) {
 
-    /** Tells in a line each. */
-    public void tell(Consumer<String> target) {
-        for (String cue : mount.cues()) {
+    /** Gives one line for each oddity. */
+    public void giveTo(Consumer<String> target) {
+        for (String cue : positioner.cues()) {
             double interval = 1.0 / scene.sensors().get(cue).rate();
-            if (mount.hold() < interval) {
+            if (positioner.hold() < interval) {
                 target.accept(String.format(
                         Locale.ROOT,
                         "sensor '%s' holds a drone for %.2g s, but '%s', which cues it, looks every %.2g s: it"
                                 + " will let go in between",
                         id,
-                        mount.hold(),
+                        positioner.hold(),
                         cue,
                         interval));
             }
@@ -36,16 +36,15 @@ public record MountAdvice(SceneSettings scene, String id, PositionerSettings mou
             if (outline instanceof Outline.Pyramid pyramid) {
                 double elevation =
                         Math.asin(Math.max(-1.0, Math.min(1.0, pyramid.forward().z())));
-                if (elevation < mount.minTilt() - 1e-9 || elevation > mount.maxTilt() + 1e-9) {
+                if (elevation < positioner.minTilt() - 1e-9 || elevation > positioner.maxTilt() + 1e-9) {
                     target.accept(String.format(
                             Locale.ROOT,
-                            "sensor '%s' aims at an elevation of %.1f degrees, but its mount tilts from %.1f to"
-                                    + " %.1f degrees"
-                                    + " only",
+                            "sensor '%s' aims at an elevation of %.1f degrees, but its positioner"
+                                    + " tilts only from %.1f to %.1f degrees",
                             id,
                             Math.toDegrees(elevation),
-                            Math.toDegrees(mount.minTilt()),
-                            Math.toDegrees(mount.maxTilt())));
+                            Math.toDegrees(positioner.minTilt()),
+                            Math.toDegrees(positioner.maxTilt())));
                 }
             }
         });
