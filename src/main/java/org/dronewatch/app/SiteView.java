@@ -217,14 +217,14 @@ final class SiteView {
         if (focus == null) {
             return orbit;
         }
-        Position place = settings.sensors().containsKey(focus)
+        Position centre = settings.sensors().containsKey(focus)
                 ? settings.sensors().get(focus).position()
                 : drones.stream()
                         .filter(drone -> drone.id().equals(focus))
                         .map(drone -> Position.of(drone.position()))
                         .findFirst()
                         .orElseThrow();
-        return orbit.at(place).showing(Math.max(4.0, 0.25 * box.diagonal()));
+        return orbit.at(centre).showing(Math.max(4.0, 0.25 * box.diagonal()));
     }
 
     private Optional<RecordedRays> traced(SceneSettings settings, Stage stage, double time) {

@@ -72,11 +72,11 @@ public final class CostStudy {
         CostCurves.Points level = new CostCurves.Points("level model");
         CostCurves.Points energy = new CostCurves.Points("energy model");
         Drone drone = droneAt(new Position(0, DRONE_DISTANCE, 0), site);
-        Position place = above(site, 0, 0, 2.0);
+        Position position = above(site, 0, 0, 2.0);
         for (int rays = 250; rays <= 64_000; rays *= 4) {
             int count = rays;
             progress.accept(String.format(Locale.ROOT, "%,d sound rays", rays));
-            AcousticSensor byLevel = AcousticSettings.at(place)
+            AcousticSensor byLevel = AcousticSettings.at(position)
                     .withPropagation(LevelModel.DEFAULT
                             .withAttenuation(0.0)
                             .withRays(count, 1)
@@ -87,7 +87,7 @@ public final class CostStudy {
                     1e3
                             * watch.seconds(
                                     () -> byLevel.listenFully(site, drone, new SplittableRandom(1), RayRecorder.NONE)));
-            AcousticSensor byEnergy = AcousticSettings.at(place)
+            AcousticSensor byEnergy = AcousticSettings.at(position)
                     .withPropagation(EnergyModel.DEFAULT.withRays(count).withAccuracy(0.0))
                     .create();
             energy.add(rays, 1e3 * watch.seconds(() -> byEnergy.read(site, drone, new SplittableRandom(1))));
@@ -139,11 +139,11 @@ public final class CostStudy {
         CostCurves.Points energy = new CostCurves.Points("sound, energy model");
         CostCurves.Points build = new CostCurves.Points("tree build");
         Drone drone = droneAt(new Position(0, DRONE_DISTANCE, 0), site);
-        Position place = above(site, 0, 0, 2.0);
-        AcousticSensor byLevel = AcousticSettings.at(place)
+        Position position = above(site, 0, 0, 2.0);
+        AcousticSensor byLevel = AcousticSettings.at(position)
                 .withPropagation(LevelModel.DEFAULT.withRays(1000, 10))
                 .create();
-        AcousticSensor byEnergy = AcousticSettings.at(place)
+        AcousticSensor byEnergy = AcousticSettings.at(position)
                 .withPropagation(EnergyModel.DEFAULT.withRays(40_000).withAccuracy(0.0))
                 .create();
         double[] alone = new double[4];
@@ -152,7 +152,7 @@ public final class CostStudy {
             double[] times;
             try (Workers workers = new Workers(threads)) {
                 times = workers.call(() -> new double[] {
-                    watch.seconds(() -> CameraSettings.at(place).create().depthImage(site, List.of())),
+                    watch.seconds(() -> CameraSettings.at(position).create().depthImage(site, List.of())),
                     watch.seconds(() -> byLevel.listenFully(site, drone, new SplittableRandom(1), RayRecorder.NONE)),
                     watch.seconds(() -> byEnergy.read(site, drone, new SplittableRandom(1))),
                     watch.seconds(() -> KDTree.of(site.mesh()))
@@ -209,8 +209,8 @@ public final class CostStudy {
     }
 
     private Drone droneAt(Position offset, World site) {
-        Position place = above(site, offset.x(), offset.y(), 20.0 + offset.z());
-        DroneSettings settings = DroneSettings.of(ModelSettings.of("drone.obj"), new Hover(place, 0.0));
+        Position position = above(site, offset.x(), offset.y(), 20.0 + offset.z());
+        DroneSettings settings = DroneSettings.of(ModelSettings.of("drone.obj"), new Hover(position, 0.0));
         return settings.create("drone", droneTree);
     }
 

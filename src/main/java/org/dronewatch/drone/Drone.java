@@ -199,8 +199,8 @@ public final class Drone {
     }
 
     /** The distance from a point to the drone's origin, m. */
-    public double distance(Position place) {
-        return position().distance(place.toPoint3d());
+    public double distance(Position point) {
+        return position().distance(point.toPoint3d());
     }
 
     private static Matrix4d identity() {

@@ -71,10 +71,10 @@ public record RadarSignature(
      */
     public double towards(double aspect) {
         double turns = aspect / (2.0 * Math.PI);
-        double place = (turns - Math.floor(turns)) * aspects.size();
-        int before = (int) place % aspects.size();
+        double index = (turns - Math.floor(turns)) * aspects.size();
+        int before = (int) index % aspects.size();
         int after = (before + 1) % aspects.size();
-        double share = place - Math.floor(place);
+        double share = index - Math.floor(index);
         double gain = (1.0 - share) * aspects.get(before) + share * aspects.get(after);
         return crossSection * Math.pow(10.0, 0.1 * gain);
     }

@@ -59,8 +59,8 @@ public record RadioLink(
     }
 
     /** This link with a pilot at a position, m. */
-    public RadioLink withPilot(Position place) {
-        return SettingsForm.with(this, "pilot", Optional.of(place));
+    public RadioLink withPilot(Position position) {
+        return SettingsForm.with(this, "pilot", Optional.of(position));
     }
 
     /** Whether it transmits anything that can be received. */

@@ -34,11 +34,12 @@ public final class Displaced implements FlightPathSettings {
         double heading = leading.at(0.0).heading();
         double east = Math.sin(heading);
         double north = Math.cos(heading);
-        Position way = new Position(
+        Position displacement = new Position(
                 offset.x() * north + offset.y() * east, offset.y() * north - offset.x() * east, offset.z());
         return time -> {
             FlightState state = leading.at(time);
-            return new FlightState(state.position().plus(way), state.velocity(), state.heading(), state.gliding());
+            return new FlightState(
+                    state.position().plus(displacement), state.velocity(), state.heading(), state.gliding());
         };
     }
 

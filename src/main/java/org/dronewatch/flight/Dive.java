@@ -45,8 +45,8 @@ public record Dive(
         return height / Math.tan(angle);
     }
 
-    private Position over(double way) {
-        return target.plus(new Position(way * Math.sin(bearing), way * Math.cos(bearing), height));
+    private Position over(double range) {
+        return target.plus(new Position(range * Math.sin(bearing), range * Math.cos(bearing), height));
     }
 
     @Override

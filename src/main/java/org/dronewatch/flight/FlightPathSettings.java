@@ -33,8 +33,8 @@ public interface FlightPathSettings {
     FlightPath create(double speed, double acceleration, Ground ground);
 
     /** The compass heading of a displacement, rad clockwise from north; north for a vertical one. */
-    private static double headingOf(Position way) {
-        return Math.atan2(way.x(), way.y());
+    private static double headingOf(Position vector) {
+        return Math.atan2(vector.x(), vector.y());
     }
 
     /**
@@ -78,10 +78,10 @@ public interface FlightPathSettings {
 
         @Override
         public FlightPath create(double speed, double acceleration, Ground ground) {
-            Position way = to.minus(from);
-            double length = way.length();
-            Position direction = way.times(1.0 / length);
-            double heading = headingOf(way);
+            Position leg = to.minus(from);
+            double length = leg.length();
+            Position direction = leg.times(1.0 / length);
+            double heading = headingOf(leg);
             return time -> {
                 double flown = speed * time;
                 return flown < length
@@ -122,8 +122,8 @@ public interface FlightPathSettings {
             return new Inbound(target, 0.0, 0.0, distance, 0.0);
         }
 
-        private Position at(double way) {
-            return target.plus(new Position(way * Math.sin(bearing), way * Math.cos(bearing), height));
+        private Position at(double range) {
+            return target.plus(new Position(range * Math.sin(bearing), range * Math.cos(bearing), height));
         }
 
         @Override
@@ -231,9 +231,9 @@ public interface FlightPathSettings {
         public FlightPath create(double speed, double acceleration, Ground ground) {
             return time -> {
                 double now = bearing + speed / radius * time;
-                Position place = centre.plus(new Position(radius * Math.sin(now), radius * Math.cos(now), 0.0));
+                Position position = centre.plus(new Position(radius * Math.sin(now), radius * Math.cos(now), 0.0));
                 Position velocity = new Position(speed * Math.cos(now), -speed * Math.sin(now), 0.0);
-                return new FlightState(place, velocity, now + 0.5 * Math.PI);
+                return new FlightState(position, velocity, now + 0.5 * Math.PI);
             };
         }
     }

@@ -41,8 +41,8 @@ public record LowApproach(
         return new LowApproach(target, 0.0, distance, height, 0.0);
     }
 
-    private GroundPoint at(double way) {
-        return new GroundPoint(target.x() + way * Math.sin(bearing), target.y() + way * Math.cos(bearing));
+    private GroundPoint at(double range) {
+        return new GroundPoint(target.x() + range * Math.sin(bearing), target.y() + range * Math.cos(bearing));
     }
 
     @Override

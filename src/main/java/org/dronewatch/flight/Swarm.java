@@ -27,21 +27,21 @@ public record Swarm(
         /** Side by side, the leader in the middle. */
         LINE {
             @Override
-            Position place(int number, int count) {
+            Position offset(int number, int count) {
                 return new Position(sideways(number), 0, 0);
             }
         },
         /** One behind the other. */
         COLUMN {
             @Override
-            Position place(int number, int count) {
+            Position offset(int number, int count) {
                 return new Position(0, -number, 0);
             }
         },
         /** Like geese: two lines that fall back behind the leader, at a right angle to each other. */
         WEDGE {
             @Override
-            Position place(int number, int count) {
+            Position offset(int number, int count) {
                 int side = sideways(number);
                 return new Position(side, -Math.abs(side), 0).times(Math.sqrt(0.5));
             }
@@ -49,7 +49,7 @@ public record Swarm(
         /** In rows and columns, as square as possible, the leader in the middle of the first row. */
         GRID {
             @Override
-            Position place(int number, int count) {
+            Position offset(int number, int count) {
                 int columns = (int) Math.ceil(Math.sqrt(count));
                 return new Position(sideways(number % columns), -(number / columns), 0);
             }
@@ -57,13 +57,13 @@ public record Swarm(
         /** One above the other, the leader lowest. */
         STACK {
             @Override
-            Position place(int number, int count) {
+            Position offset(int number, int count) {
                 return new Position(0, 0, number);
             }
         };
 
         /** A drone's offset: to the right of the leader, ahead of it and above it, in spacings. */
-        abstract Position place(int number, int count);
+        abstract Position offset(int number, int count);
 
         /** Every other drone to the right, the others to the left. */
         private static int sideways(int number) {
@@ -86,7 +86,7 @@ public record Swarm(
     /** The offset of each drone, the leader first: to the right of the leader, ahead of it and above it, m. */
     public List<Position> offsets() {
         return IntStream.range(0, count)
-                .mapToObj(number -> formation.place(number, count).times(spacing))
+                .mapToObj(number -> formation.offset(number, count).times(spacing))
                 .toList();
     }
 }

@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
 final class TerrainPath implements FlightPath {
     private static final Position REST = new Position(0, 0, 0);
 
-    private final Position[] places;
+    private final Position[] points;
     private final double[] flown;
     private final double speed;
 
@@ -19,36 +19,36 @@ final class TerrainPath implements FlightPath {
      * @param speed along the path, m/s
      */
     TerrainPath(GroundTrack track, double[] profile, double height, double speed) {
-        this.places = new Position[profile.length];
+        this.points = new Position[profile.length];
         this.flown = new double[profile.length];
         this.speed = speed;
         for (int i = 0; i < profile.length; i++) {
-            places[i] = new Position(track.x(i), track.y(i), profile[i] + height);
-            flown[i] = i == 0 ? 0.0 : flown[i - 1] + places[i].distance(places[i - 1]);
+            points[i] = new Position(track.x(i), track.y(i), profile[i] + height);
+            flown[i] = i == 0 ? 0.0 : flown[i - 1] + points[i].distance(points[i - 1]);
         }
     }
 
     @Override
     public FlightState at(double time) {
-        double way = speed * time;
-        int last = places.length - 1;
-        if (way >= flown[last]) {
-            return new FlightState(places[last], REST, heading(last));
+        double travelled = speed * time;
+        int last = points.length - 1;
+        if (travelled >= flown[last]) {
+            return new FlightState(points[last], REST, heading(last));
         }
-        int found = Arrays.binarySearch(flown, way);
+        int found = Arrays.binarySearch(flown, travelled);
         // Between two cuts the search tells the place where the way would be put in, turned round.
         int next = found >= 0 ? found + 1 : -found - 1;
-        Position from = places[next - 1];
-        Position leg = places[next].minus(from);
+        Position from = points[next - 1];
+        Position leg = points[next].minus(from);
         double length = flown[next] - flown[next - 1];
         Position direction = leg.times(1.0 / length);
         return new FlightState(
-                from.plus(direction.times(way - flown[next - 1])), direction.times(speed), heading(next));
+                from.plus(direction.times(travelled - flown[next - 1])), direction.times(speed), heading(next));
     }
 
     /** Along the piece of the track that ends at a cut. */
     private double heading(int cut) {
-        Position leg = places[cut].minus(places[cut - 1]);
+        Position leg = points[cut].minus(points[cut - 1]);
         return Math.atan2(leg.x(), leg.y());
     }
 }

@@ -26,8 +26,8 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
     }
 
     /** The distance from a point to its edge, 0 inside, m. */
-    public double distance(Position place) {
-        return Math.max(0.0, place.distance(centre) - radius);
+    public double distance(Position position) {
+        return Math.max(0.0, position.distance(centre) - radius);
     }
 
     /**
@@ -41,10 +41,10 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
         if (distance(from) == 0.0) {
             return OptionalDouble.of(0.0);
         }
-        Position way = to.minus(from);
+        Position segment = to.minus(from);
         Position toCentre = centre.minus(from);
-        double a = way.dot(way);
-        double b = way.dot(toCentre);
+        double a = segment.dot(segment);
+        double b = segment.dot(toCentre);
         double left = b * b - a * (toCentre.dot(toCentre) - radius * radius);
         if (!(a > 0.0 && left >= 0.0)) {
             return OptionalDouble.empty();
@@ -54,7 +54,7 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
     }
 
     /** The time that something needs to reach its edge in a straight line, s: 1 km at 20 m/s is 50 s. */
-    public double timeLeft(Position place, double speed) {
-        return distance(place) / speed;
+    public double timeLeft(Position position, double speed) {
+        return distance(position) / speed;
     }
 }

@@ -72,13 +72,13 @@ public final class Geodesy {
      * so that lines and areas stay in one piece. At the poles every point is right, but areas about a pole are no areas on a
      * map of longitude and latitude.
      *
-     * @param place position, m
+     * @param position position, m
      */
-    public GeoPoint at(Position place) {
+    public GeoPoint at(Position position) {
         // Coordinates that turn with the earth: out along the origin's meridian, east of it, and along the axis.
-        double out = originOut - sinLatitude * place.y() + cosLatitude * place.z();
-        double east = place.x();
-        double up = originUp + cosLatitude * place.y() + sinLatitude * place.z();
+        double out = originOut - sinLatitude * position.y() + cosLatitude * position.z();
+        double east = position.x();
+        double up = originUp + cosLatitude * position.y() + sinLatitude * position.z();
         double fromAxis = Math.hypot(out, east);
         double reduced = Math.atan2(SEMI_MAJOR * up, SEMI_MINOR * fromAxis);
         double latitude = 0.0;
@@ -90,6 +90,6 @@ public final class Geodesy {
             reduced = Math.atan2(SEMI_MINOR * Math.sin(latitude), SEMI_MAJOR * Math.cos(latitude));
         }
         return new GeoPoint(
-                Math.toDegrees(longitude + Math.atan2(east, out)), Math.toDegrees(latitude), place.z() + height);
+                Math.toDegrees(longitude + Math.atan2(east, out)), Math.toDegrees(latitude), position.z() + height);
     }
 }

@@ -44,18 +44,18 @@ final class CathedralShell {
 
     /** The way round the section, counter-clockwise when seen from the east: floor, south side, vault, north side. */
     private static List<Corner> section() {
-        List<Corner> way = new ArrayList<>();
-        addStraight(way, new Corner(-HALF_WIDTH_METRES, 0), new Corner(-NAVE_HALF_WIDTH_METRES, 0), WALL_PIECES);
-        addStraight(way, new Corner(-NAVE_HALF_WIDTH_METRES, 0), new Corner(0, 0), FLOOR_PIECES / 2);
-        addStraight(way, new Corner(0, 0), new Corner(NAVE_HALF_WIDTH_METRES, 0), FLOOR_PIECES / 2);
-        addStraight(way, new Corner(NAVE_HALF_WIDTH_METRES, 0), new Corner(HALF_WIDTH_METRES, 0), WALL_PIECES);
+        List<Corner> outline = new ArrayList<>();
+        addStraight(outline, new Corner(-HALF_WIDTH_METRES, 0), new Corner(-NAVE_HALF_WIDTH_METRES, 0), WALL_PIECES);
+        addStraight(outline, new Corner(-NAVE_HALF_WIDTH_METRES, 0), new Corner(0, 0), FLOOR_PIECES / 2);
+        addStraight(outline, new Corner(0, 0), new Corner(NAVE_HALF_WIDTH_METRES, 0), FLOOR_PIECES / 2);
+        addStraight(outline, new Corner(NAVE_HALF_WIDTH_METRES, 0), new Corner(HALF_WIDTH_METRES, 0), WALL_PIECES);
         List<Corner> south = southSide();
-        way.addAll(south);
+        outline.addAll(south);
         for (int i = south.size() - 2; i > 0; i--) {
-            way.add(new Corner(-south.get(i).z(), south.get(i).y()));
+            outline.add(new Corner(-south.get(i).z(), south.get(i).y()));
         }
-        way.add(new Corner(-HALF_WIDTH_METRES, 0));
-        return way.subList(0, way.size() - 1);
+        outline.add(new Corner(-HALF_WIDTH_METRES, 0));
+        return outline.subList(0, outline.size() - 1);
     }
 
     /** From the foot of the south wall over the aisle's vault and the nave's wall to the crown, which is its last point. */
@@ -127,10 +127,10 @@ final class CathedralShell {
     }
 
     /** Evenly spaced points from one corner towards another, without the other. */
-    private static void addStraight(List<Corner> way, Corner from, Corner to, int pieces) {
+    private static void addStraight(List<Corner> outline, Corner from, Corner to, int pieces) {
         for (int i = 0; i < pieces; i++) {
             double share = (double) i / pieces;
-            way.add(new Corner(from.z() + share * (to.z() - from.z()), from.y() + share * (to.y() - from.y())));
+            outline.add(new Corner(from.z() + share * (to.z() - from.z()), from.y() + share * (to.y() - from.y())));
         }
     }
 
@@ -195,29 +195,29 @@ final class CathedralShell {
         facets.add(new Solid.Facet(material(Solid.centre(List.of(a, b, c, d))), List.of(a, b, c, d)));
     }
 
-    private static Material material(Point place) {
-        if (place.y() < 1e-9) {
+    private static Material material(Point point) {
+        if (point.y() < 1e-9) {
             return TILES;
         }
-        double out = Math.abs(place.z());
-        boolean aisle = place.x() < HALF_LENGTH_METRES && out > NAVE_HALF_WIDTH_METRES + 1e-9;
+        double out = Math.abs(point.z());
+        boolean aisle = point.x() < HALF_LENGTH_METRES && out > NAVE_HALF_WIDTH_METRES + 1e-9;
         double spring = aisle ? AISLE_SPRING : SPRING;
-        if (place.y() > spring) {
+        if (point.y() > spring) {
             return PLASTER;
         }
-        return isWindow(place, aisle) ? GLASS : LIMESTONE;
+        return isWindow(point, aisle) ? GLASS : LIMESTONE;
     }
 
     /** One window in the middle of each bay of the aisles' and the nave's walls, five in the apse. */
-    private static boolean isWindow(Point place, boolean aisle) {
-        if (place.x() > HALF_LENGTH_METRES) {
-            double angle = StrictMath.toDegrees(StrictMath.atan2(place.x() - HALF_LENGTH_METRES, place.z()));
+    private static boolean isWindow(Point point, boolean aisle) {
+        if (point.x() > HALF_LENGTH_METRES) {
+            double angle = StrictMath.toDegrees(StrictMath.atan2(point.x() - HALF_LENGTH_METRES, point.z()));
             double beside = Math.abs(angle - 36 * Math.floor(angle / 36) - 18);
-            return beside < 7.5 && place.y() > 5.5 && place.y() < 12.5;
+            return beside < 7.5 && point.y() > 5.5 && point.y() < 12.5;
         }
-        double bay = (place.x() + HALF_LENGTH_METRES) / BAY;
+        double bay = (point.x() + HALF_LENGTH_METRES) / BAY;
         double beside = Math.abs(bay - Math.floor(bay) - 0.5) * BAY;
-        boolean high = aisle ? place.y() > 2 && place.y() < 5 : place.y() > 9.8 && place.y() < 13.2;
+        boolean high = aisle ? point.y() > 2 && point.y() < 5 : point.y() > 9.8 && point.y() < 13.2;
         return bay < BAYS && beside < 1.2 && high;
     }
 }

@@ -139,15 +139,15 @@ final class CathedralStonework {
         }
         int pieces = 30;
         for (int bay = 0; bay < BAYS; bay++) {
-            for (int way = 0; way < 2; way++) {
+            for (int diagonal = 0; diagonal < 2; diagonal++) {
                 List<Point> line = new ArrayList<>();
                 for (int i = 0; i <= pieces; i++) {
                     double z = NAVE_HALF_WIDTH_METRES * StrictMath.cos(StrictMath.PI * i / pieces);
-                    double share = 0.5 * (1 + (way == 0 ? z : -z) / NAVE_HALF_WIDTH_METRES);
+                    double share = 0.5 * (1 + (diagonal == 0 ? z : -z) / NAVE_HALF_WIDTH_METRES);
                     double x = -HALF_LENGTH_METRES + (bay + share) * BAY;
                     line.add(new Point(x, CathedralModel.vaultHeight(z) - 0.02, z));
                 }
-                builder.add("diagonal_" + bay + (way == 0 ? "a" : "b"), Solids.pipe(LIMESTONE, line, 0.13, 8));
+                builder.add("diagonal_" + bay + (diagonal == 0 ? "a" : "b"), Solids.pipe(LIMESTONE, line, 0.13, 8));
             }
         }
     }

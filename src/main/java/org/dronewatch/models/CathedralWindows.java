@@ -50,10 +50,10 @@ final class CathedralWindows {
 
     /** A frame with a pointed head, two lancets with heads of their own and a ring above them. */
     private static void addWindow(
-            MeshBuilder builder, String name, double sill, double spring, UnaryOperator<Point> place) {
-        add(builder, "frame_" + name, outline(0, HALF, sill, spring), 1.4 * ROUND, place);
-        add(builder, "lancet_a_" + name, outline(-HALF / 2, HALF / 2, sill, spring - 0.3), ROUND, place);
-        add(builder, "lancet_b_" + name, outline(HALF / 2, HALF / 2, sill, spring - 0.3), ROUND, place);
+            MeshBuilder builder, String name, double sill, double spring, UnaryOperator<Point> placement) {
+        add(builder, "frame_" + name, outline(0, HALF, sill, spring), 1.4 * ROUND, placement);
+        add(builder, "lancet_a_" + name, outline(-HALF / 2, HALF / 2, sill, spring - 0.3), ROUND, placement);
+        add(builder, "lancet_b_" + name, outline(HALF / 2, HALF / 2, sill, spring - 0.3), ROUND, placement);
         List<Point> ring = new ArrayList<>();
         for (int i = 0; i <= PIECES; i++) {
             double angle = 2 * StrictMath.PI * i / PIECES;
@@ -61,8 +61,8 @@ final class CathedralWindows {
             ring.add(new Point(0.30 * StrictMath.cos(angle), y, 0));
         }
         // A ring's ends lie in each other: two half rings are two plain bars.
-        add(builder, "ring_a_" + name, ring.subList(0, PIECES / 2 + 1), ROUND, place);
-        add(builder, "ring_b_" + name, ring.subList(PIECES / 2, PIECES + 1), ROUND, place);
+        add(builder, "ring_a_" + name, ring.subList(0, PIECES / 2 + 1), ROUND, placement);
+        add(builder, "ring_b_" + name, ring.subList(PIECES / 2, PIECES + 1), ROUND, placement);
     }
 
     private static List<Point> outline(double middle, double half, double sill, double spring) {
@@ -78,7 +78,7 @@ final class CathedralWindows {
     }
 
     private static void add(
-            MeshBuilder builder, String name, List<Point> line, double radius, UnaryOperator<Point> place) {
-        builder.add(name, Solids.pipe(LIMESTONE, line.stream().map(place).toList(), radius, 5));
+            MeshBuilder builder, String name, List<Point> line, double radius, UnaryOperator<Point> placement) {
+        builder.add(name, Solids.pipe(LIMESTONE, line.stream().map(placement).toList(), radius, 5));
     }
 }

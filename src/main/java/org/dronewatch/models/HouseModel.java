@@ -117,8 +117,8 @@ public final class HouseModel {
         addOnWall(name + "_pane", GLASS, along, sill, wide, high, 0.03, side, longWall);
         for (double end : new double[] {-1, 1}) {
             String which = end < 0 ? "a" : "b";
-            double place = along + end * (wide + bar) / 2;
-            addOnWall(name + "_jamb_" + which, WOOD, place, sill - bar, bar, high + 2 * bar, 0.08, side, longWall);
+            double centre = along + end * (wide + bar) / 2;
+            addOnWall(name + "_jamb_" + which, WOOD, centre, sill - bar, bar, high + 2 * bar, 0.08, side, longWall);
         }
         addOnWall(name + "_head", WOOD, along, sill + high, wide, bar, 0.08, side, longWall);
         addOnWall(name + "_sill", CONCRETE, along, sill - bar, wide, bar, 0.16, side, longWall);

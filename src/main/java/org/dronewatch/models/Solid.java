@@ -56,10 +56,10 @@ final class Solid {
     }
 
     /** The same solid with every corner somewhere else. */
-    Solid moved(UnaryOperator<Point> way) {
+    Solid moved(UnaryOperator<Point> motion) {
         Solid other = new Solid();
         for (Facet facet : facets) {
-            other.add(facet.material(), facet.corners().stream().map(way).toList());
+            other.add(facet.material(), facet.corners().stream().map(motion).toList());
         }
         return other;
     }

@@ -17,9 +17,9 @@ public record Cut(Position normal, double offset) {
     }
 
     /** Takes away all that lies from a place on in a direction, of any length but 0. */
-    public static Cut from(Position place, Position direction) {
+    public static Cut from(Position point, Position direction) {
         Position normal = direction.times(1.0 / direction.length());
-        return new Cut(normal, dot(normal, place));
+        return new Cut(normal, dot(normal, point));
     }
 
     private static double dot(Position a, Position b) {

@@ -17,7 +17,7 @@ public final class Flights {
     /** A site is looked at with this much about its sensors and drones at least, m. */
     private static final double ROOM = 5.0;
 
-    private final Map<String, List<Position>> places = new LinkedHashMap<>();
+    private final Map<String, List<Position>> positions = new LinkedHashMap<>();
     private final double step;
 
     /** The flights of one run. */
@@ -25,28 +25,28 @@ public final class Flights {
         this.step = settings.run().duration() / STEPS;
         for (int i = 0; i <= STEPS; i++) {
             for (Drone drone : stage.dronesAt(i * step)) {
-                places.computeIfAbsent(drone.id(), id -> new ArrayList<>()).add(Position.of(drone.position()));
+                positions.computeIfAbsent(drone.id(), id -> new ArrayList<>()).add(Position.of(drone.position()));
             }
         }
     }
 
     /** A drone as it is at a time, with its way. */
     public DroneMark mark(Drone drone, double time, boolean detected) {
-        List<Position> way = places.get(drone.id());
+        List<Position> path = positions.get(drone.id());
         Position now = Position.of(drone.position());
         int next = (int) Math.min(STEPS, Math.floor(time / step) + 1.0);
-        List<Position> flown = new ArrayList<>(way.subList(0, next));
+        List<Position> flown = new ArrayList<>(path.subList(0, next));
         flown.add(now);
         List<Position> toCome = new ArrayList<>();
         toCome.add(now);
-        toCome.addAll(way.subList(next, way.size()));
+        toCome.addAll(path.subList(next, path.size()));
         return new DroneMark(drone, flown, toCome, detected);
     }
 
     /** The box around all sensors and all flights, with some room about it. */
     public AABB interest(SceneSettings settings) {
         List<Position> all = new ArrayList<>();
-        places.values().forEach(all::addAll);
+        positions.values().forEach(all::addAll);
         settings.enabledSensors().values().forEach(sensor -> all.add(sensor.position()));
         double lowX = all.stream().mapToDouble(Position::x).min().orElse(0.0);
         double lowY = all.stream().mapToDouble(Position::y).min().orElse(0.0);

@@ -33,7 +33,7 @@ final class Furniture {
     private final int height;
     private final double scale;
     private final int margin;
-    private final List<Rectangle> places = new ArrayList<>();
+    private final List<Rectangle> occupied = new ArrayList<>();
 
     Furniture(Graphics2D g, int width, int height, double scale) {
         this.g = g;
@@ -44,8 +44,8 @@ final class Furniture {
     }
 
     /** Where it stands: nothing else should. */
-    List<Rectangle> places() {
-        return places;
+    List<Rectangle> occupied() {
+        return occupied;
     }
 
     private int px(double normal) {
@@ -53,7 +53,7 @@ final class Furniture {
     }
 
     private void paper(int x, int y, int w, int h) {
-        places.add(new Rectangle(x, y, w, h));
+        occupied.add(new Rectangle(x, y, w, h));
         g.setColor(PAPER);
         g.fillRoundRect(x, y, w, h, px(10), px(10));
         g.setColor(new Color(0, 0, 0, 28));
@@ -232,7 +232,7 @@ final class Furniture {
     }
 
     /** A place in words for people, such as (12.0, 8.5, 143.2) m. */
-    static String text(Position place) {
-        return String.format(Locale.ROOT, "(%.1f, %.1f, %.1f) m", place.x(), place.y(), place.z());
+    static String text(Position position) {
+        return String.format(Locale.ROOT, "(%.1f, %.1f, %.1f) m", position.x(), position.y(), position.z());
     }
 }

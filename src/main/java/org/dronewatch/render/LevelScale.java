@@ -40,8 +40,8 @@ public record LevelScale(double low, double high) {
     /** The colour of a level, red, green and blue in the lowest 24 bits. */
     public int colour(double level) {
         double share = Math.max(0.0, Math.min(1.0, (level - low) / (high - low)));
-        double place = share * (COLOURS.length - 1);
-        int below = (int) Math.min(COLOURS.length - 2.0, place);
-        return Canvas.mix(COLOURS[below], COLOURS[below + 1], place - below);
+        double index = share * (COLOURS.length - 1);
+        int below = (int) Math.min(COLOURS.length - 2.0, index);
+        return Canvas.mix(COLOURS[below], COLOURS[below + 1], index - below);
     }
 }

@@ -142,11 +142,11 @@ final class LinePainter {
      *
      * @param size of the thing there, m: what stands nearer to it than this is a part of it
      */
-    boolean sees(Position place, double size) {
-        if (cut != null && !cut.keeps(place)) {
+    boolean sees(Position point, double size) {
+        if (cut != null && !cut.keeps(point)) {
             return false;
         }
-        camera.toView(place.x(), place.y(), place.z(), from, 0);
+        camera.toView(point.x(), point.y(), point.z(), from, 0);
         if (from[2] < NEAR) {
             return false;
         }

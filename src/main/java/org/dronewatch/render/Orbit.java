@@ -79,8 +79,8 @@ public record Orbit(Position target, double bearing, double elevation, double di
     }
 
     /** This orbit about another place. */
-    public Orbit at(Position place) {
-        return new Orbit(place, bearing, elevation, distance, fov);
+    public Orbit at(Position point) {
+        return new Orbit(point, bearing, elevation, distance, fov);
     }
 
     /** This orbit so near that its picture is so many metres high at its target. */

@@ -53,13 +53,14 @@ final class OutlinePainter {
             for (int i = 0; i < steps; i++) {
                 double from = first + sector.azimuthWidth() * i / steps;
                 double to = first + sector.azimuthWidth() * (i + 1) / steps;
-                lines.line(place(at, from, elevation, range), place(at, to, elevation, range), width, colour, weight);
+                lines.line(
+                        pointAt(at, from, elevation, range), pointAt(at, to, elevation, range), width, colour, weight);
             }
             for (int side = 0; side <= 1 && !round; side++) {
                 double azimuth = first + side * sector.azimuthWidth();
                 lines.line(
-                        place(at, azimuth, elevation, Math.min(range, sector.minRange())),
-                        place(at, azimuth, elevation, range),
+                        pointAt(at, azimuth, elevation, Math.min(range, sector.minRange())),
+                        pointAt(at, azimuth, elevation, range),
                         width,
                         colour,
                         weight);
@@ -67,7 +68,7 @@ final class OutlinePainter {
         }
     }
 
-    private static Position place(Position at, double azimuth, double elevation, double range) {
+    private static Position pointAt(Position at, double azimuth, double elevation, double range) {
         double level = range * Math.cos(elevation);
         return at.plus(new Position(level * Math.sin(azimuth), level * Math.cos(azimuth), range * Math.sin(elevation)));
     }

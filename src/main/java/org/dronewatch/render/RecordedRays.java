@@ -112,7 +112,7 @@ public final class RecordedRays {
         Map<List<Long>, Integer> endingAt = new HashMap<>();
         for (int i = 0; i < count(); i++) {
             if (!received.get(i)) {
-                endingAt.putIfAbsent(place(i, 3, orders[i]), i);
+                endingAt.putIfAbsent(endKey(i, 3, orders[i]), i);
             }
         }
         BitSet found = new BitSet(count());
@@ -120,13 +120,13 @@ public final class RecordedRays {
             Integer piece = i;
             while (piece != null && !found.get(piece)) {
                 found.set(piece);
-                piece = orders[piece] == 0 ? null : endingAt.get(place(piece, 0, orders[piece] - 1));
+                piece = orders[piece] == 0 ? null : endingAt.get(endKey(piece, 0, orders[piece] - 1));
             }
         }
         return found;
     }
 
-    private List<Long> place(int piece, int first, int order) {
+    private List<Long> endKey(int piece, int first, int order) {
         return List.of(
                 Math.round(end(piece, first) / SAME),
                 Math.round(end(piece, first + 1) / SAME),

@@ -151,10 +151,10 @@ public final class SitePicture {
         return 2 * roofed > all ? Optional.of(Cut.above(interest.maxZ() - 2.5)) : Optional.empty();
     }
 
-    private boolean isUnderRoof(Position place) {
+    private boolean isUnderRoof(Position point) {
         Position sky = new Position(
-                place.x(), place.y(), Math.max(place.z(), world.bounds().maxZ()) + 1.0);
-        return !new Visibility(world).isFree(place, sky);
+                point.x(), point.y(), Math.max(point.z(), world.bounds().maxZ()) + 1.0);
+        return !new Visibility(world).isFree(point, sky);
     }
 
     /**
@@ -211,7 +211,7 @@ public final class SitePicture {
                 new Symbols(g, camera, lines, image.getHeight() / (double) camera.height(), style.scale()),
                 state,
                 style,
-                furniture.places());
+                furniture.occupied());
         g.dispose();
         return image;
     }

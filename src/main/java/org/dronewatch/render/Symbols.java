@@ -75,16 +75,16 @@ final class Symbols {
     }
 
     /** Nothing is drawn where these are. */
-    void keepOff(List<Rectangle> places) {
-        taken.addAll(places);
+    void keepOff(List<Rectangle> areas) {
+        taken.addAll(areas);
         Area free = new Area(new Rectangle(
                 0, 0, (int) (toPicture * camera.width() + 0.5), (int) (toPicture * camera.height() + 0.5)));
-        places.forEach(place -> free.subtract(new Area(place)));
+        areas.forEach(area -> free.subtract(new Area(area)));
         g.clip(free);
     }
 
-    private boolean project(Position place) {
-        camera.toView(place.x(), place.y(), place.z(), view, 0);
+    private boolean project(Position point) {
+        camera.toView(point.x(), point.y(), point.z(), view, 0);
         if (view[2] < CameraObject.NEAR) {
             return false;
         }

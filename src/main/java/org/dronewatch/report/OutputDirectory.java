@@ -40,9 +40,9 @@ final class OutputDirectory implements AutoCloseable {
         if (absolute.getParent() == null) {
             throw new InputException(asked + " is the root of a file system");
         }
-        for (Path place = absolute; place != null; place = place.getParent()) {
-            if (Files.exists(place) && !Files.isDirectory(place)) {
-                throw new InputException(asked + " cannot be written: " + PlainText.value(place) + " is a file");
+        for (Path path = absolute; path != null; path = path.getParent()) {
+            if (Files.exists(path) && !Files.isDirectory(path)) {
+                throw new InputException(asked + " cannot be written: " + PlainText.value(path) + " is a file");
             }
         }
         try {
@@ -99,8 +99,8 @@ final class OutputDirectory implements AutoCloseable {
 
     /** The files that were written in a folder of the directory so far, in the order of their names. */
     List<Path> filesIn(String folder) throws IOException {
-        Path place = fresh.resolve(folder);
-        return Files.isDirectory(place) ? filesIn(place) : List.of();
+        Path directory = fresh.resolve(folder);
+        return Files.isDirectory(directory) ? filesIn(directory) : List.of();
     }
 
     /**

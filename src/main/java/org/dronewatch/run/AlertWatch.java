@@ -56,8 +56,8 @@ public final class AlertWatch {
         for (Observation observation : frame.observations()) {
             if (!observation.isFalse() && !firstSights.containsKey(observation.drone())) {
                 SensorSettings<?> sensor = settings.sensors().get(observation.sensor());
-                Position place = Position.of(drones.get(observation.drone()).position());
-                if (Sightline.looks(sensor) && sightline.isPossible(sensor, place)) {
+                Position position = Position.of(drones.get(observation.drone()).position());
+                if (Sightline.looks(sensor) && sightline.isPossible(sensor, position)) {
                     firstSights.put(observation.drone(), frame.time());
                 }
             }
@@ -90,7 +90,7 @@ public final class AlertWatch {
         OptionalInt contact = stage.association().contactOf(drone.id());
         Optional<Alert> alert = contact.isPresent() ? log.alert(contact.getAsInt()) : Optional.empty();
         AlertSettings wanted = settings.alert();
-        Optional<Position> place = Optional.ofNullable(placesAtAlert.get(drone.id()));
+        Optional<Position> position = Optional.ofNullable(placesAtAlert.get(drone.id()));
         OptionalDouble distance = OptionalDouble.empty();
         OptionalDouble warning = OptionalDouble.empty();
         OptionalDouble entered = OptionalDouble.empty();
@@ -98,11 +98,13 @@ public final class AlertWatch {
         if (wanted.protect().isPresent()) {
             ProtectedZone zone = wanted.protect().get();
             entered = entered(drone.id(), zone, stage, simulated);
-            if (place.isPresent()) {
-                distance = OptionalDouble.of(zone.distance(place.get()));
+            if (position.isPresent()) {
+                distance = OptionalDouble.of(zone.distance(position.get()));
                 boolean late = alert.orElseThrow().time() >= entered.orElse(Double.POSITIVE_INFINITY);
                 warning = OptionalDouble.of(
-                        late ? 0.0 : zone.timeLeft(place.get(), drone.settings().speed()));
+                        late
+                                ? 0.0
+                                : zone.timeLeft(position.get(), drone.settings().speed()));
             }
             if (wanted.response() > 0.0) {
                 boolean before = alert.isPresent() && alert.get().time() <= entered.orElse(Double.POSITIVE_INFINITY);

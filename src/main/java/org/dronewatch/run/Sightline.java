@@ -27,15 +27,16 @@ public final class Sightline {
     }
 
     /** Whether a position is in a sensor's field of view and range now; always for a sensor without a field of view. */
-    public static boolean isInField(SensorSettings<?> sensor, Optional<Pointing> pointing, Position place) {
+    public static boolean isInField(SensorSettings<?> sensor, Optional<Pointing> pointing, Position position) {
         return Outlined.fieldOfView(sensor, pointing)
-                .map(shape -> shape.contains(place.minus(sensor.position())))
+                .map(shape -> shape.contains(position.minus(sensor.position())))
                 .orElse(true);
     }
 
     /** Whether a sensor could look at a position, wherever its positioner can turn it. */
-    public boolean isPossible(SensorSettings<?> sensor, Position place) {
-        return isInField(sensor, Mounted.turnedTo(sensor, place), place) && visibility.isFree(sensor.position(), place);
+    public boolean isPossible(SensorSettings<?> sensor, Position position) {
+        return isInField(sensor, Mounted.turnedTo(sensor, position), position)
+                && visibility.isFree(sensor.position(), position);
     }
 
     /** The world that it is in. */

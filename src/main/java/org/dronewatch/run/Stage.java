@@ -218,10 +218,10 @@ public final class Stage {
      * The drones as they were when the signal that reaches a position now left them; without those whose signal has not
      * arrived yet.
      */
-    private List<Drone> dronesReaching(Position place, double speed, double time) {
+    private List<Drone> dronesReaching(Position position, double speed, double time) {
         List<Drone> reaching = new ArrayList<>();
         for (Flier flier : fliers) {
-            EmissionTime.of(flier.path, place, speed, time)
+            EmissionTime.of(flier.path, position, speed, time)
                     .ifPresent(emission -> reaching.add(flier.drone.at(flier.path.at(emission))));
         }
         return reaching;

@@ -63,8 +63,8 @@ public final class SceneBuilder {
         light = other;
     }
 
-    public void setOrigin(Origin place) {
-        origin = Optional.of(place);
+    public void setOrigin(Origin other) {
+        origin = Optional.of(other);
     }
 
     public void addDrone(String id, DroneSettings settings) {

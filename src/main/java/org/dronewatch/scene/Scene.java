@@ -155,8 +155,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /** Sets where on earth the scene's origin lies; unknown unless set. If set, a run writes maps. */
-    protected final void setOrigin(Origin place) {
-        building().setOrigin(place);
+    protected final void setOrigin(Origin origin) {
+        building().setOrigin(origin);
     }
 
     /**

@@ -33,9 +33,9 @@ public sealed interface Aim {
 
         @Override
         public Position from(Position sensor) {
-            Position way = lookAt.minus(sensor);
-            Check.atLeast("distance from 'position' to 'lookAt'", way.length(), NEAREST, Quantity.LENGTH);
-            return way;
+            Position vector = lookAt.minus(sensor);
+            Check.atLeast("distance from 'position' to 'lookAt'", vector.length(), NEAREST, Quantity.LENGTH);
+            return vector;
         }
     }
 

@@ -16,9 +16,9 @@ public sealed interface Outline {
     /**
      * Whether a point is inside.
      *
-     * @param way vector from the sensor, m
+     * @param vector vector from the sensor, m
      */
-    boolean contains(Position way);
+    boolean contains(Position vector);
 
     /**
      * The field of view of a camera's picture.
@@ -45,11 +45,11 @@ public sealed interface Outline {
         }
 
         @Override
-        public boolean contains(Position way) {
-            double ahead = way.dot(forward);
+        public boolean contains(Position vector) {
+            double ahead = vector.dot(forward);
             return ahead > 0.0
-                    && Math.abs(way.dot(right)) <= halfWidth * ahead
-                    && Math.abs(way.dot(up)) <= halfHeight * ahead;
+                    && Math.abs(vector.dot(right)) <= halfWidth * ahead
+                    && Math.abs(vector.dot(up)) <= halfHeight * ahead;
         }
     }
 
@@ -72,21 +72,21 @@ public sealed interface Outline {
             double maxRange)
             implements Outline {
         /** Whether something is neither too near nor too far. */
-        public boolean reaches(Position way) {
-            double range = way.length();
+        public boolean reaches(Position vector) {
+            double range = vector.length();
             return range >= minRange && range <= maxRange;
         }
 
         /** Why something is missed that it does not reach: the range where it begins or ends is the limit. */
-        public Explanation beyond(Position way) {
-            return Explanation.beyond(Cause.OUT_OF_RANGE, way.length() < minRange ? minRange : maxRange);
+        public Explanation beyond(Position vector) {
+            return Explanation.beyond(Cause.OUT_OF_RANGE, vector.length() < minRange ? minRange : maxRange);
         }
 
         @Override
-        public boolean contains(Position way) {
-            double aside = Math.IEEEremainder(Math.atan2(way.x(), way.y()) - azimuth, 2.0 * Math.PI);
-            double above = Math.atan2(way.z(), Math.hypot(way.x(), way.y())) - elevation;
-            return reaches(way)
+        public boolean contains(Position vector) {
+            double aside = Math.IEEEremainder(Math.atan2(vector.x(), vector.y()) - azimuth, 2.0 * Math.PI);
+            double above = Math.atan2(vector.z(), Math.hypot(vector.x(), vector.y())) - elevation;
+            return reaches(vector)
                     && Math.abs(aside) <= 0.5 * azimuthWidth + ROUNDING
                     && Math.abs(above) <= 0.5 * elevationWidth + ROUNDING;
         }
@@ -99,8 +99,8 @@ public sealed interface Outline {
      */
     record Ball(double radius) implements Outline {
         @Override
-        public boolean contains(Position way) {
-            return way.length() <= radius;
+        public boolean contains(Position vector) {
+            return vector.length() <= radius;
         }
     }
 }

@@ -8,8 +8,9 @@ final class Texts {
     private Texts() {}
 
     /** A place, m. */
-    static String place(Position place) {
-        return String.format(Locale.ROOT, "east %.1f m, north %.1f m, up %.1f m", place.x(), place.y(), place.z());
+    static String place(Position position) {
+        return String.format(
+                Locale.ROOT, "east %.1f m, north %.1f m, up %.1f m", position.x(), position.y(), position.z());
     }
 
     /** A time, s. */

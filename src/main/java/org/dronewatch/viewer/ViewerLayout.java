@@ -63,8 +63,8 @@ final class ViewerLayout {
         return number("divider." + name);
     }
 
-    void setDivider(String name, int place) {
-        set("divider." + name, place);
+    void setDivider(String name, int location) {
+        set("divider." + name, location);
     }
 
     private Optional<Integer> number(String key) {

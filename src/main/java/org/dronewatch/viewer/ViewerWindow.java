@@ -94,13 +94,13 @@ final class ViewerWindow {
     Runnable replace(String title, ViewerPane content, BiFunction<SceneSettings, Path, String> text) {
         ViewerPane old = pane;
         FilmExport oldFilms = films;
-        int[] places = pane.dividers().stream()
+        int[] locations = pane.dividers().stream()
                 .mapToInt(JSplitPane::getDividerLocation)
                 .toArray();
         fill(title, content, text);
         frame.validate();
-        for (int i = 0; i < places.length; i++) {
-            pane.dividers().get(i).setDividerLocation(places[i]);
+        for (int i = 0; i < locations.length; i++) {
+            pane.dividers().get(i).setDividerLocation(locations[i]);
         }
         pane.world().requestFocusInWindow();
         return () -> {

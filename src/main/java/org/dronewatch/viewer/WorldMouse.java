@@ -38,7 +38,7 @@ final class WorldMouse extends MouseAdapter {
         }
         if (e.getClickCount() == 2) {
             panel.placeAt(e.getX(), e.getY())
-                    .ifPresent(place -> panel.move(panel.orbit().at(place).zoomed(0.6)));
+                    .ifPresent(point -> panel.move(panel.orbit().at(point).zoomed(0.6)));
         } else {
             panel.select(e.getX(), e.getY());
         }
@@ -73,8 +73,8 @@ final class WorldMouse extends MouseAdapter {
         }
         double factor = Math.pow(ZOOM, -e.getPreciseWheelRotation());
         // What is under the pointer stays there: the target moves towards it as the eye does.
-        Optional<Position> place = panel.placeAt(e.getX(), e.getY());
-        Position target = place.filter(p -> factor < 1.0)
+        Optional<Position> point = panel.placeAt(e.getX(), e.getY());
+        Position target = point.filter(p -> factor < 1.0)
                 .map(p -> orbit.target().plus(aside(orbit, e).times(1.0 - factor)))
                 .orElse(orbit.target());
         panel.move(orbit.at(target).zoomed(factor));

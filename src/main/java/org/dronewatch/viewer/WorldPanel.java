@@ -156,20 +156,20 @@ final class WorldPanel extends JPanel {
             return;
         }
         List<String> ids = new ArrayList<>();
-        List<Position> places = new ArrayList<>();
+        List<Position> positions = new ArrayList<>();
         state.drones().forEach(mark -> {
             ids.add(mark.drone().id());
-            places.add(Position.of(mark.drone().position()));
+            positions.add(Position.of(mark.drone().position()));
         });
         state.sensors().forEach(mark -> {
             ids.add(mark.id());
-            places.add(mark.position());
+            positions.add(mark.position());
         });
         double nearest = NEAR * Scaled.factor();
         String found = null;
         for (int i = 0; i < ids.size(); i++) {
             Point2d at = orbit.camera(getWidth(), getHeight())
-                    .pixelOf(places.get(i).toPoint3d())
+                    .pixelOf(positions.get(i).toPoint3d())
                     .orElse(new Point2d(1e9, 1e9));
             double distance = at.distance(new Point2d(x, y));
             if (distance < nearest) {

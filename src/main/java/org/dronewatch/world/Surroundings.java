@@ -19,7 +19,7 @@ final class Surroundings {
      * Whether most surfaces about a place show their backs: then it is inside a wall or under the ground, in a mesh whose
      * triangles are wound counter-clockwise seen from where sound and light are.
      */
-    boolean showTheirBacks(Position place) {
+    boolean showTheirBacks(Position position) {
         int fronts = 0;
         int backs = 0;
         for (int x = -1; x <= 1; x++) {
@@ -27,7 +27,7 @@ final class Surroundings {
                 for (int z = -1; z <= 1; z++) {
                     boolean any = (x != 0 || y != 0 || z != 0)
                             && traversal.closestHit(
-                                    place.x(), place.y(), place.z(), x, y, z, 0.0, Double.POSITIVE_INFINITY);
+                                    position.x(), position.y(), position.z(), x, y, z, 0.0, Double.POSITIVE_INFINITY);
                     if (any && isBack(traversal.triangle(), x, y, z)) {
                         backs++;
                     } else if (any) {

@@ -106,8 +106,8 @@ public record WorldSettings(
     }
 
     /** These settings somewhere on earth. */
-    public WorldSettings withOrigin(Origin place) {
-        return SettingsForm.with(this, "origin", Optional.of(place));
+    public WorldSettings withOrigin(Origin other) {
+        return SettingsForm.with(this, "origin", Optional.of(other));
     }
 
     /** These settings with rain, mm/h. */

@@ -67,8 +67,8 @@ public record ModelSettings(
     }
 
     /** These settings with another place, m. */
-    public ModelSettings withPosition(Position place) {
-        return SettingsForm.with(this, "position", place);
+    public ModelSettings withPosition(Position other) {
+        return SettingsForm.with(this, "position", other);
     }
 
     /** These settings with another heading, rad clockwise from above. */

@@ -41,8 +41,9 @@ final class Described {
         if (value instanceof Optional<?> optional) {
             return optional.flatMap(inside -> value(inside, quantity));
         }
-        if (value instanceof Position place) {
-            return Optional.of(String.format(Locale.ROOT, "(%.1f, %.1f, %.1f) m", place.x(), place.y(), place.z()));
+        if (value instanceof Position position) {
+            return Optional.of(
+                    String.format(Locale.ROOT, "(%.1f, %.1f, %.1f) m", position.x(), position.y(), position.z()));
         }
         if (value instanceof Record inner) {
             String parts = of(inner, Set.of());

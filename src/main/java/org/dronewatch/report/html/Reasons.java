@@ -111,8 +111,8 @@ final class Reasons {
             Optional<Pointing> pointing = pointings.at(sensor, i * step);
             for (String drone : drones) {
                 Drone flying = moments.get(i).get(drone);
-                Position place = Position.of(flying.position());
-                nearest = Math.min(nearest, place.distance(missing.position()));
+                Position position = Position.of(flying.position());
+                nearest = Math.min(nearest, position.distance(missing.position()));
                 gliding += flying.isPowered() ? 0 : 1;
                 counts.merge(reason(assessor, pointing, flying, weak, materials), 1, Integer::sum);
             }

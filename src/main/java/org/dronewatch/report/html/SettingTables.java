@@ -45,8 +45,8 @@ final class SettingTables {
         settings.sensors().forEach((id, sensor) -> {
             boolean enabled = settings.isEnabled(id);
             String looks = enabled ? number(sensor.rate()) : "switched off";
-            List<String> row =
-                    new ArrayList<>(List.of(id, sensor.kind(), place(sensor.position()), looks, described(sensor)));
+            List<String> row = new ArrayList<>(
+                    List.of(id, sensor.kind(), coordinates(sensor.position()), looks, described(sensor)));
             if (priced) {
                 String known = prices.containsKey(id) ? money(prices.get(id)) : "not known";
                 row.add(4, enabled ? known : "not installed");
@@ -75,12 +75,12 @@ final class SettingTables {
         return sensor instanceof Record parts ? Described.of(parts, Set.of("position", "rate")) : sensor.toString();
     }
 
-    private static String place(Position at) {
+    private static String coordinates(Position at) {
         return format("%.1f, %.1f, %.1f", at.x(), at.y(), at.z());
     }
 
     /** {@code 50.08000 deg N, 14.42000 deg E, 250 m above sea level}. */
-    private static String place(Origin origin) {
+    private static String coordinates(Origin origin) {
         double latitude = Math.toDegrees(origin.latitude());
         double longitude = Math.toDegrees(origin.longitude());
         return format(
@@ -131,7 +131,7 @@ final class SettingTables {
                 Long.toString(result.seed())));
         world.origin().ifPresent(origin -> {
             head.add("origin");
-            row.add(place(origin));
+            row.add(coordinates(origin));
         });
         return Html.table(head, List.of(row));
     }
@@ -148,10 +148,10 @@ final class SettingTables {
                 : ", each by " + alert.confirm().hits() + " of its last "
                         + alert.confirm().looks() + " looks";
         String zone = alert.protect()
-                .map(ball ->
-                        " Protected zone: everything within " + number(ball.radius()) + " m of (" + place(ball.centre())
-                                + ") m. The warning time is that of the straight flight to the zone at the drone's cruise speed."
-                                + needs)
+                .map(ball -> " Protected zone: everything within " + number(ball.radius()) + " m of ("
+                        + coordinates(ball.centre())
+                        + ") m. The warning time is that of the straight flight to the zone at the drone's cruise speed."
+                        + needs)
                 .orElse("");
         return Html.plain("p", "Alert rule: " + rule(alert.rule(), confirmed) + "." + zone);
     }

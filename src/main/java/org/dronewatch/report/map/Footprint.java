@@ -53,9 +53,9 @@ final class Footprint {
         for (int corner = 0; corner < 4; corner++) {
             double aside = corner < 2 ? pyramid.halfWidth() : -pyramid.halfWidth();
             double above = corner % 2 == 0 ? pyramid.halfHeight() : -pyramid.halfHeight();
-            Position way =
+            Position vector =
                     forward.plus(pyramid.right().times(aside)).plus(pyramid.up().times(above));
-            double bearing = Math.IEEEremainder(Math.atan2(way.x(), way.y()) - axis, TURN);
+            double bearing = Math.IEEEremainder(Math.atan2(vector.x(), vector.y()) - axis, TURN);
             left = Math.min(left, bearing);
             right = Math.max(right, bearing);
         }
@@ -78,17 +78,17 @@ final class Footprint {
 
     /** The places of an arc about a place from one compass bearing to another, rad. */
     private static List<Position> arc(Position at, double radius, double from, double to, int steps) {
-        List<Position> places = new ArrayList<>();
+        List<Position> positions = new ArrayList<>();
         for (int i = 0; i <= steps; i++) {
             double bearing = from + (to - from) * i / steps;
-            places.add(at.plus(new Position(radius * Math.sin(bearing), radius * Math.cos(bearing), 0.0)));
+            positions.add(at.plus(new Position(radius * Math.sin(bearing), radius * Math.cos(bearing), 0.0)));
         }
-        return places;
+        return positions;
     }
 
-    private static List<Position> closed(List<Position> places) {
-        List<Position> ring = new ArrayList<>(places);
-        ring.add(places.get(0));
+    private static List<Position> closed(List<Position> positions) {
+        List<Position> ring = new ArrayList<>(positions);
+        ring.add(positions.get(0));
         return ring;
     }
 }

@@ -53,17 +53,17 @@ final class GeoJson {
     private static void addGeometry(ObjectNode node, Shape shape) {
         if (shape instanceof Shape.Point point) {
             node.put("type", "Point");
-            add(node.putArray("coordinates"), point.place().inSpace());
+            add(node.putArray("coordinates"), point.position().inSpace());
         } else if (shape instanceof Shape.Line line) {
             node.put("type", "LineString");
-            ArrayNode places = node.putArray("coordinates");
-            line.places().forEach(place -> add(places.addArray(), place.inSpace()));
+            ArrayNode positions = node.putArray("coordinates");
+            line.positions().forEach(position -> add(positions.addArray(), position.inSpace()));
         } else if (shape instanceof Shape.Area area) {
             node.put("type", "Polygon");
             ArrayNode rings = node.putArray("coordinates");
             for (List<GeoPoint> ring : area.rings()) {
-                ArrayNode places = rings.addArray();
-                ring.forEach(place -> add(places.addArray(), place.onPlan()));
+                ArrayNode positions = rings.addArray();
+                ring.forEach(position -> add(positions.addArray(), position.onPlan()));
             }
         }
     }

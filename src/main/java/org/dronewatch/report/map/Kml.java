@@ -128,14 +128,14 @@ final class Kml {
         if (shape instanceof Shape.Point point) {
             kml.open("Point");
             kml.text("altitudeMode", heights());
-            kml.text("coordinates", coordinates(List.of(point.place()), GeoPoint::inSpace));
+            kml.text("coordinates", coordinates(List.of(point.position()), GeoPoint::inSpace));
             kml.close();
         } else if (shape instanceof Shape.Line line) {
             kml.open("LineString");
             // Along the ground, not through it; or with a curtain down to it.
             kml.text(content.isInSpace() ? "extrude" : "tessellate", "1");
             kml.text("altitudeMode", heights());
-            kml.text("coordinates", coordinates(line.places(), GeoPoint::inSpace));
+            kml.text("coordinates", coordinates(line.positions(), GeoPoint::inSpace));
             kml.close();
         } else if (shape instanceof Shape.Area area) {
             writeArea(kml, area);
@@ -160,9 +160,9 @@ final class Kml {
         kml.close();
     }
 
-    private static String coordinates(List<GeoPoint> places, Function<GeoPoint, List<BigDecimal>> form) {
-        return places.stream()
-                .map(place -> form.apply(place).stream()
+    private static String coordinates(List<GeoPoint> positions, Function<GeoPoint, List<BigDecimal>> form) {
+        return positions.stream()
+                .map(position -> form.apply(position).stream()
                         .map(BigDecimal::toPlainString)
                         .collect(Collectors.joining(",")))
                 .collect(Collectors.joining(" "));

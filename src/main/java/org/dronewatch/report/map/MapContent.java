@@ -123,25 +123,26 @@ final class MapContent {
 
     /** Where the drone was when the site was alerted to it. */
     private MapFeature alert(String drone, Alert alert) {
-        Position place = stage.placeOf(drone, alert.time());
+        Position position = stage.placeOf(drone, alert.time());
         Properties properties = new Properties()
                 .put("drone", drone)
                 .put("time_s", alert.time())
-                .put("height_m", place.z())
+                .put("height_m", position.z())
                 .put("sensors", String.join(", ", alert.sensors()));
-        return new MapFeature(Role.ALERT, "alert to " + drone, point(place), ZONE, properties);
+        return new MapFeature(Role.ALERT, "alert to " + drone, point(position), ZONE, properties);
     }
 
     /** The way of a drone; a point for one that stays where it is. */
     private MapFeature flight(String id) {
-        List<GeoPoint> places = new ArrayList<>();
+        List<GeoPoint> positions = new ArrayList<>();
         for (int i = 0; i <= STEPS; i++) {
-            GeoPoint place = geodesy.at(stage.placeOf(id, run.simulated() * i / STEPS));
-            if (places.isEmpty() || !places.get(places.size() - 1).inSpace().equals(place.inSpace())) {
-                places.add(place);
+            GeoPoint position = geodesy.at(stage.placeOf(id, run.simulated() * i / STEPS));
+            if (positions.isEmpty()
+                    || !positions.get(positions.size() - 1).inSpace().equals(position.inSpace())) {
+                positions.add(position);
             }
         }
-        Shape shape = places.size() > 1 ? new Shape.Line(places) : new Shape.Point(places.get(0));
+        Shape shape = positions.size() > 1 ? new Shape.Line(positions) : new Shape.Point(positions.get(0));
         Properties properties = new Properties().put("drone", id).put("duration_s", run.simulated());
         return new MapFeature(Role.FLIGHT, "flight of " + id, shape, KindColours.DRONE, properties);
     }
@@ -149,7 +150,7 @@ final class MapContent {
     /** The drone as it was when what was sensed left it. */
     private MapFeature event(DetectionEvent event) {
         Observation o = event.observation();
-        Position place = stage.placeOf(o.drone(), o.time());
+        Position position = stage.placeOf(o.drone(), o.time());
         Properties properties = new Properties()
                 .put("event", event.gained() ? "gained" : "lost")
                 .put("sensor", o.sensor())
@@ -157,14 +158,14 @@ final class MapContent {
                 .put("drone", o.drone())
                 .put("time_s", o.time())
                 .put("heard_s", o.arrival())
-                .put("height_m", place.z())
+                .put("height_m", position.z())
                 .put("range_m", o.range())
                 .put("value", o.value())
                 .put("threshold", o.threshold())
                 .put("unit", o.unit());
         String name = o.sensor() + (event.gained() ? " gains " : " loses ") + o.drone();
         return new MapFeature(
-                event.gained() ? Role.GAINED : Role.LOST, name, point(place), colour(o.sensor()), properties);
+                event.gained() ? Role.GAINED : Role.LOST, name, point(position), colour(o.sensor()), properties);
     }
 
     private Shape area(List<List<Position>> rings) {
@@ -173,7 +174,7 @@ final class MapContent {
                 .toList());
     }
 
-    private Shape point(Position place) {
-        return new Shape.Point(geodesy.at(place));
+    private Shape point(Position position) {
+        return new Shape.Point(geodesy.at(position));
     }
 }

@@ -7,17 +7,17 @@ import org.dronewatch.geo.GeoPoint;
 sealed interface Shape {
 
     /** A single place. */
-    record Point(GeoPoint place) implements Shape {}
+    record Point(GeoPoint position) implements Shape {}
 
     /**
      * A way from place to place.
      *
-     * @param places two or more
+     * @param positions two or more
      */
-    record Line(List<GeoPoint> places) implements Shape {
+    record Line(List<GeoPoint> positions) implements Shape {
         /** Keeps its own list. */
         public Line {
-            places = List.copyOf(places);
+            positions = List.copyOf(positions);
         }
     }
 

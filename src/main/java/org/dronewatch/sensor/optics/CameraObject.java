@@ -45,18 +45,18 @@ public final class CameraObject {
      * A camera. The horizon is level; a camera that looks straight down has north at the top.
      *
      * @param position where its centre of projection is, m
-     * @param way where it looks, of any length but 0
+     * @param direction where it looks, of any length but 0
      * @param width pixels in a row
      * @param height rows
      * @param focalLength in pixels
      */
-    public CameraObject(Position position, Position way, int width, int height, double focalLength) {
+    public CameraObject(Position position, Position direction, int width, int height, double focalLength) {
         this.position = position;
         this.width = width;
         this.height = height;
         this.focalLength = focalLength;
 
-        this.forward = way.toVector3d();
+        this.forward = direction.toVector3d();
         forward.normalize();
         Vector3d top = Math.abs(forward.z) < VERTICAL ? new Vector3d(0, 0, 1) : new Vector3d(0, 1, 0);
         this.right = new Vector3d();

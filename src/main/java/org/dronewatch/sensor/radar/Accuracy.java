@@ -32,11 +32,11 @@ public record Accuracy(
     }
 
     /** Where a radar believes something to be. */
-    Sighting sighting(Position radar, Position place, RandomGenerator random) {
-        Position way = place.minus(radar);
+    Sighting sighting(Position radar, Position position, RandomGenerator random) {
+        Position vector = position.minus(radar);
         Direction believed =
-                Direction.of(way).turned(azimuth * random.nextGaussian(), elevation * random.nextGaussian());
-        double distance = Math.max(0.0, way.length() + range * random.nextGaussian());
+                Direction.of(vector).turned(azimuth * random.nextGaussian(), elevation * random.nextGaussian());
+        double distance = Math.max(0.0, vector.length() + range * random.nextGaussian());
         return new Sighting(radar, believed, OptionalDouble.of(distance));
     }
 }

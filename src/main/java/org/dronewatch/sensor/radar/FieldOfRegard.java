@@ -21,23 +21,24 @@ final class FieldOfRegard {
     }
 
     /** Whether a drone is within the angles and ranges. */
-    boolean contains(Position way) {
-        return outline.contains(way);
+    boolean contains(Position vector) {
+        return outline.contains(vector);
     }
 
     /** Speed at which a drone comes (negative) or goes, m/s. */
     double radialSpeed(Drone drone) {
-        Vector3d way = Position.of(drone.position()).minus(settings.position()).toVector3d();
-        return way.dot(drone.velocity()) / Math.max(way.length(), Double.MIN_NORMAL);
+        Vector3d vector =
+                Position.of(drone.position()).minus(settings.position()).toVector3d();
+        return vector.dot(drone.velocity()) / Math.max(vector.length(), Double.MIN_NORMAL);
     }
 
     /** Why the radar does not look for a drone; empty when it does. */
     Optional<Explanation> miss(Drone drone) {
-        Position way = Position.of(drone.position()).minus(settings.position());
-        if (!outline.reaches(way)) {
-            return Optional.of(outline.beyond(way));
+        Position vector = Position.of(drone.position()).minus(settings.position());
+        if (!outline.reaches(vector)) {
+            return Optional.of(outline.beyond(vector));
         }
-        if (!outline.contains(way)) {
+        if (!outline.contains(vector)) {
             return Optional.of(Explanation.of(Cause.OUT_OF_VIEW));
         }
         double radial = radialSpeed(drone);

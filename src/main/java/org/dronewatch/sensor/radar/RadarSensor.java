@@ -97,7 +97,7 @@ public final class RadarSensor implements AssessableSensor {
     }
 
     private Observation look(Drone drone, Look look) {
-        Position place = Position.of(drone.position());
+        Position position = Position.of(drone.position());
         double share = visibleShare(drone);
         double area = crossSection(drone, share);
         double echo = echo(drone, area);
@@ -105,14 +105,14 @@ public final class RadarSensor implements AssessableSensor {
         RadarSignature.Fluctuation fluctuation = drone.settings().radar().fluctuation();
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("radial_speed_m_per_s", field.radialSpeed(drone));
-        figures.put("in_field", field.contains(place.minus(settings.position())) ? 1.0 : 0.0);
+        figures.put("in_field", field.contains(position.minus(settings.position())) ? 1.0 : 0.0);
         figures.put("visible_share", share);
         figures.put("cross_section_m2", area);
         figures.put(Observation.PROBABILITY, settings.detection().probability(echo, fluctuation));
         double threshold = settings.detection().threshold(fluctuation, look.random(drone.id(), Look.DETECTION));
         Optional<Sighting> sighting = echo >= threshold
-                ? Optional.of(
-                        settings.accuracy().sighting(settings.position(), place, look.random(drone.id(), Look.ERROR)))
+                ? Optional.of(settings.accuracy()
+                        .sighting(settings.position(), position, look.random(drone.id(), Look.ERROR)))
                 : Optional.empty();
         return new Observation(
                 look.id(settings.kind()),
@@ -131,9 +131,9 @@ public final class RadarSensor implements AssessableSensor {
         if (area == 0.0) {
             return Double.NEGATIVE_INFINITY;
         }
-        Position way = Position.of(drone.position()).minus(settings.position());
+        Position vector = Position.of(drone.position()).minus(settings.position());
         double range = range(drone);
-        double elevation = Math.asin(Math.max(-1.0, Math.min(1.0, way.z() / range)));
+        double elevation = Math.asin(Math.max(-1.0, Math.min(1.0, vector.z() / range)));
         double rain = Rain.attenuation(settings.frequency(), world.rain(), elevation, settings.polarisation());
         return settings.budget().signalToNoise(settings.frequency(), area, range) - 2.0 * rain * range;
     }

@@ -15,11 +15,11 @@ final class VisibleShare {
     private static final int POINTS = 9;
     private static final double HALF_WAY = 0.5;
 
-    private final Position place;
+    private final Position position;
     private final Visibility visibility;
 
-    VisibleShare(World world, Position place) {
-        this.place = place;
+    VisibleShare(World world, Position position) {
+        this.position = position;
         this.visibility = new Visibility(world);
     }
 
@@ -40,11 +40,11 @@ final class VisibleShare {
         return (double) visible / POINTS;
     }
 
-    private static double between(double low, double high, double place) {
-        return 0.5 * (low + high) + 0.5 * place * (high - low);
+    private static double between(double low, double high, double side) {
+        return 0.5 * (low + high) + 0.5 * side * (high - low);
     }
 
     private boolean isVisible(Point3d point) {
-        return visibility.isFree(place.x(), place.y(), place.z(), point.x, point.y, point.z);
+        return visibility.isFree(position.x(), position.y(), position.z(), point.x, point.y, point.z);
     }
 }

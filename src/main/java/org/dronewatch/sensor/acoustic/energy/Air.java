@@ -18,8 +18,8 @@ final class Air {
     }
 
     /** The share of energy in a band that is left after a way, m. */
-    double left(int band, double way) {
-        return Math.exp(-exponents[band] * way);
+    double left(int band, double distance) {
+        return Math.exp(-exponents[band] * distance);
     }
 
     /** m/s. */

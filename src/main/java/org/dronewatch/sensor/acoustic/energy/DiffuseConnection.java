@@ -42,24 +42,27 @@ final class DiffuseConnection {
                 || !walls.trace(ray.originX, ray.originY, ray.originZ, place.x(), place.y(), place.z(), ray.medium)) {
             return false;
         }
-        double way = Math.sqrt(squared);
-        double geometry = weight(ray, normal, along / way, way) * along / (way * Math.PI * squared);
-        double rise = z / way;
+        double distance = Math.sqrt(squared);
+        double geometry = weight(ray, normal, along / distance, distance) * along / (distance * Math.PI * squared);
+        double rise = z / distance;
         for (int band = 0; band < BANDS; band++) {
-            brought[band] =
-                    scattered[band] * geometry * walls.passed(band) * source.factor(band, rise) * air.left(band, way);
+            brought[band] = scattered[band]
+                    * geometry
+                    * walls.passed(band)
+                    * source.factor(band, rise)
+                    * air.left(band, distance);
         }
-        tally.add(ray, brought, way);
+        tally.add(ray, brought, distance);
         return true;
     }
 
     /** Paths over a single surface are found from the source, too: see {@link FirstScattering}. */
-    private double weight(AcousticRay ray, double[] normal, double leaving, double way) {
+    private double weight(AcousticRay ray, double[] normal, double leaving, double distance) {
         if (ray.order > 1 || !walls.isFree()) {
             return 1.0;
         }
         double arriving = -(ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2]);
         double own = FirstScattering.density(arriving, ray.travelled);
-        return own / (own + FirstScattering.density(leaving, way));
+        return own / (own + FirstScattering.density(leaving, distance));
     }
 }

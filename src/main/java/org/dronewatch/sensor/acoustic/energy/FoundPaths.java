@@ -8,7 +8,7 @@ final class FoundPaths {
     private static final int BANDS = OctaveBands.COUNT;
 
     private final double[] heard = new double[BANDS];
-    private double[] ways = new double[16];
+    private double[] lengths = new double[16];
     private double[] brought = new double[16];
     private int count;
 
@@ -20,20 +20,20 @@ final class FoundPaths {
     /**
      * One path.
      *
-     * @param way its length, m
+     * @param length its length, m
      * @param inBand what is heard by it, by band
      */
-    void add(double way, double[] inBand) {
+    void add(double length, double[] inBand) {
         double all = 0.0;
         for (int band = 0; band < BANDS; band++) {
             heard[band] += inBand[band];
             all += inBand[band];
         }
-        if (count == ways.length) {
-            ways = Arrays.copyOf(ways, 2 * count);
+        if (count == lengths.length) {
+            lengths = Arrays.copyOf(lengths, 2 * count);
             brought = Arrays.copyOf(brought, 2 * count);
         }
-        ways[count] = way;
+        lengths[count] = length;
         brought[count] = all;
         count++;
     }
@@ -55,7 +55,7 @@ final class FoundPaths {
     /** Puts every path into a decay curve at its time of arrival. */
     void addTo(DecayCurve decay, double soundSpeed) {
         for (int i = 0; i < count; i++) {
-            decay.add(ways[i] / soundSpeed, brought[i]);
+            decay.add(lengths[i] / soundSpeed, brought[i]);
         }
     }
 }

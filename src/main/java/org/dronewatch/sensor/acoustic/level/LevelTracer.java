@@ -123,11 +123,11 @@ public final class LevelTracer {
         ray.travelled = 0.0;
         ray.order = 0;
         ray.medium = AcousticRay.AIR;
-        Position way = sensor.minus(source);
-        double length = way.length();
-        ray.directionX = length > 0.0 ? way.x() / length : 1.0;
-        ray.directionY = length > 0.0 ? way.y() / length : 0.0;
-        ray.directionZ = length > 0.0 ? way.z() / length : 0.0;
+        Position vector = sensor.minus(source);
+        double length = vector.length();
+        ray.directionX = length > 0.0 ? vector.x() / length : 1.0;
+        ray.directionY = length > 0.0 ? vector.y() / length : 0.0;
+        ray.directionZ = length > 0.0 ? vector.z() / length : 0.0;
         emit();
         for (int i = 0; i < model.initialRays(); i++) {
             Directions.draw(random, ray);
