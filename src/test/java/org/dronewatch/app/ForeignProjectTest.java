@@ -9,11 +9,18 @@ import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 import java.io.File;
 import java.io.IOException;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import javax.tools.ToolProvider;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Aimed;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -298,5 +305,19 @@ class ForeignProjectTest {
                 .singleElement()
                 .asString()
                 .contains("kind 'spotter' of SensorSettings is in", jar.toString(), other.toString());
+    }
+
+    @Test
+    void itsSensorMovesToAnotherPositionWithAllElseAsItWas() throws IOException, ClassNotFoundException {
+        try (URLClassLoader loader = new URLClassLoader(new URL[] {jar.toUri().toURL()})) {
+            SettingsForm spotter = SettingsForm.of(loader.loadClass("org.example.watch.SpotterSettings"));
+            Position there = new Position(7, 8, 9);
+            SensorSettings<?> settings =
+                    (SensorSettings<?>) spotter.create(Map.of("position", new Position(1, 2, 3), "reach", 90.0));
+
+            assertThat(settings.withPosition(there))
+                    .isEqualTo(spotter.create(Map.of("position", there, "reach", 90.0)));
+            assertThat(settings.as(Aimed.class)).isEmpty();
+        }
     }
 }
