@@ -36,7 +36,7 @@ final class Progress implements SceneListener, AutoCloseable {
         this.until = until;
     }
 
-    /** A bar for so many steps; none without a terminal. */
+    /** A bar for a number of steps; none without a terminal. */
     static ProgressBar barOf(String task, long steps) {
         return System.console() == null
                 ? null

@@ -21,7 +21,7 @@ final class ThreadsOption {
         return threads;
     }
 
-    /** Does a piece of work with so many threads. */
+    /** Does a piece of work with this number of threads. */
     <T> T call(Callable<T> work) {
         try (Workers workers = new Workers(number())) {
             return workers.call(work);

@@ -13,7 +13,7 @@ public final class RollingTerrain {
 
     private RollingTerrain() {}
 
-    /** A mesh of about so many triangles, 2 or more. */
+    /** A mesh of about this number of triangles, 2 or more. */
     public static TriangleMesh of(int triangles) {
         int cells = Math.max(1, (int) Math.round(Math.sqrt(0.5 * triangles)));
         float[] vertices = new float[3 * (cells + 1) * (cells + 1)];

@@ -65,7 +65,7 @@ final class Stopwatch {
         return Arrays.stream(times).mapToDouble(Stopwatch::median).toArray();
     }
 
-    /** Does a work until it is warm, and tells how long it took last, ns. */
+    /** Repeats work until it is warm, and gives how long it took last, ns. */
     private long warmUp(Runnable work) {
         long begun = clock.getAsLong();
         long once;

@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.kdtree.SequentialTraversal;
 
-/** The ways through a tree that can be measured. */
+/** The traversals of a tree that can be measured. */
 public enum TraversalKind {
     /** The fastest for the set: tiles for a picture, vectors for others where there are any. */
     FASTEST,

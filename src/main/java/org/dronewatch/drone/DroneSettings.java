@@ -138,7 +138,7 @@ public record DroneSettings(
         return SettingsForm.with(this, "heat", other);
     }
 
-    /** These settings controlled in another way. */
+    /** These settings with another radio link. */
     public DroneSettings withRadio(RadioLink other) {
         return SettingsForm.with(this, "radio", other);
     }

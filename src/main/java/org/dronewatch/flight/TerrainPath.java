@@ -36,7 +36,7 @@ final class TerrainPath implements FlightPath {
             return new FlightState(points[last], REST, heading(last));
         }
         int found = Arrays.binarySearch(flown, travelled);
-        // Between two cuts the search tells the place where the way would be put in, turned round.
+        // Between two cuts the search gives -(insertion point) - 1.
         int next = found >= 0 ? found + 1 : -found - 1;
         Position from = points[next - 1];
         Position leg = points[next].minus(from);

@@ -63,7 +63,7 @@ final class WaypointPath implements FlightPath {
             this.length = from.distance(to);
             this.direction = to.minus(from).times(1.0 / length);
             this.startTime = startTime;
-            // A short way is over before the cruise speed is reached: v^2 = a * length in its middle.
+            // A short leg is over before the cruise speed is reached: v^2 = a * length in its middle.
             this.topSpeed = Math.min(speed, Math.sqrt(acceleration * length));
             this.rampTime = topSpeed / acceleration;
             this.duration = length / topSpeed + rampTime;

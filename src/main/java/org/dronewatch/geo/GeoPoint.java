@@ -5,7 +5,7 @@ import java.math.RoundingMode;
 import java.util.List;
 
 /**
- * A place on a map (WGS 84).
+ * A point on a map (WGS 84).
  *
  * @param longitude east of Greenwich, degrees
  * @param latitude north of the equator, degrees
@@ -30,7 +30,7 @@ public record GeoPoint(double longitude, double latitude, double height) {
                 rounded(height, DECIMALS_OF_METRES));
     }
 
-    /** A finite number with so many decimals at most, without trailing zeros. */
+    /** A finite number with at most this number of decimals, without trailing zeros. */
     public static BigDecimal rounded(double value, int decimals) {
         BigDecimal shortest = BigDecimal.valueOf(value)
                 .setScale(decimals, RoundingMode.HALF_EVEN)

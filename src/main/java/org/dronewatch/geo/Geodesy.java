@@ -3,7 +3,7 @@ package org.dronewatch.geo;
 import org.dronewatch.geometry.Position;
 
 /**
- * Turns places of the world frame (x east, y north, z up, m) into latitude and longitude on the WGS 84 ellipsoid. The frame
+ * Turns positions in the world frame (x east, y north, z up, m) into latitude and longitude on the WGS 84 ellipsoid. The frame
  * touches at the scene's origin a surface that lies above the ellipsoid by the origin's height; an origin whose height is not
  * known is taken to lie on the ellipsoid, which at 1000 m would move what is 1 km away by 0.16 m on the map.
  *
@@ -23,7 +23,7 @@ public final class Geodesy {
     /** Second eccentricity squared. */
     private static final double EP2 = E2 / (1.0 - E2);
 
-    /** One gives millimetres for places up to some kilometres high, each further one thousands of times better. */
+    /** One gives millimetres for positions up to some kilometres high, each further one thousands of times better. */
     private static final int ITERATIONS = 4;
 
     private final double longitude;
@@ -45,7 +45,7 @@ public final class Geodesy {
     }
 
     /**
-     * Where a place on earth is in the world frame (IOGP 373-7-2, methods 9602 and 9837, forward).
+     * The position of a point on earth in the world frame (IOGP 373-7-2, methods 9602 and 9837, forward).
      *
      * @param latitude north of the equator, rad
      * @param theLongitude longitude east of Greenwich, rad
@@ -66,7 +66,7 @@ public final class Geodesy {
     }
 
     /**
-     * Where a place of the world frame is on a map; its height is z over that of the origin.
+     * The point on a map of a position in the world frame; its height is z over that of the origin.
      *
      * <p>Longitudes are counted on from that of the origin: beyond the date line they go on above 180 or below -180 degrees,
      * so that lines and areas stay in one piece. At the poles every point is right, but areas about a pole are no areas on a

@@ -54,7 +54,7 @@ public final class IntersectionHandler {
      * The part of a ray inside a box, by the slab method (Kay and Kajiya 1986; Williams et al. 2005). A ray that runs
      * inside a face of the box counts as inside.
      *
-     * @param interval receives the ray parameters of entry and exit in its first two places; an origin inside the box
+     * @param interval receives the ray parameters of entry and exit in its first two elements; an origin inside the box
      *     enters at the ray's tMin
      * @return whether the ray meets the box within its own range; if not, the interval is left as it was
      */

@@ -21,7 +21,7 @@ public record Position(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double z) {
 
     /**
-     * Checks that the position is a place.
+     * Checks that the coordinates are finite.
      *
      * @throws IllegalArgumentException when a coordinate is not finite
      */

@@ -25,7 +25,7 @@ public final class CathedralModel {
     /** Height of the aisles' vaults where they meet the nave, metres. */
     public static final double AISLE_CROWN_METRES = 8.5;
 
-    /** A place in the middle of the nave with nothing within {@link #FREE_RADIUS_METRES} of it. */
+    /** A position in the middle of the nave with nothing within {@link #FREE_RADIUS_METRES} of it. */
     public static final Point FREE_PLACE = new Point(0, 5, 0);
 
     /** Radius of the free air around {@link #FREE_PLACE}, metres. */

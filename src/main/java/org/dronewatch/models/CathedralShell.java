@@ -42,7 +42,7 @@ final class CathedralShell {
         return facets;
     }
 
-    /** The way round the section, counter-clockwise when seen from the east: floor, south side, vault, north side. */
+    /** The outline of the section, counter-clockwise when seen from the east: floor, south side, vault, north side. */
     private static List<Corner> section() {
         List<Corner> outline = new ArrayList<>();
         addStraight(outline, new Corner(-HALF_WIDTH_METRES, 0), new Corner(-NAVE_HALF_WIDTH_METRES, 0), WALL_PIECES);

@@ -55,7 +55,7 @@ final class HeightGrid {
         return heights.clone();
     }
 
-    /** The middle of this grid without a margin of so many cells on each edge. */
+    /** The middle of this grid without a margin of some cells on each edge. */
     HeightGrid cropped(int margin) {
         HeightGrid inner = new HeightGrid(side - 2 * margin, spacing);
         for (int row = 0; row < inner.side; row++) {

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.optics.CameraObject;
 
-/** The site alone, painted from one place: what stays the same while time goes on. Immutable to whoever holds it. */
+/** The site alone, painted from one viewpoint: what stays the same while time goes on. Immutable to whoever holds it. */
 public final class Backdrop {
     private final Orbit orbit;
     private final int width;
@@ -56,7 +56,7 @@ public final class Backdrop {
         return fineness;
     }
 
-    /** The place of the world that a pixel of the picture shows; empty for the sky. */
+    /** The point of the world that a pixel of the picture shows; empty for the sky. */
     public Optional<Position> placeAt(int column, int row) {
         if (column < 0 || row < 0 || column >= width || row >= height) {
             return Optional.empty();

@@ -58,7 +58,7 @@ final class Canvas {
         return r << 16 | g << 8 | b;
     }
 
-    /** The picture, each of its pixels the mean of a square of so many by so many of this canvas. */
+    /** The picture, each of its pixels the mean of a square of pixels of this canvas. */
     BufferedImage toImage(int samples) {
         BufferedImage image = new BufferedImage(width / samples, height / samples, BufferedImage.TYPE_INT_RGB);
         int[] target = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();

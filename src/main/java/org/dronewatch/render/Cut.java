@@ -16,7 +16,7 @@ public record Cut(Position normal, double offset) {
         return new Cut(new Position(0, 0, 1), height);
     }
 
-    /** Takes away all that lies from a place on in a direction, of any length but 0. */
+    /** Takes away all that lies beyond a point in a direction, of any length but 0. */
     public static Cut from(Position point, Position direction) {
         Position normal = direction.times(1.0 / direction.length());
         return new Cut(normal, dot(normal, point));

@@ -17,7 +17,7 @@ public enum Fineness {
     final int pixels;
 
     final boolean shadows;
-    /** So many pieces of rays of sound are drawn at most. */
+    /** The most segments of sound rays that are drawn. */
     final int pieces;
 
     Fineness(int rays, int pixels, boolean shadows, int pieces) {
@@ -27,7 +27,7 @@ public enum Fineness {
         this.pieces = pieces;
     }
 
-    /** Rays along a line of so many pixels. */
+    /** Rays along a line of a number of pixels. */
     public int raysIn(int length) {
         return Math.max(1, length * rays / pixels);
     }

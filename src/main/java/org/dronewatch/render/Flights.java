@@ -10,7 +10,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
-/** The ways of a scene's drones, sampled evenly in time. Immutable. */
+/** The paths of a scene's drones, sampled evenly in time. Immutable. */
 public final class Flights {
     private static final int STEPS = 600;
 
@@ -30,7 +30,7 @@ public final class Flights {
         }
     }
 
-    /** A drone as it is at a time, with its way. */
+    /** A drone as it is at a time, with its path. */
     public DroneMark mark(Drone drone, double time, boolean detected) {
         List<Position> path = positions.get(drone.id());
         Position now = Position.of(drone.position());

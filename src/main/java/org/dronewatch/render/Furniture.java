@@ -231,7 +231,7 @@ final class Furniture {
         }
     }
 
-    /** A place in words for people, such as (12.0, 8.5, 143.2) m. */
+    /** A position in words for people, such as (12.0, 8.5, 143.2) m. */
     static String text(Position position) {
         return String.format(Locale.ROOT, "(%.1f, %.1f, %.1f) m", position.x(), position.y(), position.z());
     }

@@ -16,7 +16,7 @@ import org.dronewatch.sensor.SensorSettings;
  * others the same in all pictures of a scene. Immutable.
  */
 public final class KindColours {
-    /** Drones and their ways have this colour in all pictures. */
+    /** Drones and their paths have this colour in all pictures. */
     public static final Color DRONE = new Color(0xd62f1f);
 
     private static final Color[] COLOURS = {

@@ -11,7 +11,7 @@ final class LinePainter {
     /** Nearer parts of a line are cut off, m. */
     private static final double NEAR = 0.02;
 
-    /** A line may lie on a surface: so many pixels' worth of depth are forgiven. */
+    /** A line may lie on a surface: a depth difference of this many pixels is forgiven. */
     private static final double FORGIVEN = 2.5;
 
     private final CameraObject camera;
@@ -40,12 +40,12 @@ final class LinePainter {
         bottom = last;
     }
 
-    /** Draws a line between two places of the world, so many pixels wide. */
+    /** Draws a line between two points of the world, with a width in pixels. */
     void line(Position a, Position b, double width, int colour, double share) {
         line(a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), width, colour, share);
     }
 
-    /** Draws a line between two places of the world, so many pixels wide. */
+    /** Draws a line between two points of the world, with a width in pixels. */
     void line(
             double ax, double ay, double az, double bx, double by, double bz, double width, int colour, double share) {
         double first = 0.0;
@@ -90,7 +90,7 @@ final class LinePainter {
         end[2] = NEAR;
     }
 
-    /** From pixel place to pixel place; 1/depth changes evenly along the way. */
+    /** From pixel to pixel; 1/depth changes evenly along the line. */
     private void draw(
             double x0, double y0, double w0, double x1, double y1, double w1, double width, int colour, double share) {
         boolean steep = Math.abs(y1 - y0) > Math.abs(x1 - x0);
@@ -113,7 +113,7 @@ final class LinePainter {
         double start = Math.max(firstAlong, Math.round(a0));
         double end = Math.min(lastAlong, Math.round(a1 - 1.0));
         if (Math.abs(slope) > 1e-12) {
-            // Only where it is within the picture across its way, too.
+            // Only where it is within the picture across its direction, too.
             double one = a0 + (firstAcross - half - 1.0 - b0) / slope;
             double other = a0 + (lastAcross + half + 2.0 - b0) / slope;
             start = Math.max(start, Math.floor(Math.min(one, other)));
@@ -138,7 +138,7 @@ final class LinePainter {
     }
 
     /**
-     * Whether a place is in the picture, kept by the cut, and nothing stands before it.
+     * Whether a point is in the picture, kept by the cut, and nothing stands before it.
      *
      * @param size of the thing there, m: what stands nearer to it than this is a part of it
      */

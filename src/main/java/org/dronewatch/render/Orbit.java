@@ -7,7 +7,7 @@ import org.dronewatch.sensor.optics.CameraObject;
 /**
  * Where the picture of a site is taken from: on a sphere about what it shows. Immutable.
  *
- * @param target the place in the middle of the picture, m
+ * @param target the point in the middle of the picture, m
  * @param bearing where the eye stands as seen from the target, clockwise from north, rad
  * @param elevation of the eye above the target's horizon, -pi/2 to pi/2, rad
  * @param distance from eye to target, above 0, m
@@ -78,12 +78,12 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return new Orbit(target, bearing, elevation, distance * factor, fov);
     }
 
-    /** This orbit about another place. */
+    /** This orbit about another point. */
     public Orbit at(Position point) {
         return new Orbit(point, bearing, elevation, distance, fov);
     }
 
-    /** This orbit so near that its picture is so many metres high at its target. */
+    /** This orbit so near that its picture has a given height at its target, m. */
     public Orbit showing(double high) {
         return new Orbit(target, bearing, elevation, 0.5 * high / Math.tan(0.5 * fov), fov);
     }
@@ -125,7 +125,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return new CameraObject(eye, target.minus(eye), width, height, 0.5 * height / Math.tan(0.5 * fov));
     }
 
-    /** How many metres a pixel shows at the target, in a picture of so many rows. */
+    /** How many metres a pixel shows at the target, in a picture of a number of rows. */
     public double metresPerPixel(int height) {
         return 2.0 * distance * Math.tan(0.5 * fov) / height;
     }

@@ -6,7 +6,7 @@ import org.dronewatch.sensor.Outline;
 
 /** Draws what sensors look into as lines in the world: pyramids, sectors and balls. */
 final class OutlinePainter {
-    /** A full turn is drawn with so many straight lines. */
+    /** The number of straight lines with which a full turn is drawn. */
     private static final int STEPS = 72;
 
     private final LinePainter lines;

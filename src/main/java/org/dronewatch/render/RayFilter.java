@@ -3,7 +3,7 @@ package org.dronewatch.render;
 import java.util.stream.IntStream;
 
 /**
- * Which pieces of rays are drawn.
+ * Which segments of rays are drawn.
  *
  * @param fewest surfaces that their ray has met before, from this on
  * @param most surfaces that their ray has met before, up to this

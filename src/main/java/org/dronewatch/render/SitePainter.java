@@ -23,10 +23,10 @@ final class SitePainter {
     private static final int SECTION = 0x4a4640;
     private static final int DRONE = 0xe8501e;
 
-    /** How far off a surface the way to the sun begins, as a share of how far away it is. */
+    /** How far off a surface the ray to the sun begins, as a fraction of the distance of the surface. */
     private static final double OFF = 2e-5;
 
-    /** Through so many backs of walls one looks at most. */
+    /** The most backs of walls through which one looks. */
     private static final int MOST_BACKS = 8;
 
     /** A side of the blocks of pixels that share a look at the sun. */
@@ -173,7 +173,7 @@ final class SitePainter {
         return true;
     }
 
-    /** Whether a place from which a back is seen ahead lies inside something solid: then one is seen behind it, too. */
+    /** Whether a point from which a back is seen ahead lies inside something solid: then one is seen behind it, too. */
     private boolean isInsideSolid(double[] eye, Brush brush, double at) {
         double[] d = brush.direction;
         return brush.single.closestHit(

@@ -8,7 +8,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param scale pixels of the picture for one of a screen of normal density: 2 on a screen of twice the density
  * @param labels whether sensors and drones are named
  * @param outlines whether it shows what sensors look into
- * @param flights whether the ways of drones are drawn
+ * @param flights whether the paths of drones are drawn
  * @param filter which rays of sound are drawn
  */
 public record SiteStyle(double scale, boolean labels, boolean outlines, boolean flights, RayFilter filter) {
@@ -30,7 +30,7 @@ public record SiteStyle(double scale, boolean labels, boolean outlines, boolean 
         return SettingsForm.with(this, "outlines", shown);
     }
 
-    /** This style with or without the ways of drones. */
+    /** This style with or without the paths of drones. */
     public SiteStyle withFlights(boolean shown) {
         return SettingsForm.with(this, "flights", shown);
     }

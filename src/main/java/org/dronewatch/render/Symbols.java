@@ -35,7 +35,7 @@ final class Symbols {
     /** Sensors nearer to each other than this share a name, in pixels of a normal screen. */
     private static final double TOGETHER = 9.0;
 
-    /** So many names of sensors at one place are written. */
+    /** The most names of sensors at one position that are written. */
     private static final int MOST_NAMES = 4;
 
     private final Graphics2D g;
@@ -179,7 +179,7 @@ final class Symbols {
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);
     }
 
-    /** Sensors at one place have one name together. */
+    /** Sensors at one position share one label. */
     private void name(double x, double y, String id, boolean hidden, boolean selected) {
         for (int i = 0; i < names.size(); i++) {
             Name other = names.get(i);

@@ -11,7 +11,7 @@ import org.dronewatch.setting.Quantity;
 
 /** What one sensor measured of one drone over the range, and against which threshold, in the runs where it is the same. */
 final class RangeCurve {
-    /** Above so many thresholds the drone is certain, and the plot would only lose its scale. */
+    /** Above this multiple of the threshold the drone is certain, and the plot would only lose its scale. */
     private static final double TOP = 10.0;
 
     private final String drone;

@@ -22,7 +22,7 @@ final class ReliefShade {
         this.above = world.bounds().maxZ() + 1.0;
     }
 
-    /** The colour at a place: pale where the surface faces the light, lighter the higher it is. */
+    /** The colour at a point: pale where the surface faces the light, lighter the higher it is. */
     Color shade(double x, double y) {
         if (!traversal.closestHit(x, y, above, 0.0, 0.0, -1.0, 0.0, Double.POSITIVE_INFINITY)) {
             return NOTHING;

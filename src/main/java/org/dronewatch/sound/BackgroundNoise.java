@@ -5,7 +5,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The sound of a place without drones: one level, and how it falls on the octave bands.
+ * The sound at a site without drones: one level, and how it falls on the octave bands.
  *
  * @param level A-weighted sound pressure level of all bands together, -20 to 140 dB re 20 uPa
  * @param shape levels of the bands relative to one another, dB

@@ -1,8 +1,8 @@
 package org.dronewatch.sound;
 
 /**
- * How much fainter sound is behind a single edge. The path difference is the way from the source over the edge to the
- * receiver less the straight way, m: positive where the edge hides the source, 0 at the shadow's border, negative where
+ * How much fainter sound is behind a single edge. The path difference is the path from the source over the edge to the
+ * receiver less the straight path, m: positive where the edge hides the source, 0 at the shadow's border, negative where
  * the source is seen above the edge.
  */
 public final class Barrier {

@@ -58,7 +58,7 @@ final class CameraEye {
         return CameraView.lookTime(sensor, time);
     }
 
-    /** Its last frame up to a time, the background in at most so many pixels. */
+    /** Its last frame up to a time, the background in at most a number of pixels. */
     CameraShot look(double time, int width, int height) {
         double frame = frameTime(time);
         turn(pointings.apply(frame + 1e-9));

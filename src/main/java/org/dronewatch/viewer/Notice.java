@@ -8,7 +8,7 @@ import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 
-/** A strip that tells what went wrong, until the user has read it. */
+/** A strip that says what went wrong, until the user has read it. */
 final class Notice extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -39,7 +39,7 @@ final class Notice extends JPanel {
         revalidate();
     }
 
-    /** What is told. */
+    /** What it says. */
     String text() {
         return text.getText();
     }

@@ -77,7 +77,7 @@ final class Playback {
         changed();
     }
 
-    /** Pauses, and goes so many looks of the sensor that looks most often on, or back. */
+    /** Pauses, and steps by looks of the sensor that looks most often, forward or back. */
     void step(int looks) {
         playing = false;
         // From look to look, wherever between two of them it was.

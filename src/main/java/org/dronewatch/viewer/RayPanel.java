@@ -22,7 +22,7 @@ import org.dronewatch.render.RecordedRays;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
-/** Lets a microphone tell of its rays at the time shown, and chooses which of them are drawn. */
+/** Shows the numbers of a microphone's rays at the time shown, and chooses which of them are drawn. */
 final class RayPanel extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int HIGHEST_ORDER = 1000;

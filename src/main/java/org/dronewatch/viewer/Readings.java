@@ -19,7 +19,7 @@ final class Readings {
     private String unit = "";
     private int count;
 
-    /** Only every so many is kept. */
+    /** Only every reading whose index is a multiple of this is kept. */
     private int stride = 1;
 
     private int skipped;

@@ -15,7 +15,7 @@ import org.dronewatch.render.Orbit;
 final class SiteSection extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** What is looked at from near fills this share of what matters, and at least so many metres. */
+    /** What is looked at from near fills this fraction of what matters, and at least this many metres. */
     private static final double NEAR = 0.12;
 
     private static final double NEAREST = 4.0;

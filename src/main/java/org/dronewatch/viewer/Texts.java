@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
 final class Texts {
     private Texts() {}
 
-    /** A place, m. */
+    /** A position, m. */
     static String place(Position position) {
         return String.format(
                 Locale.ROOT, "east %.1f m, north %.1f m, up %.1f m", position.x(), position.y(), position.z());

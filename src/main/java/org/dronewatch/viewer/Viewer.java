@@ -217,7 +217,7 @@ public final class Viewer implements AutoCloseable {
         }
     }
 
-    /** What the run has to tell. */
+    /** The messages of the run. */
     public SceneListener listener() {
         return recording;
     }

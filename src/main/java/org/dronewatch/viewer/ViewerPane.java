@@ -126,7 +126,7 @@ final class ViewerPane extends JPanel {
         sinceTables = TABLES;
     }
 
-    /** Lets time go on by so many seconds on the wall, and shows what is new. */
+    /** Advances by some seconds of real time, and shows what is new. */
     void tick(double seconds) {
         List<RecordedRun> runs = recording.runs();
         if (awaited == null && !runs.isEmpty()) {

@@ -150,7 +150,7 @@ final class WorldPanel extends JPanel {
         return getHeight() == 0 ? 1.5 : getWidth() / (double) getHeight();
     }
 
-    /** Selects what stands at a place of this panel. */
+    /** Selects what is at a pixel of this panel. */
     void select(int x, int y) {
         if (state == null || orbit == null) {
             return;
@@ -180,7 +180,7 @@ final class WorldPanel extends JPanel {
         selection.accept(found);
     }
 
-    /** The place of the world at a place of this panel. */
+    /** The point of the world at a pixel of this panel. */
     Optional<Position> placeAt(int x, int y) {
         double density = density();
         return renderer.backdrop()

@@ -12,7 +12,7 @@ public interface Ground {
     Ground NONE = (x, y) -> OptionalDouble.empty();
 
     /**
-     * The height of the highest surface at a place: ground, roof or tree.
+     * The height of the highest surface at a point: ground, roof or tree.
      *
      * @param x east, m
      * @param y north, m

@@ -13,12 +13,12 @@ import org.dronewatch.setting.Quantity;
 public record GroundPoint(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double x,
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double y) {
-    /** Checks that it is a place. */
+    /** Checks that the coordinates are finite. */
     public GroundPoint {
         Limits.check(GroundPoint.class, x, y);
     }
 
-    /** The level way to another place, m. */
+    /** The horizontal distance to another point, m. */
     public double distance(GroundPoint other) {
         return Math.hypot(other.x - x, other.y - y);
     }

@@ -4,7 +4,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 
-/** What stands about a place, seen by one ray to each corner, edge and face of a cube. */
+/** What stands about a position, seen by one ray to each corner, edge and face of a cube. */
 final class Surroundings {
     private final TriangleMesh mesh;
     private final RayTracer traversal;
@@ -16,7 +16,7 @@ final class Surroundings {
     }
 
     /**
-     * Whether most surfaces about a place show their backs: then it is inside a wall or under the ground, in a mesh whose
+     * Whether most surfaces about a position show their backs: then it is inside a wall or under the ground, in a mesh whose
      * triangles are wound counter-clockwise seen from where sound and light are.
      */
     boolean showTheirBacks(Position position) {

@@ -37,7 +37,7 @@ public record WorldSettings(
         @In(value = Quantity.PRECIPITATION, from = 0, to = 500) double rain,
         Light light,
         Optional<Origin> origin) {
-    /** Background of a quiet rural place, dB re 20 uPa. */
+    /** Background of a quiet rural site, dB re 20 uPa. */
     public static final double QUIET = 30.0;
 
     /**

@@ -66,7 +66,7 @@ public record ModelSettings(
         return SettingsForm.with(this, "scale", factor);
     }
 
-    /** These settings with another place, m. */
+    /** These settings with another position, m. */
     public ModelSettings withPosition(Position other) {
         return SettingsForm.with(this, "position", other);
     }

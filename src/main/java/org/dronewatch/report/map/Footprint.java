@@ -14,7 +14,7 @@ final class Footprint {
     /** A radar without a practical limit of range is drawn this far, m. */
     static final double MOST = 200_000.0;
 
-    /** A full turn is drawn with so many straight lines. */
+    /** The number of straight lines with which a full turn is drawn. */
     static final int STEPS = 72;
 
     private static final double TURN = 2.0 * Math.PI;
@@ -76,7 +76,7 @@ final class Footprint {
         return List.of(closed(edge));
     }
 
-    /** The places of an arc about a place from one compass bearing to another, rad. */
+    /** The positions of an arc about a centre from one compass bearing to another, rad. */
     private static List<Position> arc(Position at, double radius, double from, double to, int steps) {
         List<Position> positions = new ArrayList<>();
         for (int i = 0; i <= steps; i++) {

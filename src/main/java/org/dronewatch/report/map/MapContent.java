@@ -24,7 +24,7 @@ import org.dronewatch.sensor.SensorSettings;
 
 /** What a map of a run shows: its first run, if there were several. */
 final class MapContent {
-    /** A flight is drawn with so many straight lines at most, each of the same time. */
+    /** The most straight lines with which a flight is drawn, each of the same time. */
     static final int STEPS = 300;
 
     private static final Color ZONE = new Color(0xc0392b);
@@ -132,7 +132,7 @@ final class MapContent {
         return new MapFeature(Role.ALERT, "alert to " + drone, point(position), ZONE, properties);
     }
 
-    /** The way of a drone; a point for one that stays where it is. */
+    /** The path of a drone; a point for one that stays where it is. */
     private MapFeature flight(String id) {
         List<GeoPoint> positions = new ArrayList<>();
         for (int i = 0; i <= STEPS; i++) {

@@ -10,7 +10,7 @@ enum Role {
     FIELD("Fields of view", Size.MEDIUM),
     /** What must not be reached. */
     ZONE("Protected", Size.LARGE),
-    /** The way of a drone. */
+    /** The path of a drone. */
     FLIGHT("Flights", Size.MEDIUM),
     /** Where a drone was when the site was alerted to it. */
     ALERT("Alerts", Size.LARGE),

@@ -6,11 +6,11 @@ import org.dronewatch.geo.GeoPoint;
 /** What a feature of a map looks like. */
 sealed interface Shape {
 
-    /** A single place. */
+    /** A single position. */
     record Point(GeoPoint position) implements Shape {}
 
     /**
-     * A way from place to place.
+     * A path from position to position.
      *
      * @param positions two or more
      */

@@ -1,2 +1,2 @@
-/** What a run gave as files for maps: GeoJSON and KML, from the place on earth of the scene's origin. */
+/** What a run gave as files for maps: GeoJSON and KML, from where on earth the scene's origin lies. */
 package org.dronewatch.report.map;

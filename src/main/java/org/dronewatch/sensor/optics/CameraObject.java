@@ -167,7 +167,7 @@ public final class CameraObject {
      * Where a point of the world appears.
      *
      * @return column and row in pixels, (0, 0) being the top left corner of the top left pixel; empty for a point nearer
-     *     than {@link #NEAR} or behind the camera. The place may lie outside the picture.
+     *     than {@link #NEAR} or behind the camera. The point may lie outside the picture.
      */
     public Optional<Point2d> pixelOf(Point3d point) {
         Vector4d clip = projection().mul(view).transform(new Vector4d(point.x, point.y, point.z, 1.0));

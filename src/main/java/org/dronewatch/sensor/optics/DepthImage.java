@@ -26,7 +26,7 @@ public final class DepthImage {
     /**
      * A picture from its pixels, row by row from the top; copies them.
      *
-     * @throws IllegalArgumentException when the arrays do not have width times height places
+     * @throws IllegalArgumentException when the arrays do not have width times height elements
      */
     public DepthImage(int width, int height, float[] distances, boolean[] hits) {
         if (width <= 0 || height <= 0 || distances.length != width * height || hits.length != distances.length) {

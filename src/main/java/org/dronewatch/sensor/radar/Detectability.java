@@ -4,7 +4,7 @@ import java.util.function.DoubleUnaryOperator;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
 
 /**
- * How surely an echo is told from noise by a square-law detector: one look exactly, several pulses summed without their
+ * How reliably an echo is distinguished from noise by a square-law detector: one look exactly, several pulses summed without their
  * phases by the approximations of Albersheim (IEEE Proceedings 69, 1981) for steady targets and Shnidman (IEEE Transactions
  * on Aerospace and Electronic Systems 38, 2002) for fluctuating ones. Signal-to-noise ratios are those of a single pulse.
  */

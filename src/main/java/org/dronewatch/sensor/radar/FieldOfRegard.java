@@ -52,7 +52,7 @@ final class FieldOfRegard {
                         : Explanation.beyond(Cause.TOO_FAST, fastest));
     }
 
-    /** Whether a drone comes or goes fast enough to be told from the ground, and not too fast. */
+    /** Whether a drone comes or goes fast enough to be separated from the ground, and not too fast. */
     boolean hasSpeed(double radial) {
         return Math.abs(radial) >= settings.minSpeed() && Math.abs(radial) <= fastest;
     }

@@ -126,7 +126,7 @@ public final class RadarSensor implements AssessableSensor {
         return Math.max(Position.of(drone.position()).distance(settings.position()), Double.MIN_NORMAL);
     }
 
-    /** Signal-to-noise ratio of an echo, dB, with what the rain takes on both ways. */
+    /** Signal-to-noise ratio of an echo, dB, with what the rain takes out and back. */
     private double echo(Drone drone, double area) {
         if (area == 0.0) {
             return Double.NEGATIVE_INFINITY;

@@ -86,7 +86,7 @@ public record RadarSettings(
     /**
      * A radar that looks all round, 20 degrees high, level, once a second, at 10 GHz with horizontal polarisation, from 20 m
      * to 10 km, for radial speeds from 1 to 200 m/s, and detects from 15 dB on;
-     * it tells where a drone is to 5 m and a degree.
+     * it measures where a drone is to 5 m and a degree.
      */
     @Defaults({"position", "budget"})
     public static RadarSettings at(Position position, LinkBudget budget) {
@@ -152,7 +152,7 @@ public record RadarSettings(
         return SettingsForm.with(this, "detection", other);
     }
 
-    /** These settings telling places more or less exactly. */
+    /** These settings with another accuracy. */
     public RadarSettings withAccuracy(Accuracy other) {
         return SettingsForm.with(this, "accuracy", other);
     }

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.radar;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
-/** What rain takes from a wave on its way: Recommendation ITU-R P.838-3 (2005). */
+/** What rain takes from a wave: Recommendation ITU-R P.838-3 (2005). */
 public final class Rain {
     private static final double LEAST_FREQUENCY = 1e9;
     private static final double MOST_FREQUENCY = 1000e9;
@@ -52,7 +52,7 @@ public final class Rain {
     }
 
     /**
-     * Specific attenuation on one way, dB/m.
+     * Specific attenuation, one way, dB/m.
      *
      * @param frequency 1 to 1000 GHz, Hz
      * @param rate of the rain, 0 or more, mm/h

@@ -8,7 +8,7 @@ import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
 
 /**
- * How much of a drone shows from a place: the share of nine points of its box, the middle and half-way to each corner, to
+ * How much of a drone is visible from a position: the fraction of nine points of its box, the middle and half-way to each corner, to
  * which nothing of the world stands in the way.
  */
 final class VisibleShare {

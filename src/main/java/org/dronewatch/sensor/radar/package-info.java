@@ -1,2 +1,2 @@
-/** The radar: its range equation, how surely an echo is told from noise, and what rain and cover take from it. */
+/** The radar: its range equation, how reliably an echo is distinguished from noise, and what rain and cover take from it. */
 package org.dronewatch.sensor.radar;

@@ -7,7 +7,7 @@ import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
 /**
- * What a radio wave loses between two places of a site: the spreading in free space, and at the one edge that stands most in
+ * What a radio wave loses between two positions in a site: the spreading in free space, and at the one edge that stands most in
  * its way. Edges are those of the site as seen from above: ground, trees and roofs. One per thread.
  */
 public final class RadioPath {
@@ -16,7 +16,7 @@ public final class RadioPath {
     /** An edge this far below the line, in units of the Fresnel zone, costs nothing (ITU-R P.526, equation (31)). */
     private static final double CLEAR = -0.78;
 
-    /** So many places along the way are looked at, and again about the highest. */
+    /** The number of points along the path that are looked at, and again about the highest. */
     private static final int STEPS = 512;
 
     private final World world;
@@ -51,7 +51,7 @@ public final class RadioPath {
         return v <= CLEAR ? 0.0 : 6.9 + 20.0 * Math.log10(Math.sqrt((v - 0.1) * (v - 0.1) + 1.0) + v - 0.1);
     }
 
-    /** What the highest edge between two places takes from a wave, dB. */
+    /** What the highest edge between two positions takes from a wave, dB. */
     public double obstacleLoss(Position from, Position to, double frequency) {
         double length = from.distance(to);
         if (!(length > 0.0)) {
@@ -60,7 +60,7 @@ public final class RadioPath {
         return knifeEdgeLoss(parameter(from, to, length, highest(from, to, length, frequency), frequency));
     }
 
-    /** The model with the highest edge between two places; empty where nothing is below the line. */
+    /** The model with the highest edge between two positions; empty where nothing is below the line. */
     Optional<Obstacle> obstacle(Position from, Position to, double frequency) {
         double length = from.distance(to);
         boolean found = length > 0.0
@@ -68,7 +68,7 @@ public final class RadioPath {
         return found ? Optional.of(world.obstacle(traversal.triangle())) : Optional.empty();
     }
 
-    /** The share of the way at which the highest edge stands, above 0 and below 1. */
+    /** The fraction of the path at which the highest edge stands, above 0 and below 1. */
     private double highest(Position from, Position to, double length, double frequency) {
         double worst = Double.NEGATIVE_INFINITY;
         double at = 0.5;
@@ -96,7 +96,7 @@ public final class RadioPath {
         return at;
     }
 
-    /** {@code v = h sqrt(2 (d1 + d2) / (wavelength d1 d2))} of the site's highest point at a share of the way. */
+    /** {@code v = h sqrt(2 (d1 + d2) / (wavelength d1 d2))} of the site's highest point at a fraction of the path. */
     private double parameter(Position from, Position to, double length, double share, double frequency) {
         double x = from.x() + share * (to.x() - from.x());
         double y = from.y() + share * (to.y() - from.y());

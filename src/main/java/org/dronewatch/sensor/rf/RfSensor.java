@@ -107,7 +107,7 @@ public final class RfSensor implements AssessableSensor {
         return link.pilot().map(place -> ratio(link, place, link.pilotPower())).orElse(Double.NEGATIVE_INFINITY);
     }
 
-    /** Signal-to-noise ratio of an emission from a place, dB. */
+    /** Signal-to-noise ratio of an emission from a position, dB. */
     private double ratio(RadioLink link, Position from, double power) {
         if (!settings.hears(link)) {
             return Double.NEGATIVE_INFINITY;

@@ -32,7 +32,7 @@ final class KindChooser {
      */
     record Chosen(SettingsForm form, Node.Mapping parts) {}
 
-    /** The kind that a mapping means; empty when none can be told, and a problem says why. */
+    /** The kind that a mapping means; empty when it is not clear, and a problem says why. */
     Optional<Chosen> choose(Class<?> type, Node.Mapping written, String path) {
         Optional<Node.Mapping> whole = withReadySettings(type, written, path);
         if (whole.isEmpty()) {

@@ -17,7 +17,7 @@ final class Air {
         this.soundSpeed = atmosphere.speedOfSound();
     }
 
-    /** The share of energy in a band that is left after a way, m. */
+    /** The share of energy in a band that is left after a distance, m. */
     double left(int band, double distance) {
         return Math.exp(-exponents[band] * distance);
     }

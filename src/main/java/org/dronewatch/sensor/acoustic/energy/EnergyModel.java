@@ -14,7 +14,7 @@ import org.dronewatch.world.World;
 
 /**
  * How the energy model propagates sound: levels in octave bands fall by spreading, in the air and at surfaces, as in
- * reality. The straight path, mirror reflections of low order and the way round an edge are computed exactly; what
+ * reality. The straight path, specular reflections of low order and the path round an edge are computed exactly; what
  * comes later is estimated by rays, with its standard error.
  *
  * @param rays the most rays that one look traces, 1 to 10,000,000
@@ -89,7 +89,7 @@ public record EnergyModel(
         return SettingsForm.with(this, "imageSourceOrder", order);
     }
 
-    /** This model with another way round edges. */
+    /** This model with another diffraction. */
     public EnergyModel withDiffraction(Diffraction kind) {
         return SettingsForm.with(this, "diffraction", kind);
     }

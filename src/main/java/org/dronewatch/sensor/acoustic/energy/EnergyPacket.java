@@ -48,7 +48,7 @@ final class EnergyPacket {
         return sum;
     }
 
-    /** Leaves the air its share of a way, m. */
+    /** Takes what the air absorbs over a distance, m. */
     void fly(double distance) {
         double before = all();
         for (int band = 0; band < BANDS; band++) {

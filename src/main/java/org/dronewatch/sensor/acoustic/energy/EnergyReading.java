@@ -16,7 +16,7 @@ import org.dronewatch.sound.OctaveBands;
  * @param diffracted round the nearest edge of what hides the drone
  * @param mirrored by mirror reflections of low order, exact
  * @param reverberant by all that comes later, estimated
- * @param traced how many straight pieces of rays were traced
+ * @param traced how many ray segments were traced
  * @param standardError of the level of all together, dB, from the scatter among rays
  * @param audit where the rays' energy went
  * @param decay how the sound dies away

@@ -30,7 +30,7 @@ final class RayBatch {
         this.firstScattering = new FirstScattering(world, surfaces, air, tally);
     }
 
-    /** Traces so many rays; forgets those before. */
+    /** Traces a number of rays; forgets those before. */
     void trace(SoundSource source, int rays, RandomGenerator random, RayRecorder recorder) {
         tally.clear();
         ledger.clear();
@@ -54,7 +54,7 @@ final class RayBatch {
         return ledger;
     }
 
-    /** How many pieces of rays were traced. */
+    /** How many ray segments were traced. */
     long traced() {
         return traced;
     }

@@ -44,7 +44,7 @@ public record LevelModel(
         Limits.check(LevelModel.class, initialRays, reflectionsPerHit, attenuation, maxOrder, rayBudget);
     }
 
-    /** This model with so many rays from the drone and from each surface. */
+    /** This model with other numbers of rays from the drone and from each surface. */
     public LevelModel withRays(int initial, int perHit) {
         return SettingsForm.with(this, Map.of("initialRays", initial, "reflectionsPerHit", perHit));
     }
@@ -54,7 +54,7 @@ public record LevelModel(
         return SettingsForm.with(this, "attenuation", loss);
     }
 
-    /** This model with other ends: orders and pieces of rays. */
+    /** This model with other limits: order and number of ray segments. */
     public LevelModel withLimits(int orders, int budget) {
         return SettingsForm.with(this, Map.of("maxOrder", orders, "rayBudget", budget));
     }

@@ -12,7 +12,7 @@ import java.util.OptionalInt;
  * @param energy the received share of the emitted energy, summed over all rays: reported only, as the forced rays make
  *     it no physical quantity
  * @param received how many rays reached the sensor
- * @param traced how many straight pieces of rays were traced
+ * @param traced how many ray segments were traced
  * @param cutByOrder how many branches were not followed because of the largest order
  * @param cutByBudget how many branches were not followed because of the ray budget
  * @param cutOrder the lowest order at which the budget cut a branch; empty when it cut none

@@ -100,7 +100,7 @@ final class RayStretch {
         return entry < surface;
     }
 
-    /** Heard at the way to the sensor's centre, so that the range does not grow by the radius. */
+    /** Heard at the distance of the sensor's centre, so that the range does not grow by the radius. */
     private void receive(RayRecorder recorder) {
         double x = sensor.x() - ray.originX;
         double y = sensor.y() - ray.originY;

@@ -53,7 +53,7 @@ final class SurfaceLevels {
         return reflectedShare[material];
     }
 
-    /** What a level loses on its way through the wall, dB. */
+    /** What a level loses in passing through the wall, dB. */
     double transmissionLoss(int material) {
         return transmissionLoss[material];
     }

@@ -32,7 +32,7 @@ public enum Diffraction {
     /**
      * What the edge takes of the sound that would arrive without the obstacle.
      *
-     * @param pathDifference how much longer the way over the edge is than the straight one, 0 or more, m
+     * @param pathDifference how much longer the path over the edge is than the straight one, 0 or more, m
      * @param wavelength above 0, m
      * @return dB
      */
