@@ -6,26 +6,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.flight.FlightState;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
-import org.dronewatch.positioner.Pointing;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Cause;
-import org.dronewatch.sensor.Explanation;
-import org.dronewatch.sensor.Look;
-import org.dronewatch.sensor.Mounted;
-import org.dronewatch.sensor.RaySensor;
-import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.world.World;
 
 /**
  * Where over a site each sensor detects a drone, and why not elsewhere. The drone is put at every point of a grid, its nose and
@@ -155,83 +145,5 @@ public final class Coverage {
             }
         }
         return cells * grid.cellArea();
-    }
-
-    /** The height of the highest surface in each cell, NaN where there is none. */
-    private static final class Heights {
-        private final double[] height;
-
-        Heights(World world, CoverageGrid grid) {
-            height = new double[grid.cells() * grid.cells()];
-            for (int row = 0; row < grid.cells(); row++) {
-                Workers.checkInterrupted();
-                for (int column = 0; column < grid.cells(); column++) {
-                    OptionalDouble surface = world.surfaceHeight(grid.x(column), grid.y(row));
-                    height[row * grid.cells() + column] = surface.orElse(Double.NaN);
-                }
-            }
-        }
-    }
-
-    /** One sensor that looks at all points, one after the other. */
-    private record Prober(
-            CoverageGrid grid,
-            Heights heights,
-            World world,
-            Drone drone,
-            SensorSettings<?> settings,
-            String id,
-            long seed,
-            Assessor assessor) {
-
-        boolean[] probe(IntConsumer progress) {
-            Sensor sensor = settings.create();
-            boolean[] cells = new boolean[grid.cells() * grid.cells()];
-            for (int row = 0; row < grid.cells(); row++) {
-                Workers.checkInterrupted();
-                for (int column = 0; column < grid.cells(); column++) {
-                    int cell = row * grid.cells() + column;
-                    Optional<Drone> there = comingFrom(column, row);
-                    cells[cell] = there.isPresent()
-                            && sensor.observe(world, List.of(there.get()), look(cell, there.get()))
-                                    .get(0)
-                                    .isDetected();
-                }
-                progress.accept(grid.cells());
-            }
-            return cells;
-        }
-
-        Optional<Assessment> assess(int column, int row) {
-            return comingFrom(column, row).map(there -> {
-                Look look = look(row * grid.cells() + column, there);
-                return assessor.assess(there, look.pointing(), look.random(there.id(), RaySensor.RAYS));
-            });
-        }
-
-        Optional<Explanation> explain(int column, int row) {
-            return comingFrom(column, row).map(there -> assessor.explainMiss(there, turnedTo(there)));
-        }
-
-        private Look look(int cell, Drone there) {
-            return Look.of(seed, id, cell, 0.0).withPointing(turnedTo(there));
-        }
-
-        private Optional<Pointing> turnedTo(Drone there) {
-            return Mounted.turnedTo(settings, Position.of(there.position()));
-        }
-
-        /** The drone in a cell; empty where there is no ground. */
-        private Optional<Drone> comingFrom(int column, int row) {
-            double ground = heights.height[row * grid.cells() + column];
-            if (Double.isNaN(ground)) {
-                return Optional.empty();
-            }
-            Position place = new Position(grid.x(column), grid.y(row), ground + grid.height());
-            Position way = settings.position().minus(place);
-            double length = Math.max(way.length(), Double.MIN_NORMAL);
-            Position velocity = way.times(drone.settings().speed() / length);
-            return Optional.of(drone.at(new FlightState(place, velocity, Math.atan2(way.x(), way.y()))));
-        }
     }
 }
