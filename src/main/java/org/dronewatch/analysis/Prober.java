@@ -38,9 +38,9 @@ record Prober(
                 int cell = row * grid.cells() + column;
                 Optional<Drone> there = comingFrom(column, row);
                 cells[cell] = there.isPresent()
-                        && sensor.observe(world, List.of(there.get()), look(cell, there.get()))
-                                .get(0)
-                                .isDetected();
+                        && sensor.observe(world, List.of(there.get()), look(cell, there.get())).stream()
+                                .anyMatch(seen ->
+                                        seen.isDetected() && seen.drone().equals(drone.id()));
             }
             progress.accept(grid.cells());
         }

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
@@ -11,7 +12,7 @@ import org.dronewatch.world.World;
 /**
  * Assesses sensors of every kind. For one that is not an {@link AssessableSensor} it takes one look, and finds the
  * cause of a miss from the sensor's field of view and from what hides the drone: then the probability is that of the
- * look, 0 or 1 where it states none. One thread at a time.
+ * look, 0 or 1 where it states none; of a drone that the look leaves out the quantity is 0 of 1. One thread at a time.
  */
 public final class Assessor {
     private final String id;
@@ -39,9 +40,17 @@ public final class Assessor {
             return assessable.assess(world, drone, pointing, rayRandom);
         }
         Look look = Look.of(rayRandom.nextLong(), id, 0, 0.0).withPointing(pointing);
-        Observation seen = sensor.observe(world, List.of(drone), look).get(0);
-        Signal signal = new Signal(seen.probability(), seen.value(), seen.unit(), seen.threshold(), 0.0, 0.0);
-        return new Assessment(signal, seen.isDetected() ? Explanation.DETECTED : explainByOutline(drone, pointing));
+        Signal signal = ofDrone(sensor.observe(world, List.of(drone), look), drone)
+                .map(seen -> new Signal(seen.probability(), seen.value(), seen.unit(), seen.threshold(), 0.0, 0.0))
+                .orElse(Signal.certain(0.0, "", 1.0));
+        return new Assessment(signal, signal.isDetected() ? Explanation.DETECTED : explainByOutline(drone, pointing));
+    }
+
+    /** The observation of a drone, one that detects it first: a look may leave it out, and report what is no drone. */
+    private static Optional<Observation> ofDrone(List<Observation> look, Drone drone) {
+        return look.stream()
+                .filter(one -> one.drone().equals(drone.id()))
+                .min(Comparator.comparing(one -> !one.isDetected()));
     }
 
     /** As {@link AssessableSensor#explainMiss}, in this assessor's world. */

@@ -8,6 +8,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.geometry.Position;
@@ -19,6 +21,10 @@ import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Reading;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -138,6 +144,50 @@ class CoverageTest {
 
         assertThat(turned.area("turning")).isBetween(0.7 * Math.PI * near * near, 1.6 * Math.PI * near * near);
         assertThat(turned.area("fixed") / turned.area("turning")).isBetween(0.7 * wedge, 1.3 * wedge);
+    }
+
+    /** Reports drones in the east alone, after something that is none: of those in the west it has no observation at all. */
+    private record Eastward(Position position) implements SensorSettings<Sensor> {
+        @Override
+        public Eastward withPosition(Position other) {
+            return new Eastward(other);
+        }
+
+        @Override
+        public double rate() {
+            return 1.0;
+        }
+
+        @Override
+        public String kind() {
+            return "eastward";
+        }
+
+        @Override
+        public Sensor create() {
+            Reading enough = new Reading(2.0, 1.0, "");
+            return (world, drones, look) -> Stream.concat(
+                            Stream.of(Observation.ofNothing(look.id(kind()), enough, Optional.empty())),
+                            drones.stream()
+                                    .filter(drone -> drone.position().x > position.x())
+                                    .map(drone -> new Observation(
+                                            look.id(kind()), drone.id(), drone.distance(position), enough)))
+                    .toList();
+        }
+    }
+
+    @Test
+    void aSensorMayReportNothingOfADroneAndSomethingThatIsNone() {
+        Coverage half = coverage(settings.withSensor("half", new Eastward(new Position(0, 0, 2))), 2);
+        assertThat(half.area("half")).isEqualTo(200.0 * 400.0);
+        assertThat(half.causes("half")).containsExactly(Map.entry(Cause.TOO_WEAK, 5000));
+
+        Assessment west = half.assess("half", 10, 10).orElseThrow();
+        assertThat(west.cause()).isEqualTo(Cause.TOO_WEAK);
+        assertThat(west.probability()).isZero();
+        Assessment east = half.assess("half", 90, 10).orElseThrow();
+        assertThat(east.cause()).isEqualTo(Cause.DETECTED);
+        assertThat(east.quantity()).isEqualTo(2.0);
     }
 
     @Test
