@@ -1,6 +1,7 @@
 package org.dronewatch.analysis;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -23,12 +24,14 @@ import org.dronewatch.sensor.SensorSettings;
  */
 public final class Coverage {
     private final CoverageGrid grid;
+    private final int groundCells;
     private final Map<String, SensorSettings<?>> sensors;
     private final Map<String, boolean[]> reached = new LinkedHashMap<>();
     private final Map<String, Prober> probers = new LinkedHashMap<>();
 
-    private Coverage(CoverageGrid grid, Map<String, SensorSettings<?>> sensors) {
+    private Coverage(CoverageGrid grid, Map<String, SensorSettings<?>> sensors, int groundCells) {
         this.grid = grid;
+        this.groundCells = groundCells;
         this.sensors = sensors;
     }
 
@@ -50,8 +53,8 @@ public final class Coverage {
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'; the scene has "
                         + String.join(", ", settings.fliers().keySet())));
-        Coverage coverage = new Coverage(grid, settings.enabledSensors());
         Heights heights = new Heights(stage.world(), grid);
+        Coverage coverage = new Coverage(grid, settings.enabledSensors(), heights.count());
         List<Supplier<boolean[]>> tasks = new ArrayList<>();
         settings.enabledSensors().forEach((id, sensor) -> {
             Prober prober = new Prober(
@@ -117,6 +120,33 @@ public final class Coverage {
         return causes;
     }
 
+    /**
+     * Why each sensor does not detect the drone, by sensor as {@link #causes(String)}, on the threads of the {@link Workers} that
+     * call; the same for any number of them.
+     */
+    public Map<String, Map<Cause, Integer>> causes() {
+        List<String> ids = List.copyOf(sensors.keySet());
+        List<Map<Cause, Integer>> found = new ArrayList<>(Collections.nCopies(ids.size(), Map.of()));
+        Workers.forEach(ids.size(), i -> found.set(i, causes(ids.get(i))));
+        Map<String, Map<Cause, Integer>> bySensor = new LinkedHashMap<>();
+        ids.forEach(id -> bySensor.put(id, found.get(bySensor.size())));
+        return bySensor;
+    }
+
+    /** In how many cells there is ground, and so a drone above it. */
+    public int groundCells() {
+        return groundCells;
+    }
+
+    /** In how many cells a sensor detects the drone. */
+    public int reachedCells(String sensor) {
+        int cells = 0;
+        for (boolean cell : reached.get(sensor)) {
+            cells += cell ? 1 : 0;
+        }
+        return cells;
+    }
+
     /** How many sensors of a kind detect the drone in a cell. */
     public int count(String kind, int column, int row) {
         int count = 0;
@@ -129,11 +159,7 @@ public final class Coverage {
 
     /** The area in which a sensor detects the drone, m2. */
     public double area(String sensor) {
-        int cells = 0;
-        for (boolean cell : reached.get(sensor)) {
-            cells += cell ? 1 : 0;
-        }
-        return cells * grid.cellArea();
+        return reachedCells(sensor) * grid.cellArea();
     }
 
     /** The area in which any sensor of a kind detects the drone, m2. */

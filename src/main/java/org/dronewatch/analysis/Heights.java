@@ -1,5 +1,6 @@
 package org.dronewatch.analysis;
 
+import java.util.Arrays;
 import java.util.OptionalDouble;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.World;
@@ -17,5 +18,10 @@ final class Heights {
                 height[row * grid.cells() + column] = surface.orElse(Double.NaN);
             }
         }
+    }
+
+    /** In how many cells there is a surface. */
+    int count() {
+        return (int) Arrays.stream(height).filter(Double::isFinite).count();
     }
 }

@@ -9,6 +9,7 @@ import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.CoveragePicture;
+import org.dronewatch.report.CoverageTable;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -27,7 +28,9 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "coverage",
         mixinStandardHelpOptions = true,
-        description = "Draws a plan of where each sensor detects a drone at one height above the ground.",
+        description =
+                "Draws a plan of where each sensor detects a drone at one height above the ground, and prints why it"
+                        + " does not elsewhere.",
         footer = {"", "Example:", "  dronewatch coverage multi-sensor --height 10m --side 400m --out plan.png"})
 final class CoverageCommand implements Callable<Integer> {
     @Mixin
@@ -144,9 +147,8 @@ final class CoverageCommand implements Callable<Integer> {
 
     private void print(Coverage coverage) {
         PrintWriter target = spec.commandLine().getOut();
-        target.printf("%-24s %-10s %12s%n", "sensor", "kind", "area [ha]");
-        coverage.sensors()
-                .forEach((id, sensor) -> target.printf(
-                        Locale.ROOT, "%-24s %-10s %12.2f%n", id, sensor.kind(), 1e-4 * coverage.area(id)));
+        CoverageTable.areas(coverage).forEach(target::println);
+        target.println();
+        CoverageTable.causes(coverage, coverage.causes()).forEach(target::println);
     }
 }

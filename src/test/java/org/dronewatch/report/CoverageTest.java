@@ -7,6 +7,9 @@ import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -115,6 +118,60 @@ class CoverageTest {
                 .isEqualTo(400 * 400);
     }
 
+    /** The areas of geometry once more, as people read them: in per cent of the square, which is all ground. */
+    @Test
+    void theTableHasAColumnForEachCauseAndEachLineIsAHundredPerCent() {
+        List<String> lines = CoverageTable.causes(coverage, coverage.causes());
+        double disc = Math.PI * 150 * 150 / (400 * 400) * 100;
+        double shadow = (Math.atan2(10, 50) * 150 * 150 - 500) / (400 * 400) * 100;
+
+        assertThat(lines.get(0)).isEqualTo("in % of the 10,000 cells with ground:");
+        assertThat(lines.get(1).split(" {2,}"))
+                .containsExactly(
+                        "sensor",
+                        "kind",
+                        "detected",
+                        "out of range",
+                        "out of view",
+                        "hidden by a building",
+                        "too weak");
+        assertThat(lines).hasSize(5);
+        double[] round = percents(lines.get(2), "round", "radar");
+        assertThat(round[0]).isCloseTo(disc - shadow, within(1.0));
+        assertThat(round[1]).isCloseTo(100 - disc, within(1.0));
+        assertThat(round[2]).isZero();
+        assertThat(round[3]).isCloseTo(shadow, within(1.0));
+        assertThat(round[4]).isZero();
+        assertThat(percents(lines.get(3), "east", "radar")[2]).isCloseTo(0.75 * disc, within(1.0));
+        for (String line : lines.subList(2, 5)) {
+            assertThat(Arrays.stream(percents(line, "\\w+", "\\w+")).sum())
+                    .as(line)
+                    .isCloseTo(100.0, within(0.3));
+        }
+        assertThat(lines.subList(1, 5))
+                .extracting(String::length)
+                .containsOnly(lines.get(1).length());
+    }
+
+    private static double[] percents(String line, String sensor, String kind) {
+        assertThat(line).matches(sensor + " +" + kind + " .*");
+        return Arrays.stream(line.split(" +"))
+                .skip(2)
+                .mapToDouble(text -> text.equals("-") ? 0.0 : text.equals("<0.1") ? 0.05 : Double.parseDouble(text))
+                .toArray();
+    }
+
+    /** One of ten thousand cells is more than nothing. */
+    @Test
+    void aFractionThatRoundsToNothingIsNotShownAsNothing() {
+        Map<String, Map<Cause, Integer>> causes = new HashMap<>(coverage.causes());
+        causes.put("east", Map.of(Cause.TOO_FAST, 1));
+        List<String> lines = CoverageTable.causes(coverage, causes);
+        assertThat(lines.get(1)).contains("  too fast  ");
+        assertThat(lines.get(3)).contains("      <0.1 ");
+        assertThat(lines.get(2)).doesNotContain("0.0");
+    }
+
     private static double area(Map<Cause, Integer> causes, Cause cause) {
         return causes.get(cause) * GRID.cellArea();
     }
@@ -200,6 +257,12 @@ class CoverageTest {
                 assertThat(coverage.isReached(sensor, column, row)).isEqualTo(one.isReached(sensor, column, row));
             }
         }
+        Map<String, Map<Cause, Integer>> causes;
+        try (Workers workers = new Workers(2)) {
+            causes = workers.call(coverage::causes);
+        }
+        assertThat(causes).isEqualTo(one.causes());
+        assertThat(causes).allSatisfy((sensor, its) -> assertThat(its).isEqualTo(one.causes(sensor)));
     }
 
     @Test

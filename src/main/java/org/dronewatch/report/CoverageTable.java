@@ -1,0 +1,88 @@
+package org.dronewatch.report;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import org.dronewatch.analysis.Coverage;
+import org.dronewatch.sensor.Cause;
+
+/** The numbers of a {@link Coverage} in tables for people: areas, and why each sensor misses the drone elsewhere. */
+public final class CoverageTable {
+    private static final String NAMES = "%-24s %-10s";
+    /** Fractions below this are more than nothing, but less than what a table shows, %. */
+    private static final double LEAST_SHOWN = 0.05;
+
+    private CoverageTable() {}
+
+    /** The area in which each sensor detects the drone, a line for each. */
+    public static List<String> areas(Coverage coverage) {
+        List<String> lines = new ArrayList<>();
+        lines.add(format(NAMES + " %12s", "sensor", "kind", "area [ha]"));
+        coverage.sensors()
+                .forEach((id, sensor) ->
+                        lines.add(format(NAMES + " %12.2f", id, sensor.kind(), 1e-4 * coverage.area(id))));
+        return lines;
+    }
+
+    /**
+     * In which fraction of the cells with ground each sensor detects the drone, and in which it misses it, by cause; a line for
+     * each sensor, a column for each cause that there is.
+     *
+     * @param causes in how many cells each holds, by sensor: {@link Coverage#causes}
+     */
+    public static List<String> causes(Coverage coverage, Map<String, Map<Cause, Integer>> causes) {
+        Set<Cause> shown = EnumSet.of(Cause.DETECTED);
+        causes.values().forEach(all -> shown.addAll(all.keySet()));
+        // Detected is the last of the causes and the first of the columns.
+        List<Cause> columns = new ArrayList<>(List.of(Cause.DETECTED));
+        shown.stream().filter(cause -> cause != Cause.DETECTED).forEach(columns::add);
+
+        List<String> lines = new ArrayList<>();
+        lines.add(format("in %% of the %,d cells with ground:", coverage.groundCells()));
+        StringBuilder header = new StringBuilder(format(NAMES, "sensor", "kind"));
+        columns.forEach(cause -> header.append("  ").append(name(cause)));
+        lines.add(header.toString());
+        coverage.sensors().forEach((id, sensor) -> {
+            StringBuilder line = new StringBuilder(format(NAMES, id, sensor.kind()));
+            for (Cause cause : columns) {
+                int cells = cause == Cause.DETECTED
+                        ? coverage.reachedCells(id)
+                        : causes.get(id).getOrDefault(cause, 0);
+                line.append(format("  %" + name(cause).length() + "s", percent(cells, coverage.groundCells())));
+            }
+            lines.add(line.toString());
+        });
+        return lines;
+    }
+
+    private static String name(Cause cause) {
+        return switch (cause) {
+            case OUT_OF_RANGE -> "out of range";
+            case OUT_OF_VIEW -> "out of view";
+            case SILENT -> "radio-silent";
+            case TOO_SLOW -> "too slow";
+            case TOO_FAST -> "too fast";
+            case HIDDEN_BY_TERRAIN -> "hidden by terrain";
+            case HIDDEN_BY_BUILDING -> "hidden by a building";
+            case HIDDEN_BY_VEGETATION -> "hidden by vegetation";
+            case HIDDEN_BY_OTHER -> "hidden otherwise";
+            case TOO_WEAK -> "too weak";
+            case DETECTED -> "detected";
+        };
+    }
+
+    private static String percent(int cells, int of) {
+        double percent = 100.0 * cells / of;
+        if (cells == 0) {
+            return "-";
+        }
+        return percent < LEAST_SHOWN ? "<0.1" : format("%.1f", percent);
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}
