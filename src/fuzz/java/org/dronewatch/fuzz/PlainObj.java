@@ -152,7 +152,7 @@ final class PlainObj {
     }
 
     private void line(String whole) {
-        if (whole.indexOf('\\') >= 0 || !whole.chars().allMatch(c -> c >= ' ' || c == '\t')) {
+        if (whole.indexOf('\\') >= 0 || !whole.chars().allMatch(PlainObj::isPlain)) {
             // A continuation that does not continue, or a character that is white space to some.
             worse(Verdict.UNSURE);
             return;
@@ -178,6 +178,12 @@ final class PlainObj {
                 }
             }
         }
+    }
+
+    private static boolean isPlain(int c) {
+        return c == ' '
+                || c == '\t'
+                || !Character.isISOControl(c) && !Character.isWhitespace(c) && !Character.isSpaceChar(c);
     }
 
     private void passedOver(String[] words) {
