@@ -1,2 +1,2 @@
-/** What all kinds of sensors share: settings that create sensors, samples, observations and detections. */
+/** What all kinds of sensors share: settings and their capabilities, looks, observations, assessments and detections. */
 package org.dronewatch.sensor;
