@@ -9,7 +9,10 @@ import org.dronewatch.kdtree.RayTracer;
  * the way over the ground to it has no length otherwise, and no side to come from. One per thread.
  */
 public final class Clearance {
-    /** How far from a surface a place is moved, m: nothing to a wave, and above the roundings of coordinates. */
+    /**
+     * How far from a surface a place is moved, m: nothing to a wave, and above {@link Visibility#MARGIN}, so that the surface
+     * still hides what is behind it.
+     */
     public static final double GAP = 1e-4;
 
     /** A place may lie on the walls of a corner. */

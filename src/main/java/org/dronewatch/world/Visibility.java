@@ -5,18 +5,42 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 
 /**
- * Whether something of a world stands between two points, and what. The methods that take primitives allocate nothing.
- * Keeps scratch memory: one thread at a time.
+ * Whether something of a world stands between two points, and what.
+ *
+ * <p>A surface that a segment meets within {@link #MARGIN} of an end is taken for the one on which the end lies, and hides
+ * nothing: sensors on walls and microphones on the ground see and hear as they do a hair's breadth before it, and so do drones
+ * that touch it. What is met farther away counts. So a sensor within the margin of a wall looks out to both of its sides,
+ * and one farther behind it is blind to what lies before it. The margin is a length and not a fraction of the segment,
+ * since neither the position of a sensor nor the roundings of coordinates become less exact with the distance of what it
+ * looks at: whether a sensor on a wall is blind does not depend on the range. Between points nearer than twice the margin
+ * nothing stands.
+ *
+ * <p>Two points of one and the same oblique face see each other or not by the rounding of their coordinates; {@link Clearance}
+ * moves points off their surfaces where that matters.
+ *
+ * <p>The methods that take primitives allocate nothing. Keeps scratch memory: one thread at a time.
  */
 public final class Visibility {
     /**
-     * How near to an end of a segment, as a fraction of its length, a surface counts as that on which the end lies: far
-     * above rounding.
+     * How far along a segment, from either end, surfaces do not count, m. It is above the rounding of a mesh's coordinates,
+     * which are of single precision, within 100 m of the origin (4e-6 m), and far above that of computed points; and it is
+     * below the distance to which {@link Clearance} moves what lies on a surface, on the far side of which it stays hidden.
      */
-    public static final double SURFACE = 1e-9;
+    public static final double MARGIN = 1e-5;
 
     private final World world;
     private final RayTracer tracer;
+
+    /** The segment along which surfaces are looked for: its beginning, its vector, and the multiple of that where it ends. */
+    private double x;
+
+    private double y;
+    private double z;
+    private double dx;
+    private double dy;
+    private double dz;
+    private double margin;
+    private double last;
 
     /** In a world. */
     public Visibility(World world) {
@@ -41,47 +65,65 @@ public final class Visibility {
         return world;
     }
 
-    /** Whether nothing stands between two points, m; a surface within {@link #SURFACE} of either end hides nothing. */
+    /** Whether nothing stands between two points, m. */
     public boolean isFree(Position from, Position to) {
         return isFree(from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
     }
 
-    /** The same in coordinates, m. */
+    /** Whether nothing stands between two points, m. */
     public boolean isFree(double fromX, double fromY, double fromZ, double toX, double toY, double toZ) {
-        return isFreeAlong(fromX, fromY, fromZ, toX - fromX, toY - fromY, toZ - fromZ, SURFACE, 1.0 - SURFACE);
+        return isFreeAlong(fromX, fromY, fromZ, toX - fromX, toY - fromY, toZ - fromZ, 1.0);
     }
 
     /**
      * Whether nothing stands along a vector from a point.
      *
-     * @param x of the point, m
-     * @param dx of the vector, which may have any length but 0, m
-     * @param first from which multiple of the vector on surfaces count
-     * @param last up to which multiple of the vector surfaces count; may be infinite
+     * @param fromX of the point, m
+     * @param alongX of the vector, m
+     * @param end which multiple of the vector leads to the end of the segment, 0 or more; infinite for one without end
      */
     public boolean isFreeAlong(
-            double x, double y, double z, double dx, double dy, double dz, double first, double last) {
-        return !tracer.isOccluded(x, y, z, dx, dy, dz, first, last);
+            double fromX, double fromY, double fromZ, double alongX, double alongY, double alongZ, double end) {
+        double skipped = margin(alongX, alongY, alongZ);
+        return !tracer.isOccluded(fromX, fromY, fromZ, alongX, alongY, alongZ, skipped, end - skipped);
     }
 
     /** What stands first between two points, as seen from the first; empty where they see each other. */
     public Optional<Obstacle> obstacle(Position from, Position to) {
-        Position way = to.minus(from);
-        boolean hidden = findFirst(from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), SURFACE, 1.0 - SURFACE);
+        Position along = to.minus(from);
+        boolean hidden = findFirstAlong(from.x(), from.y(), from.z(), along.x(), along.y(), along.z(), 1.0);
         return hidden ? Optional.of(world.obstacle(tracer.triangle())) : Optional.empty();
     }
 
     /**
      * Looks for the first surface along a vector from a point.
      *
-     * @param x of the point, m
-     * @param dx of the vector, which may have any length but 0, m
-     * @param first from which multiple of the vector on surfaces count
-     * @param last up to which multiple of the vector surfaces count; may be infinite
-     * @return whether there is one; {@link #triangle()} and {@link #distance()} then describe it
+     * @param fromX of the point, m
+     * @param alongX of the vector, m
+     * @param end which multiple of the vector leads to the end of the segment, 0 or more; infinite for one without end
+     * @return whether there is one, whose number {@link #triangle()} then is
      */
-    public boolean findFirst(double x, double y, double z, double dx, double dy, double dz, double first, double last) {
-        return tracer.closestHit(x, y, z, dx, dy, dz, first, last);
+    public boolean findFirstAlong(
+            double fromX, double fromY, double fromZ, double alongX, double alongY, double alongZ, double end) {
+        x = fromX;
+        y = fromY;
+        z = fromZ;
+        dx = alongX;
+        dy = alongY;
+        dz = alongZ;
+        margin = margin(alongX, alongY, alongZ);
+        last = end - margin;
+        return find(margin);
+    }
+
+    /**
+     * Looks for the next surface behind the one that was found last; two that are met within {@link #MARGIN} of each other count
+     * as one.
+     *
+     * @return whether there is one
+     */
+    public boolean findNext() {
+        return find(tracer.distance() + margin);
     }
 
     /** The number of the triangle that was found last. */
@@ -89,8 +131,12 @@ public final class Visibility {
         return tracer.triangle();
     }
 
-    /** Which multiple of the vector leads to the triangle that was found last. */
-    public double distance() {
-        return tracer.distance();
+    private boolean find(double first) {
+        return first < last && tracer.closestHit(x, y, z, dx, dy, dz, first, last);
+    }
+
+    /** The multiple of a vector that is as long as the margin; infinite for one without length. */
+    private static double margin(double alongX, double alongY, double alongZ) {
+        return MARGIN / Math.sqrt(alongX * alongX + alongY * alongY + alongZ * alongZ);
     }
 }

@@ -183,8 +183,8 @@ public final class World {
     }
 
     /**
-     * Whether something lies between two points. A surface within a billionth of the distance at either end hides
-     * nothing, so that points computed to lie on surfaces see each other. For convenience; loops use one {@link
+     * Whether something lies between two points. A surface within {@link Visibility#MARGIN} of either end hides
+     * nothing, so that points on surfaces see each other. For convenience; loops use one {@link
      * Visibility} for many segments.
      */
     public boolean isOccluded(Point3d from, Point3d to) {

@@ -92,7 +92,7 @@ class VisibilityBruteForceTest {
 
     private Answer ask(Position from, Position to) {
         double length = from.distance(to);
-        double margin = Visibility.SURFACE * length;
+        double margin = Visibility.MARGIN;
         int first = -1;
         double nearest = Double.POSITIVE_INFINITY;
         boolean sure = true;
@@ -113,8 +113,7 @@ class VisibilityBruteForceTest {
             Position at = from.plus(to.minus(from).times(way / length));
             double inside = inside(at, a, b, c, normal);
             boolean counts = way > margin && way < length - margin;
-            boolean close = Math.abs(way - margin) < EDGE * length * 0.5
-                    || Math.abs(length - margin - way) < EDGE * length * 0.5;
+            boolean close = Math.abs(way - margin) < EDGE * length || Math.abs(length - margin - way) < EDGE * length;
             sure &= !(close && inside > -EDGE) && !(counts && Math.abs(inside) < EDGE);
             if (counts && inside > 0.0) {
                 sure &= first < 0 || Math.abs(way - nearest) > EDGE * length;

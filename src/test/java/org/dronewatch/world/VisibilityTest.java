@@ -61,6 +61,72 @@ class VisibilityTest {
     }
 
     @Test
+    void whatCountsAtTheEndsIsALengthAndNotAPartOfTheRange() {
+        Visibility visibility = new Visibility(world());
+        for (double range = 1e-3; range < 5.0; range *= 2.0) {
+            for (int side = -1; side <= 1; side += 2) {
+                Position far = new Position(1, 20 + side * range, 2);
+                Position on = new Position(1, 20 - side * 0.5 * Visibility.MARGIN, 2);
+                Position behind = new Position(1, 20 - side * 2.0 * Visibility.MARGIN, 2);
+
+                assertThat(visibility.isFree(on, far))
+                        .as("on the wall, %s m", range)
+                        .isTrue();
+                assertThat(visibility.isFree(far, on))
+                        .as("on the wall, %s m", range)
+                        .isTrue();
+                assertThat(visibility.isFree(behind, far))
+                        .as("behind it, %s m", range)
+                        .isFalse();
+                assertThat(visibility.isFree(far, behind))
+                        .as("behind it, %s m", range)
+                        .isFalse();
+            }
+        }
+    }
+
+    /** 12.3 m is 12.3000002 m in single precision: a sensor that is put there lies behind the wall. */
+    @Test
+    void aSensorOnAWallSeesAtAnyRange() {
+        Visibility visibility = new Visibility(World.of(wall(12.3f, "brick")));
+        Position sensor = new Position(1, 12.3, 2);
+        for (double range = 0.1; range < 1e5; range *= 1.7) {
+            assertThat(visibility.isFree(sensor, new Position(1, 12.3 + range, 2)))
+                    .as("range %s m", range)
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void anOffsetFromASurfaceIsEnoughToBeHiddenByIt() {
+        World world = World.of(wall(12.3f, "brick"));
+        Position microphone = new Clearance(world).of(new Position(1, 12.3, 2));
+
+        assertThat(new Visibility(world).isFree(microphone, new Position(1, 0, 2)))
+                .isNotEqualTo(new Visibility(world).isFree(microphone, new Position(1, 50, 2)));
+    }
+
+    @Test
+    void surfacesAreFoundOneAfterTheOther() {
+        Visibility visibility = new Visibility(world());
+
+        assertThat(visibility.findFirstAlong(1, 0, 2, 0, 50, 0, 1.0)).isTrue();
+        assertThat(visibility.triangle()).isIn(2, 3);
+        assertThat(visibility.findNext()).isTrue();
+        assertThat(visibility.triangle()).isIn(0, 1);
+        assertThat(visibility.findNext()).isTrue();
+        assertThat(visibility.triangle()).isIn(4, 5);
+        assertThat(visibility.findNext()).isFalse();
+        assertThat(visibility.findFirstAlong(1, 0, 2, 0, 50, 0, 0.3)).isFalse();
+        assertThat(visibility.findFirstAlong(1, 0, 2, 0, 1, 0, Double.POSITIVE_INFINITY))
+                .isTrue();
+        assertThat(visibility.isFreeAlong(1, 41, 2, 0, 1, 0, Double.POSITIVE_INFINITY))
+                .isTrue();
+        assertThat(visibility.isFreeAlong(1, 39, 2, 0, 1, 0, Double.POSITIVE_INFINITY))
+                .isFalse();
+    }
+
+    @Test
     void thePackagedHillIsTerrainAndAllElseABuildingUnlessItSaysOtherwise() {
         assertThat(ModelSettings.packaged("hill.obj").role()).isEqualTo(ModelRole.TERRAIN);
         assertThat(ModelSettings.packaged("house.obj").role()).isEqualTo(ModelRole.BUILDING);

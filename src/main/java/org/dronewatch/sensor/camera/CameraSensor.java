@@ -161,8 +161,7 @@ public final class CameraSensor implements AssessableSensor {
                 .map(shining -> shining.direction().toVector3d())
                 .filter(way -> way.z >= 0.0
                         && new Visibility(world)
-                                .isFreeAlong(
-                                        at.x(), at.y(), at.z(), way.x, way.y, way.z, 0.0, Double.POSITIVE_INFINITY));
+                                .isFreeAlong(at.x(), at.y(), at.z(), way.x, way.y, way.z, Double.POSITIVE_INFINITY));
     }
 
     /**

@@ -104,8 +104,7 @@ public final class VisibleArea {
                 m.m20 * ray.x + m.m21 * ray.y + m.m22 * ray.z,
                 0.0,
                 Double.POSITIVE_INFINITY);
-        return hit
-                && (open || visibility.isFreeAlong(at.x(), at.y(), at.z(), ray.x, ray.y, ray.z, 0.0, model.distance()));
+        return hit && (open || visibility.isFreeAlong(at.x(), at.y(), at.z(), ray.x, ray.y, ray.z, model.distance()));
     }
 
     /**

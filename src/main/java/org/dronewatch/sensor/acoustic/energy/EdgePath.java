@@ -95,7 +95,6 @@ final class EdgePath {
                 way.x() + slope * side.x(),
                 way.y() + slope * side.y(),
                 way.z() + slope * side.z(),
-                0.0,
                 1.0);
     }
 

@@ -209,7 +209,6 @@ final class ExactPaths {
     }
 
     private boolean sees(Position from, Position surface) {
-        Position way = surface.minus(from);
-        return visibility.isFreeAlong(from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), 0.0, 1.0 - OWN);
+        return visibility.isFree(from, surface);
     }
 }

@@ -19,7 +19,6 @@ import org.dronewatch.world.World;
  */
 final class FirstScattering {
     private static final int BANDS = OctaveBands.COUNT;
-    private static final double OWN = 1e-9;
 
     private final TriangleMesh mesh;
     private final RayTracer traversal;
@@ -89,7 +88,7 @@ final class FirstScattering {
             return 1;
         }
         // From the sensor, so that the surface is at the far end for both kinds of rays.
-        if (visibility.isFreeAlong(sensor.x(), sensor.y(), sensor.z(), -x, -y, -z, OWN, 1.0 - OWN)) {
+        if (visibility.isFree(sensor.x(), sensor.y(), sensor.z(), atX, atY, atZ)) {
             double own = density(arriving, before);
             double weight = own / (own + density(leaving, after));
             bring(source, mesh.material(triangle), before, after, weight * leaving / (Math.PI * after * after));

@@ -15,9 +15,6 @@ import org.dronewatch.world.World;
 final class ImageSources {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** How exactly a path must meet a wall, as a share of the way to it. */
-    private static final double OWN = 1e-6;
-
     /** A point so near to a plane is on it, m: at the edge of two walls a path meets both at once. */
     private static final double ON = 1e-6;
 
@@ -84,7 +81,7 @@ final class ImageSources {
         double x = sensor.x();
         double y = sensor.y();
         double z = sensor.z();
-        double tMin = 0.0;
+        int wall = WallPlanes.NONE;
         for (int k = last; k >= 0; k--) {
             int triangle = planes.triangleOf(walls[k]);
             double[] image = images[k + 1];
@@ -102,8 +99,7 @@ final class ImageSources {
             double dy = share * (image[1] - y);
             double dz = share * (image[2] - z);
             if (!planes.mayContain(walls[k], x + dx, y + dy, z + dz)
-                    || !visibility.findFirst(x, y, z, dx, dy, dz, tMin, 1.0 + OWN)
-                    || visibility.distance() < 1.0 - OWN
+                    || !findFirst(x, y, z, dx, dy, dz, Double.POSITIVE_INFINITY, wall)
                     || planes.wallOf(visibility.triangle()) != walls[k]) {
                 return;
             }
@@ -111,10 +107,10 @@ final class ImageSources {
             x += dx;
             y += dy;
             z += dz;
-            tMin = OWN;
+            wall = walls[k];
         }
         double[] place = images[0];
-        if (!visibility.isFreeAlong(x, y, z, place[0] - x, place[1] - y, place[2] - z, OWN, 1.0 - OWN)) {
+        if (findFirst(x, y, z, place[0] - x, place[1] - y, place[2] - z, 1.0, wall)) {
             return;
         }
         double[] image = images[last + 1];
@@ -132,6 +128,21 @@ final class ImageSources {
             }
         }
         paths.add(way, heard);
+    }
+
+    /**
+     * Looks for what a leg of a path meets first. The wall that it comes from is flat and hides nothing of what lies before it,
+     * though rounding may have put the leg's beginning behind one of its triangles.
+     *
+     * @param end which multiple of the leg's vector leads to its end; infinite where it ends at the next wall
+     * @param wall where the leg begins, or {@link WallPlanes#NONE}
+     */
+    private boolean findFirst(double x, double y, double z, double dx, double dy, double dz, double end, int wall) {
+        boolean found = visibility.findFirstAlong(x, y, z, dx, dy, dz, end);
+        while (found && wall != WallPlanes.NONE && planes.wallOf(visibility.triangle()) == wall) {
+            found = visibility.findNext();
+        }
+        return found;
     }
 
     /**

@@ -14,9 +14,6 @@ import org.dronewatch.world.World;
 final class WallTransmission {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** How near to an end of a way a surface counts as the end's own, as a share of the way. */
-    private static final double OWN = 1e-9;
-
     private final TriangleMesh mesh;
     private final Visibility visibility;
     private final BandSurfaces surfaces;
@@ -40,16 +37,16 @@ final class WallTransmission {
         double y = toY - fromY;
         double z = toZ - fromZ;
         Arrays.fill(passed, 1.0);
-        free = visibility.isFreeAlong(fromX, fromY, fromZ, x, y, z, OWN, 1.0 - OWN);
+        free = visibility.isFreeAlong(fromX, fromY, fromZ, x, y, z, 1.0);
         if (free) {
             return true;
         }
         if (!surfaces.anyTransmits()) {
             return false;
         }
-        double start = OWN;
         int within = medium;
-        while (visibility.findFirst(fromX, fromY, fromZ, x, y, z, start, 1.0 - OWN)) {
+        boolean found = visibility.findFirstAlong(fromX, fromY, fromZ, x, y, z, 1.0);
+        while (found) {
             int material = mesh.material(visibility.triangle());
             if (!surfaces.transmits(material)) {
                 return false;
@@ -62,7 +59,7 @@ final class WallTransmission {
                 }
                 within = surfaces.isSheet(material) ? within : material;
             }
-            start = visibility.distance() + OWN;
+            found = visibility.findNext();
         }
         return true;
     }
