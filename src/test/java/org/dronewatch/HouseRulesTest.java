@@ -18,14 +18,17 @@ import java.util.Set;
 import org.dronewatch.House.Storey;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Detection;
 import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.tracking.PerfectAssociation;
 import org.dronewatch.world.Visibility;
+import org.jogamp.vecmath.Tuple3d;
 
 /** The rooms of the house and the one way in which they may know each other. */
 @AnalyzeClasses(packages = "org.dronewatch", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -163,6 +166,35 @@ class HouseRulesTest {
                 "RayTracer." + method,
                 call -> call.getName().equals(method) && call.getTargetOwner().isAssignableTo(RayTracer.class));
     }
+
+    /**
+     * Points and displacements are {@link Position}s, which nobody can change. The tuples of vecmath are for callers of drones,
+     * of rays, of the world and of cameras, and for pictures; poses are its matrices everywhere.
+     */
+    @ArchTest
+    static final ArchRule POINTS_ARE_POSITIONS_INSIDE = classes()
+            .that(DescribedPredicate.describe(
+                    "use tuples of vecmath", one -> one.getDirectDependenciesFromSelf().stream()
+                            .anyMatch(use -> use.getTargetClass().isAssignableTo(Tuple3d.class))))
+            .should()
+            .haveNameMatching("org\\.dronewatch\\.("
+                    + String.join(
+                            "|",
+                            "bench\\..*",
+                            "geometry\\..*",
+                            "drone\\.Drone",
+                            "kdtree\\.RayTracer",
+                            "sensor\\.optics\\.CameraObject",
+                            "world\\.World")
+                    + ")");
+
+    @ArchTest
+    static final ArchRule ONLY_CAMERAS_PROJECT = noClasses()
+            .that()
+            .doNotBelongToAnyOf(CameraObject.class)
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("org.joml..");
 
     @ArchTest
     static final ArchRule ONLY_THE_SCENE_KNOWS_DSOL = noClasses()

@@ -63,7 +63,7 @@ record Prober(
     }
 
     private Optional<Pointing> turnedTo(Drone there) {
-        return Mounted.turnedTo(settings, Position.of(there.position()));
+        return Mounted.turnedTo(settings, there.origin());
     }
 
     /** The drone in a cell; empty where there is no ground. */

@@ -221,7 +221,7 @@ final class SiteView {
                 ? settings.sensors().get(focus).position()
                 : drones.stream()
                         .filter(drone -> drone.id().equals(focus))
-                        .map(drone -> Position.of(drone.position()))
+                        .map(Drone::origin)
                         .findFirst()
                         .orElseThrow();
         return orbit.at(centre).showing(Math.max(4.0, 0.25 * box.diagonal()));

@@ -153,6 +153,31 @@ public final class Drone {
         return new Point3d(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
 
+    /** Where its origin is in the world, m: {@link #position()} as a value that nobody can change. */
+    public Position origin() {
+        return new Position(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
+    }
+
+    /** Where a point of its model is in the world, m. */
+    public Position toWorld(Position point) {
+        return transformed(modelMatrix, point);
+    }
+
+    /** Where a point of the world is in its model's space, m. */
+    public Position toModel(Position point) {
+        return transformed(worldToModel, point);
+    }
+
+    private static Position transformed(Matrix4d m, Position point) {
+        double x = point.x();
+        double y = point.y();
+        double z = point.z();
+        return new Position(
+                m.m00 * x + m.m01 * y + m.m02 * z + m.m03,
+                m.m10 * x + m.m11 * y + m.m12 * z + m.m13,
+                m.m20 * x + m.m21 * y + m.m22 * z + m.m23);
+    }
+
     /**
      * No part of its mesh is farther from its origin than this, m: the reach of its model box times the largest stretch
      * of the matrix.
@@ -200,7 +225,7 @@ public final class Drone {
 
     /** The distance from a point to the drone's origin, m. */
     public double distance(Position point) {
-        return position().distance(point.toPoint3d());
+        return origin().distance(point);
     }
 
     private static Matrix4d identity() {

@@ -33,7 +33,7 @@ final class WaypointPath implements FlightPath {
     private static boolean bends(Position before, Position here, Position after) {
         Position in = here.minus(before);
         Position out = after.minus(here);
-        return in.times(1.0 / in.length()).distance(out.times(1.0 / out.length())) > STRAIGHT;
+        return in.unit().distance(out.unit()) > STRAIGHT;
     }
 
     @Override

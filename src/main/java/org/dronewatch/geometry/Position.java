@@ -66,6 +66,25 @@ public record Position(
         return x * other.x + y * other.y + z * other.z;
     }
 
+    /** The vector product with another displacement, m2: at right angles to both, right-handed. */
+    public Position cross(Position other) {
+        return new Position(y * other.z - z * other.y, z * other.x - x * other.z, x * other.y - y * other.x);
+    }
+
+    /**
+     * The direction of this displacement, as a vector of length 1.
+     *
+     * @throws IllegalArgumentException when it has no length
+     */
+    public Position unit() {
+        return times(1.0 / length());
+    }
+
+    /** The angle to another displacement, 0 to pi rad; neither may be without length. */
+    public double angle(Position other) {
+        return Math.acos(Math.max(-1.0, Math.min(1.0, dot(other) / (length() * other.length()))));
+    }
+
     /** The length of this displacement, m. */
     public double length() {
         return Math.sqrt(x * x + y * y + z * z);

@@ -23,6 +23,11 @@ public final class Ray {
         this(origin, direction, 0.0, Double.POSITIVE_INFINITY);
     }
 
+    /** The ray from an origin without end. See {@link #Ray(Tuple3d, Tuple3d, double, double)}. */
+    public Ray(Position origin, Position direction) {
+        this(origin.toPoint3d(), direction.toVector3d());
+    }
+
     /**
      * A piece of a half line.
      *

@@ -18,7 +18,7 @@ public record Cut(Position normal, double offset) {
 
     /** Takes away all that lies beyond a point in a direction, of any length but 0. */
     public static Cut from(Position point, Position direction) {
-        Position normal = direction.times(1.0 / direction.length());
+        Position normal = direction.unit();
         return new Cut(normal, dot(normal, point));
     }
 

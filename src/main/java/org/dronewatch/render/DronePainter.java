@@ -2,12 +2,11 @@ package org.dronewatch.render;
 
 import java.util.Map;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.raster.TileTracer;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.ModelGrid;
 import org.jogamp.vecmath.Matrix4d;
-import org.jogamp.vecmath.Point3d;
-import org.jogamp.vecmath.Vector3d;
 
 /** Paints a drone into a canvas where it stands before what is there. */
 final class DronePainter {
@@ -15,7 +14,6 @@ final class DronePainter {
     private final int colour;
     private final Facets facets;
     private final Matrix4d toWorld;
-    private final Vector3d normal = new Vector3d();
 
     DronePainter(Drone drone, int colour) {
         this.drone = drone;
@@ -25,13 +23,13 @@ final class DronePainter {
     }
 
     void paint(CameraObject camera, Canvas canvas) {
-        Point3d at = drone.position();
+        Position at = drone.origin();
         double reach = drone.reach();
-        if (camera.isOutside(at.x, at.y, at.z, reach)) {
+        if (camera.isOutside(at.x(), at.y(), at.z(), reach)) {
             return;
         }
         double[] view = new double[3];
-        camera.toView(at.x, at.y, at.z, view, 0);
+        camera.toView(at.x(), at.y(), at.z(), view, 0);
         double near = Math.max(CameraObject.NEAR, view[2] - reach);
         double radius = camera.focalLength() * reach / near + 1.0;
         double column = 0.5 * camera.width() + camera.focalLength() * view[0] / near;
@@ -71,9 +69,13 @@ final class DronePainter {
     }
 
     private int shade(int triangle, double[] d) {
-        normal.set(facets.normal(triangle, 0), facets.normal(triangle, 1), facets.normal(triangle, 2));
-        toWorld.transform(normal);
-        normal.normalize();
-        return Daylight.shade(colour, normal.x, normal.y, normal.z, d[0], d[1], d[2], 1.0);
+        double u = facets.normal(triangle, 0);
+        double v = facets.normal(triangle, 1);
+        double w = facets.normal(triangle, 2);
+        double x = toWorld.m00 * u + toWorld.m01 * v + toWorld.m02 * w;
+        double y = toWorld.m10 * u + toWorld.m11 * v + toWorld.m12 * w;
+        double z = toWorld.m20 * u + toWorld.m21 * v + toWorld.m22 * w;
+        double scale = 1.0 / Math.sqrt(x * x + y * y + z * z);
+        return Daylight.shade(colour, scale * x, scale * y, scale * z, d[0], d[1], d[2], 1.0);
     }
 }

@@ -25,7 +25,7 @@ public final class Flights {
         this.step = settings.run().duration() / STEPS;
         for (int i = 0; i <= STEPS; i++) {
             for (Drone drone : stage.dronesAt(i * step)) {
-                positions.computeIfAbsent(drone.id(), id -> new ArrayList<>()).add(Position.of(drone.position()));
+                positions.computeIfAbsent(drone.id(), id -> new ArrayList<>()).add(drone.origin());
             }
         }
     }
@@ -33,7 +33,7 @@ public final class Flights {
     /** A drone as it is at a time, with its path. */
     public DroneMark mark(Drone drone, double time, boolean detected) {
         List<Position> path = positions.get(drone.id());
-        Position now = Position.of(drone.position());
+        Position now = drone.origin();
         int next = (int) Math.min(STEPS, Math.floor(time / step) + 1.0);
         List<Position> flown = new ArrayList<>(path.subList(0, next));
         flown.add(now);

@@ -272,7 +272,7 @@ final class SitePainter {
     /** Paints drones over a canvas that holds the world: where they stand before it. */
     void paint(CameraObject camera, Cut cut, List<Drone> drones, Canvas canvas) {
         for (Drone drone : drones) {
-            if (cut == null || cut.keeps(Position.of(drone.position()))) {
+            if (cut == null || cut.keeps(drone.origin())) {
                 new DronePainter(drone, DRONE).paint(camera, canvas);
             }
         }

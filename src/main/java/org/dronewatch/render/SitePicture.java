@@ -26,8 +26,6 @@ import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
-import org.jogamp.vecmath.Point3d;
-import org.jogamp.vecmath.Vector3d;
 
 /**
  * Draws pictures of a run's site: first the site alone, which takes the longest and is the same at all times, then over a
@@ -144,9 +142,7 @@ public final class SitePicture {
         long roofed = settings.enabledSensors().values().stream()
                         .filter(sensor -> isUnderRoof(sensor.position()))
                         .count()
-                + drones.stream()
-                        .filter(drone -> isUnderRoof(Position.of(drone.position())))
-                        .count();
+                + drones.stream().filter(drone -> isUnderRoof(drone.origin())).count();
         int all = settings.enabledSensors().size() + drones.size();
         return 2 * roofed > all ? Optional.of(Cut.above(interest.maxZ() - 2.5)) : Optional.empty();
     }
@@ -306,10 +302,10 @@ public final class SitePicture {
 
     /** Where it has been as a line, where it will be as dashes, and a plumb line: how high it flies is else hard to see. */
     private void drawFlight(LinePainter lines, DroneMark drone, double pixel) {
-        Point3d at = drone.drone().position();
-        world.closestHit(new Ray(at, new Vector3d(0, 0, -1))).ifPresent(ground -> {
-            Position foot = new Position(at.x, at.y, at.z - ground.distance());
-            lines.line(Position.of(at), foot, 1.4 * pixel, PLUMB, 0.8);
+        Position at = drone.drone().origin();
+        world.closestHit(new Ray(at, new Position(0, 0, -1))).ifPresent(ground -> {
+            Position foot = new Position(at.x(), at.y(), at.z() - ground.distance());
+            lines.line(at, foot, 1.4 * pixel, PLUMB, 0.8);
         });
         List<Position> flown = drone.flown();
         for (int i = 1; i < flown.size(); i++) {

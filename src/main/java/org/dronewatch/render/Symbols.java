@@ -151,7 +151,7 @@ final class Symbols {
 
     /** Draws a drone. */
     void drone(DroneMark mark, boolean selected) {
-        Position at = Position.of(mark.drone().position());
+        Position at = mark.drone().origin();
         if (!project(at)) {
             return;
         }

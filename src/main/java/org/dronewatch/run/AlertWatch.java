@@ -56,7 +56,7 @@ public final class AlertWatch {
         for (Observation observation : frame.observations()) {
             if (!observation.isFalse() && !firstSights.containsKey(observation.drone())) {
                 SensorSettings<?> sensor = settings.sensors().get(observation.sensor());
-                Position position = Position.of(drones.get(observation.drone()).position());
+                Position position = drones.get(observation.drone()).origin();
                 if (Sightline.looks(sensor) && sightline.isPossible(sensor, position)) {
                     firstSights.put(observation.drone(), frame.time());
                 }
@@ -68,7 +68,7 @@ public final class AlertWatch {
                 stage.association()
                         .droneOf(look.contact())
                         .ifPresent(drone -> placesAtAlert.computeIfAbsent(
-                                drone, id -> Position.of(drones.get(id).position())));
+                                drone, id -> drones.get(id).origin()));
             }
         }
     }

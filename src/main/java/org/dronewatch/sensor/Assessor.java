@@ -65,7 +65,7 @@ public final class Assessor {
         if (outline.isEmpty()) {
             return Explanation.of(Cause.TOO_WEAK);
         }
-        Position way = Position.of(drone.position()).minus(settings.position());
+        Position way = drone.origin().minus(settings.position());
         if (outline.get() instanceof Outline.Sector sector && !sector.reaches(way)) {
             return sector.beyond(way);
         }

@@ -8,8 +8,6 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
-import org.jogamp.vecmath.Matrix4d;
-import org.jogamp.vecmath.Point3d;
 
 /** What hides drones from a sensor. Keeps scratch memory: one thread at a time. */
 public final class Cover {
@@ -33,19 +31,17 @@ public final class Cover {
 
     /** What lies between the sensor and the drone's origin. */
     public Optional<Obstacle> ofOrigin(Drone drone) {
-        return visibility.obstacle(sensor, Position.of(drone.position()));
+        return visibility.obstacle(sensor, drone.origin());
     }
 
     /** What hides the drone's origin or, where nothing does, the first vertex of its mesh that is hidden. */
     public Optional<Obstacle> of(Drone drone) {
         Optional<Obstacle> before = ofOrigin(drone);
-        Matrix4d matrix = drone.modelMatrix();
         TriangleMesh mesh = drone.tree().mesh();
-        Point3d corner = new Point3d();
         for (int i = 0; before.isEmpty() && i < mesh.vertexCount(); i++) {
-            corner.set(mesh.vertexCoordinate(i, 0), mesh.vertexCoordinate(i, 1), mesh.vertexCoordinate(i, 2));
-            matrix.transform(corner);
-            before = visibility.obstacle(sensor, Position.of(corner));
+            Position corner =
+                    new Position(mesh.vertexCoordinate(i, 0), mesh.vertexCoordinate(i, 1), mesh.vertexCoordinate(i, 2));
+            before = visibility.obstacle(sensor, drone.toWorld(corner));
         }
         return before;
     }

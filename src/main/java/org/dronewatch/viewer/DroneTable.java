@@ -58,11 +58,12 @@ final class DroneTable extends AbstractTableModel {
     @Override
     public Object getValueAt(int row, int column) {
         Drone drone = drones.get(row);
-        Position at = Position.of(drone.position());
+        Position at = drone.origin();
         return switch (column) {
             case 0 -> drone.id();
             case 1 -> String.format(Locale.ROOT, "%.1f, %.1f, %.1f", at.x(), at.y(), at.z());
-            case 2 -> String.format(Locale.ROOT, "%.1f", drone.velocity().length());
+            case 2 ->
+                String.format(Locale.ROOT, "%.1f", Position.of(drone.velocity()).length());
             default -> detectedBy.get(row).isEmpty() ? "-" : detectedBy.get(row);
         };
     }

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.RecordedRays;
 import org.dronewatch.render.SitePicture;
@@ -73,7 +74,7 @@ final class ViewedRun {
         }
         return stage().dronesAt(time).stream()
                 .filter(drone -> drone.id().equals(id))
-                .map(drone -> Position.of(drone.position()))
+                .map(Drone::origin)
                 .findFirst();
     }
 }

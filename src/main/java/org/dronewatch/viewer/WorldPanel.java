@@ -159,7 +159,7 @@ final class WorldPanel extends JPanel {
         List<Position> positions = new ArrayList<>();
         state.drones().forEach(mark -> {
             ids.add(mark.drone().id());
-            positions.add(Position.of(mark.drone().position()));
+            positions.add(mark.drone().origin());
         });
         state.sensors().forEach(mark -> {
             ids.add(mark.id());

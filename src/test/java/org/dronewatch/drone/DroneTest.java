@@ -80,6 +80,15 @@ class DroneTest {
         identity.setIdentity();
 
         assertThat(product.epsilonEquals(identity, TOLERANCE)).isTrue();
+
+        Point3d nose = new Point3d(0.3, 1.5, -0.2);
+        moved.modelMatrix().transform(nose);
+        Position inWorld = moved.toWorld(new Position(0.3, 1.5, -0.2));
+        assertThat(inWorld).isEqualTo(Position.of(nose));
+        assertThat(moved.toModel(inWorld).distance(new Position(0.3, 1.5, -0.2)))
+                .isLessThan(TOLERANCE);
+        assertThat(moved.toWorld(new Position(0, 0, 0))).isEqualTo(moved.origin());
+        assertThat(moved.origin()).isEqualTo(Position.of(moved.position()));
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.dronewatch.geometry;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.util.SplittableRandom;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -24,6 +25,26 @@ class PositionTest {
     void measures() {
         assertThat(Q.minus(P).length()).isEqualTo(5.0);
         assertThat(P.distance(Q)).isEqualTo(5.0);
+    }
+
+    @Test
+    void doesWhatVecmathDoes() {
+        SplittableRandom random = new SplittableRandom(11);
+        for (int i = 0; i < 1000; i++) {
+            Position a = new Position(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5);
+            Position b = new Position(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5);
+            Vector3d cross = new Vector3d();
+            cross.cross(a.toVector3d(), b.toVector3d());
+            Vector3d unit = a.toVector3d();
+            unit.normalize();
+
+            assertThat(a.cross(b)).isEqualTo(Position.of(cross));
+            assertThat(a.unit()).isEqualTo(Position.of(unit));
+            assertThat(a.angle(b)).isEqualTo(a.toVector3d().angle(b.toVector3d()));
+        }
+        assertThat(P.angle(P.times(3.0))).isEqualTo(0.0);
+        assertThat(P.angle(P.times(-0.1))).isEqualTo(Math.PI);
+        assertThatIllegalArgumentException().isThrownBy(() -> P.minus(P).unit());
     }
 
     @Test

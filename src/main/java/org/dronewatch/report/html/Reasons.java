@@ -111,7 +111,7 @@ final class Reasons {
             Optional<Pointing> pointing = pointings.at(sensor, i * step);
             for (String drone : drones) {
                 Drone flying = moments.get(i).get(drone);
-                Position position = Position.of(flying.position());
+                Position position = flying.origin();
                 nearest = Math.min(nearest, position.distance(missing.position()));
                 gliding += flying.isPowered() ? 0 : 1;
                 counts.merge(reason(assessor, pointing, flying, weak, materials), 1, Integer::sum);

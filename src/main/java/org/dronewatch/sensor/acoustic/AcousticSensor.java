@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
@@ -84,7 +83,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
             return Explanation.of(Cause.TOO_WEAK);
         }
         return visibility
-                .obstacle(settings.position(), Position.of(drone.position()))
+                .obstacle(settings.position(), drone.origin())
                 .map(Explanation::hiddenBy)
                 .orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
     }

@@ -25,7 +25,6 @@ import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
-import org.jogamp.vecmath.Vector3d;
 
 /**
  * A camera for visible light. Keeps its last picture, and scratch memory for the drones in front of it: one thread at a
@@ -41,7 +40,7 @@ public final class CameraSensor implements AssessableSensor {
     private Cover cover;
 
     /** The vector to the sun, as long as the camera sees it. */
-    private Optional<Vector3d> sun = Optional.empty();
+    private Optional<Position> sun = Optional.empty();
 
     /** A camera with the given settings. */
     public CameraSensor(CameraSettings settings) {
@@ -85,7 +84,7 @@ public final class CameraSensor implements AssessableSensor {
     @Override
     public Explanation explainMiss(World site, Drone drone, Optional<Pointing> where) {
         turn(site, where);
-        Position way = Position.of(drone.position()).minus(settings.position());
+        Position way = drone.origin().minus(settings.position());
         if (!picture.camera().outline().contains(way)) {
             return Explanation.of(Cause.OUT_OF_VIEW);
         }
@@ -118,7 +117,7 @@ public final class CameraSensor implements AssessableSensor {
                 new GroundTruth(drone.id(), view.range(), look.time()),
                 reading,
                 probability.isPresent() ? Map.of(Observation.PROBABILITY, probability.getAsDouble()) : Map.of(),
-                sighted ? Optional.of(settings.sighting(Position.of(drone.position()))) : Optional.empty());
+                sighted ? Optional.of(settings.sighting(drone.origin())) : Optional.empty());
     }
 
     private DroneView view(Drone drone, int pixels) {
@@ -127,9 +126,7 @@ public final class CameraSensor implements AssessableSensor {
         if (pixels == 0) {
             return new DroneView(0, range, focalLength, 0.0, world.light(), Double.POSITIVE_INFINITY);
         }
-        Vector3d way = new Vector3d(drone.position());
-        way.sub(settings.position().toPoint3d());
-        way.normalize();
+        Position way = drone.origin().minus(settings.position());
         double crossing = turning(drone, range) * focalLength;
         double sunAngle = sun.map(way::angle).orElse(Double.POSITIVE_INFINITY);
         return new DroneView(pixels, range, focalLength, crossing, world.light(), sunAngle);
@@ -140,28 +137,29 @@ public final class CameraSensor implements AssessableSensor {
      * rad/s.
      */
     private double turning(Drone drone, double range) {
-        Vector3d velocity = drone.velocity();
-        Direction to = Direction.of(Position.of(drone.position()).minus(settings.position()));
+        Position velocity = Position.of(drone.velocity());
+        Direction to = Direction.of(drone.origin().minus(settings.position()));
         double sin = Math.sin(to.azimuth());
         double cos = Math.cos(to.azimuth());
         double level = range * Math.cos(to.elevation());
-        double pan = (velocity.x * cos - velocity.y * sin) / Math.max(level, Double.MIN_NORMAL);
-        double outwards = velocity.x * sin + velocity.y * cos;
-        double tilt = (velocity.z * Math.cos(to.elevation()) - outwards * Math.sin(to.elevation())) / range;
+        double pan = (velocity.x() * cos - velocity.y() * sin) / Math.max(level, Double.MIN_NORMAL);
+        double outwards = velocity.x() * sin + velocity.y() * cos;
+        double tilt = (velocity.z() * Math.cos(to.elevation()) - outwards * Math.sin(to.elevation())) / range;
         double panLeft = pan - pointing.map(Pointing::panRate).orElse(0.0);
         double tiltLeft = tilt - pointing.map(Pointing::tiltRate).orElse(0.0);
         return Math.hypot(panLeft * Math.cos(to.elevation()), tiltLeft);
     }
 
     /** The vector to the sun, when the camera sees it, in its picture or not. */
-    private Optional<Vector3d> wayToSun() {
+    private Optional<Position> wayToSun() {
         Position at = settings.position();
         return world.light()
                 .sun()
-                .map(shining -> shining.direction().toVector3d())
-                .filter(way -> way.z >= 0.0
+                .map(shining -> shining.direction())
+                .filter(way -> way.z() >= 0.0
                         && new Visibility(world)
-                                .isFreeAlong(at.x(), at.y(), at.z(), way.x, way.y, way.z, Double.POSITIVE_INFINITY));
+                                .isFreeAlong(
+                                        at.x(), at.y(), at.z(), way.x(), way.y(), way.z(), Double.POSITIVE_INFINITY));
     }
 
     /**

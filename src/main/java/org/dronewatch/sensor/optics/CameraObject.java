@@ -6,7 +6,6 @@ import org.dronewatch.geometry.Ray;
 import org.dronewatch.sensor.Outline;
 import org.jogamp.vecmath.Point2d;
 import org.jogamp.vecmath.Point3d;
-import org.jogamp.vecmath.Vector3d;
 import org.joml.Matrix4d;
 import org.joml.Vector4d;
 
@@ -25,9 +24,9 @@ public final class CameraObject {
     private final int width;
     private final int height;
     private final double focalLength;
-    private final Vector3d right;
-    private final Vector3d up;
-    private final Vector3d forward;
+    private final Position right;
+    private final Position up;
+    private final Position forward;
     private final Matrix4d view;
     private final Matrix4d projection;
 
@@ -56,26 +55,22 @@ public final class CameraObject {
         this.height = height;
         this.focalLength = focalLength;
 
-        this.forward = direction.toVector3d();
-        forward.normalize();
-        Vector3d top = Math.abs(forward.z) < VERTICAL ? new Vector3d(0, 0, 1) : new Vector3d(0, 1, 0);
-        this.right = new Vector3d();
-        right.cross(forward, top);
-        right.normalize();
-        this.up = new Vector3d();
-        up.cross(right, forward);
+        this.forward = direction.unit();
+        Position top = Math.abs(forward.z()) < VERTICAL ? new Position(0, 0, 1) : new Position(0, 1, 0);
+        this.right = forward.cross(top).unit();
+        this.up = right.cross(forward);
 
         this.view = new Matrix4d()
                 .lookAt(
                         position.x(),
                         position.y(),
                         position.z(),
-                        position.x() + forward.x,
-                        position.y() + forward.y,
-                        position.z() + forward.z,
-                        top.x,
-                        top.y,
-                        top.z);
+                        position.x() + forward.x(),
+                        position.y() + forward.y(),
+                        position.z() + forward.z(),
+                        top.x(),
+                        top.y(),
+                        top.z());
         double fovY = 2.0 * Math.atan(0.5 * height / focalLength);
         this.projection = new Matrix4d().perspective(fovY, (double) width / height, NEAR, Double.POSITIVE_INFINITY);
     }
@@ -102,7 +97,7 @@ public final class CameraObject {
     public Ray ray(int column, int row) {
         double[] direction = new double[3];
         direction(column, row, direction);
-        return new Ray(position.toPoint3d(), new Vector3d(direction));
+        return new Ray(position, new Position(direction[0], direction[1], direction[2]));
     }
 
     /** Writes the unit direction of a pixel's ray in the world's frame; allocates nothing. */
@@ -110,9 +105,9 @@ public final class CameraObject {
         double x = (column + 0.5 - 0.5 * width) / focalLength;
         double y = (0.5 * height - row - 0.5) / focalLength;
         double scale = 1.0 / Math.sqrt(1.0 + x * x + y * y);
-        target[0] = scale * (forward.x + x * right.x + y * up.x);
-        target[1] = scale * (forward.y + x * right.y + y * up.y);
-        target[2] = scale * (forward.z + x * right.z + y * up.z);
+        target[0] = scale * (forward.x() + x * right.x() + y * up.x());
+        target[1] = scale * (forward.y() + x * right.y() + y * up.y());
+        target[2] = scale * (forward.z() + x * right.z() + y * up.z());
     }
 
     /**
@@ -124,10 +119,13 @@ public final class CameraObject {
         double x = (0.5 - 0.5 * width) / focalLength;
         double y = (0.5 * height - 0.5) / focalLength;
         return new double[][] {
-            {forward.x + x * right.x + y * up.x, forward.y + x * right.y + y * up.y, forward.z + x * right.z + y * up.z
+            {
+                forward.x() + x * right.x() + y * up.x(),
+                forward.y() + x * right.y() + y * up.y(),
+                forward.z() + x * right.z() + y * up.z()
             },
-            {right.x / focalLength, right.y / focalLength, right.z / focalLength},
-            {-up.x / focalLength, -up.y / focalLength, -up.z / focalLength}
+            {right.x() / focalLength, right.y() / focalLength, right.z() / focalLength},
+            {-up.x() / focalLength, -up.y() / focalLength, -up.z() / focalLength}
         };
     }
 
@@ -143,9 +141,9 @@ public final class CameraObject {
         double dx = x - position.x();
         double dy = y - position.y();
         double dz = z - position.z();
-        target[at] = dx * right.x + dy * right.y + dz * right.z;
-        target[at + 1] = dx * up.x + dy * up.y + dz * up.z;
-        target[at + 2] = dx * forward.x + dy * forward.y + dz * forward.z;
+        target[at] = dx * right.x() + dy * right.y() + dz * right.z();
+        target[at + 1] = dx * up.x() + dy * up.y() + dz * up.z();
+        target[at + 2] = dx * forward.x() + dy * forward.y() + dz * forward.z();
     }
 
     /** Whether a ball is wholly behind the camera or beside its picture: true only when it surely is. */
@@ -153,9 +151,9 @@ public final class CameraObject {
         double dx = x - position.x();
         double dy = y - position.y();
         double dz = z - position.z();
-        double depth = dx * forward.x + dy * forward.y + dz * forward.z;
-        double across = Math.abs(dx * right.x + dy * right.y + dz * right.z);
-        double above = Math.abs(dx * up.x + dy * up.y + dz * up.z);
+        double depth = dx * forward.x() + dy * forward.y() + dz * forward.z();
+        double across = Math.abs(dx * right.x() + dy * right.y() + dz * right.z());
+        double above = Math.abs(dx * up.x() + dy * up.y() + dz * up.z());
         double halfWidth = 0.5 * width / focalLength;
         double halfHeight = 0.5 * height / focalLength;
         return depth < -radius
@@ -186,12 +184,7 @@ public final class CameraObject {
 
     /** What the picture shows of the world. */
     public Outline.Pyramid outline() {
-        return new Outline.Pyramid(
-                Position.of(forward),
-                Position.of(right),
-                Position.of(up),
-                0.5 * width / focalLength,
-                0.5 * height / focalLength);
+        return new Outline.Pyramid(forward, right, up, 0.5 * width / focalLength, 0.5 * height / focalLength);
     }
 
     /** Where the camera is, m. */

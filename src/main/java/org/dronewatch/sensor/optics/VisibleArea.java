@@ -8,7 +8,6 @@ import org.dronewatch.sensor.Outline;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
-import org.jogamp.vecmath.Vector3d;
 
 /**
  * How much of a camera's picture a drone covers, in pixels and parts of pixels: for what is smaller than a pixel, and for
@@ -26,19 +25,14 @@ public final class VisibleArea {
 
     private final CameraObject camera;
     private final Visibility visibility;
-    private final Vector3d forward;
-    private final Vector3d right;
-    private final Vector3d up;
+    private final Outline.Pyramid outline;
     private final Matrix4d toModel = new Matrix4d();
 
     /** For the picture of a camera in a world. */
     public VisibleArea(CameraObject camera, World world) {
         this.camera = camera;
         this.visibility = new Visibility(world);
-        Outline.Pyramid outline = camera.outline();
-        this.forward = outline.forward().toVector3d();
-        this.right = outline.right().toVector3d();
-        this.up = outline.up().toVector3d();
+        this.outline = camera.outline();
     }
 
     /** The world that it is in. */
@@ -58,53 +52,51 @@ public final class VisibleArea {
 
     private double of(Drone drone, boolean open) {
         Position from = camera.position();
-        Vector3d way = Position.of(drone.position()).minus(from).toVector3d();
+        Position at = drone.origin();
+        Position way = at.minus(from);
         double range = way.length();
         double reach = drone.reach();
-        if (camera.isOutside(drone.position().x, drone.position().y, drone.position().z, reach)) {
+        if (camera.isOutside(at.x(), at.y(), at.z(), reach)) {
             return 0.0;
         }
         if (range <= reach) {
             // It sits on the lens, or on the back of the camera.
-            return way.dot(forward) < 0.0 ? 0.0 : (double) camera.width() * camera.height();
+            return way.dot(outline.forward()) < 0.0 ? 0.0 : (double) camera.width() * camera.height();
         }
-        way.scale(1.0 / range);
-        Vector3d top = Math.abs(way.z) < 0.9 ? new Vector3d(0, 0, 1) : new Vector3d(0, 1, 0);
-        Vector3d aside = new Vector3d();
-        aside.cross(way, top);
-        aside.normalize();
-        Vector3d above = new Vector3d();
-        above.cross(aside, way);
+        Position ahead = way.times(1.0 / range);
+        Position top = Math.abs(ahead.z()) < 0.9 ? new Position(0, 0, 1) : new Position(0, 1, 0);
+        Position aside = ahead.cross(top).unit();
+        Position above = aside.cross(ahead);
         // What a ball of the drone's reach covers at 1 m before the camera.
         double half = reach / Math.sqrt(range * range - reach * reach);
         double share = 4.0 * half * half / RAYS;
         drone.worldToModel(toModel);
         RayTracer model = new StackTraversal(drone.tree());
         double area = 0.0;
-        Vector3d ray = new Vector3d();
         for (int i = 0; i < RAYS; i++) {
             double u = half * (2.0 * (i + 0.5) / RAYS - 1.0);
             double v = half * (2.0 * ((long) i * STEP % RAYS + 0.5) / RAYS - 1.0);
-            ray.scaleAdd(u, aside, way);
-            ray.scaleAdd(v, above, ray);
-            area += seen(model, ray, open) ? pixels(ray, share) : 0.0;
+            double x = v * above.x() + (u * aside.x() + ahead.x());
+            double y = v * above.y() + (u * aside.y() + ahead.y());
+            double z = v * above.z() + (u * aside.z() + ahead.z());
+            area += seen(model, x, y, z, open) ? pixels(x, y, z, share) : 0.0;
         }
         return area;
     }
 
-    private boolean seen(RayTracer model, Vector3d ray, boolean open) {
+    private boolean seen(RayTracer model, double x, double y, double z, boolean open) {
         Position at = camera.position();
         Matrix4d m = toModel;
         boolean hit = model.closestHit(
                 m.m00 * at.x() + m.m01 * at.y() + m.m02 * at.z() + m.m03,
                 m.m10 * at.x() + m.m11 * at.y() + m.m12 * at.z() + m.m13,
                 m.m20 * at.x() + m.m21 * at.y() + m.m22 * at.z() + m.m23,
-                m.m00 * ray.x + m.m01 * ray.y + m.m02 * ray.z,
-                m.m10 * ray.x + m.m11 * ray.y + m.m12 * ray.z,
-                m.m20 * ray.x + m.m21 * ray.y + m.m22 * ray.z,
+                m.m00 * x + m.m01 * y + m.m02 * z,
+                m.m10 * x + m.m11 * y + m.m12 * z,
+                m.m20 * x + m.m21 * y + m.m22 * z,
                 0.0,
                 Double.POSITIVE_INFINITY);
-        return hit && (open || visibility.isFreeAlong(at.x(), at.y(), at.z(), ray.x, ray.y, ray.z, model.distance()));
+        return hit && (open || visibility.isFreeAlong(at.x(), at.y(), at.z(), x, y, z, model.distance()));
     }
 
     /**
@@ -112,21 +104,25 @@ public final class VisibleArea {
      *
      * @param share of the plane across the way to the drone, 1 m before the camera, m2
      */
-    private double pixels(Vector3d ray, double share) {
-        double ahead = ray.dot(forward);
+    private double pixels(double rayX, double rayY, double rayZ, double share) {
+        double ahead = along(outline.forward(), rayX, rayY, rayZ);
         if (ahead <= 0.0) {
             return 0.0;
         }
-        double x = ray.dot(right) / ahead;
-        double y = ray.dot(up) / ahead;
+        double x = along(outline.right(), rayX, rayY, rayZ) / ahead;
+        double y = along(outline.up(), rayX, rayY, rayZ) / ahead;
         double focal = camera.focalLength();
         if (Math.abs(x) * focal > 0.5 * camera.width() || Math.abs(y) * focal > 0.5 * camera.height()) {
             return 0.0;
         }
         // Solid angle of the ray's cell, then of a pixel there: both shrink with the cube of the length.
-        double length = ray.length();
+        double length = Math.sqrt(rayX * rayX + rayY * rayY + rayZ * rayZ);
         double solid = share / (length * length * length);
         double oblique = Math.sqrt(1.0 + x * x + y * y);
         return solid * focal * focal * oblique * oblique * oblique;
+    }
+
+    private static double along(Position axis, double x, double y, double z) {
+        return x * axis.x() + y * axis.y() + z * axis.z();
     }
 }

@@ -6,7 +6,6 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Outline;
-import org.jogamp.vecmath.Vector3d;
 
 /** Where and how fast a drone must be for a radar to look for it. */
 final class FieldOfRegard {
@@ -27,14 +26,13 @@ final class FieldOfRegard {
 
     /** Speed at which a drone comes (negative) or goes, m/s. */
     double radialSpeed(Drone drone) {
-        Vector3d vector =
-                Position.of(drone.position()).minus(settings.position()).toVector3d();
-        return vector.dot(drone.velocity()) / Math.max(vector.length(), Double.MIN_NORMAL);
+        Position vector = drone.origin().minus(settings.position());
+        return vector.dot(Position.of(drone.velocity())) / Math.max(vector.length(), Double.MIN_NORMAL);
     }
 
     /** Why the radar does not look for a drone; empty when it does. */
     Optional<Explanation> miss(Drone drone) {
-        Position vector = Position.of(drone.position()).minus(settings.position());
+        Position vector = drone.origin().minus(settings.position());
         if (!outline.reaches(vector)) {
             return Optional.of(outline.beyond(vector));
         }

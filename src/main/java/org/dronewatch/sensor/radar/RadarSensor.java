@@ -20,7 +20,6 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.world.World;
-import org.jogamp.vecmath.Point3d;
 
 /**
  * A radar. Its value is the signal-to-noise ratio of the drone's echo; minus infinity for a drone that it does not look for,
@@ -97,7 +96,7 @@ public final class RadarSensor implements AssessableSensor {
     }
 
     private Observation look(Drone drone, Look look) {
-        Position position = Position.of(drone.position());
+        Position position = drone.origin();
         double share = visibleShare(drone);
         double area = crossSection(drone, share);
         double echo = echo(drone, area);
@@ -123,7 +122,7 @@ public final class RadarSensor implements AssessableSensor {
     }
 
     private double range(Drone drone) {
-        return Math.max(Position.of(drone.position()).distance(settings.position()), Double.MIN_NORMAL);
+        return Math.max(drone.origin().distance(settings.position()), Double.MIN_NORMAL);
     }
 
     /** Signal-to-noise ratio of an echo, dB, with what the rain takes out and back. */
@@ -131,7 +130,7 @@ public final class RadarSensor implements AssessableSensor {
         if (area == 0.0) {
             return Double.NEGATIVE_INFINITY;
         }
-        Position vector = Position.of(drone.position()).minus(settings.position());
+        Position vector = drone.origin().minus(settings.position());
         double range = range(drone);
         double elevation = Math.asin(Math.max(-1.0, Math.min(1.0, vector.z() / range)));
         double rain = Rain.attenuation(settings.frequency(), world.rain(), elevation, settings.polarisation());
@@ -140,9 +139,8 @@ public final class RadarSensor implements AssessableSensor {
 
     /** Where the radar is, clockwise from the drone's nose as seen from above. */
     private double aspect(Drone drone) {
-        Point3d seen = settings.position().toPoint3d();
-        drone.worldToModel().transform(seen);
-        return Math.atan2(seen.x, seen.y);
+        Position seen = drone.toModel(settings.position());
+        return Math.atan2(seen.x(), seen.y());
     }
 
     /** What this radar was made from. */

@@ -5,7 +5,6 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
-import org.jogamp.vecmath.Point3d;
 
 /**
  * How much of a drone is visible from a position: the fraction of nine points of its box, the middle and half-way to each corner, to
@@ -30,21 +29,16 @@ final class VisibleShare {
         for (int i = 0; i < POINTS; i++) {
             // The last of the points is the middle.
             double reach = i == POINTS - 1 ? 0.0 : HALF_WAY;
-            Point3d point = new Point3d(
+            Position point = new Position(
                     between(box.minX(), box.maxX(), (i & 1) == 0 ? -reach : reach),
                     between(box.minY(), box.maxY(), (i & 2) == 0 ? -reach : reach),
                     between(box.minZ(), box.maxZ(), (i & 4) == 0 ? -reach : reach));
-            drone.modelMatrix().transform(point);
-            visible += isVisible(point) ? 1 : 0;
+            visible += visibility.isFree(position, drone.toWorld(point)) ? 1 : 0;
         }
         return (double) visible / POINTS;
     }
 
     private static double between(double low, double high, double side) {
         return 0.5 * (low + high) + 0.5 * side * (high - low);
-    }
-
-    private boolean isVisible(Point3d point) {
-        return visibility.isFree(position.x(), position.y(), position.z(), point.x, point.y, point.z);
     }
 }

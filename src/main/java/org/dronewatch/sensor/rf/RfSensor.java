@@ -66,7 +66,7 @@ public final class RfSensor implements AssessableSensor {
         if (!settings.hears(link)) {
             return Explanation.of(Cause.SILENT);
         }
-        Position from = Position.of(drone.position());
+        Position from = drone.origin();
         double strongest = link.power() - spreading(link, from);
         if (link.pilot().isPresent()) {
             double ofPilot = link.pilotPower() - spreading(link, link.pilot().get());
@@ -99,7 +99,7 @@ public final class RfSensor implements AssessableSensor {
 
     private double ofDrone(Drone drone) {
         RadioLink link = drone.settings().radio();
-        return ratio(link, Position.of(drone.position()), link.power());
+        return ratio(link, drone.origin(), link.power());
     }
 
     private double ofPilot(Drone drone) {

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
@@ -70,7 +69,7 @@ public final class ThermalSensor implements AssessableSensor {
     @Override
     public Explanation explainMiss(World world, Drone drone, Optional<Pointing> where) {
         turn(world, where);
-        if (!outline.contains(Position.of(drone.position()).minus(settings.position()))) {
+        if (!outline.contains(drone.origin().minus(settings.position()))) {
             return Explanation.of(Cause.OUT_OF_VIEW);
         }
         return cover.explain(drone, () -> area.of(drone) == 0.0, () -> signal(drone, area.inTheOpen(drone))
@@ -103,7 +102,7 @@ public final class ThermalSensor implements AssessableSensor {
                 new GroundTruth(drone.id(), range, look.time()),
                 new Reading(probability, threshold, Quantity.RATIO.unit()),
                 figures,
-                sighted ? Optional.of(settings.sighting(Position.of(drone.position()))) : Optional.empty());
+                sighted ? Optional.of(settings.sighting(drone.origin())) : Optional.empty());
     }
 
     /**

@@ -29,7 +29,7 @@ final class EdgePath {
         double straight = way.length();
         Position ahead = way.times(1.0 / straight);
         Position across = across(ahead);
-        Position up = cross(across, ahead);
+        Position up = across.cross(ahead);
         pathDifference = Double.POSITIVE_INFINITY;
         for (int i = 0; i < HALF_PLANES; i++) {
             double angle = 2.0 * Math.PI * i / HALF_PLANES;
@@ -103,10 +103,5 @@ final class EdgePath {
         Position across = new Position(ahead.y(), -ahead.x(), 0.0);
         double length = across.length();
         return length < 1e-9 ? new Position(1.0, 0.0, 0.0) : across.times(1.0 / length);
-    }
-
-    private static Position cross(Position a, Position b) {
-        return new Position(
-                a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x());
     }
 }

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Signal;
@@ -122,8 +121,6 @@ public final class EnergyHearing implements SoundTracer {
 
     private static SoundSource sound(Drone drone) {
         return new SoundSource(
-                Position.of(drone.position()),
-                drone.soundPower(),
-                drone.settings().directivity());
+                drone.origin(), drone.soundPower(), drone.settings().directivity());
     }
 }

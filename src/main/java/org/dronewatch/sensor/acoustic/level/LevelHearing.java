@@ -31,7 +31,7 @@ public final class LevelHearing implements SoundTracer {
      * @param recorder receives every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
      */
     public LevelReading listen(Drone drone, RandomGenerator random, boolean fully, RayRecorder recorder) {
-        return tracer.trace(Position.of(drone.position()), drone.soundLevel(), random, fully, recorder);
+        return tracer.trace(drone.origin(), drone.soundLevel(), random, fully, recorder);
     }
 
     private LevelReading listen(Drone drone, RandomGenerator random) {
@@ -56,8 +56,7 @@ public final class LevelHearing implements SoundTracer {
 
     /** The level that comes straight from a drone if nothing stands in the way, dB. */
     private double straightLevel(Drone drone) {
-        return drone.soundLevel()
-                - model.attenuation() * Position.of(drone.position()).distance(microphone);
+        return drone.soundLevel() - model.attenuation() * drone.origin().distance(microphone);
     }
 
     @Override
