@@ -72,10 +72,10 @@ record Prober(
         if (Double.isNaN(ground)) {
             return Optional.empty();
         }
-        Position place = new Position(grid.x(column), grid.y(row), ground + grid.height());
-        Position way = settings.position().minus(place);
-        double length = Math.max(way.length(), Double.MIN_NORMAL);
-        Position velocity = way.times(drone.settings().speed() / length);
-        return Optional.of(drone.at(new FlightState(place, velocity, Math.atan2(way.x(), way.y()))));
+        Position position = new Position(grid.x(column), grid.y(row), ground + grid.height());
+        Position vector = settings.position().minus(position);
+        double length = Math.max(vector.length(), Double.MIN_NORMAL);
+        Position velocity = vector.times(drone.settings().speed() / length);
+        return Optional.of(drone.at(new FlightState(position, velocity, Math.atan2(vector.x(), vector.y()))));
     }
 }

@@ -65,11 +65,11 @@ public final class Assessor {
         if (outline.isEmpty()) {
             return Explanation.of(Cause.TOO_WEAK);
         }
-        Position way = drone.origin().minus(settings.position());
-        if (outline.get() instanceof Outline.Sector sector && !sector.reaches(way)) {
-            return sector.beyond(way);
+        Position vector = drone.origin().minus(settings.position());
+        if (outline.get() instanceof Outline.Sector sector && !sector.reaches(vector)) {
+            return sector.beyond(vector);
         }
-        return outline.get().contains(way)
+        return outline.get().contains(vector)
                 ? cover.explain(drone, () -> true, () -> false)
                 : Explanation.of(Cause.OUT_OF_VIEW);
     }

@@ -5,17 +5,17 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 
 /**
- * Moves places off surfaces that they lie on. A microphone on the ground hears what it would hear a hair's breadth above:
- * the way over the ground to it has no length otherwise, and no side to come from. One per thread.
+ * Moves positions off surfaces that they lie on. A microphone on the ground hears what it would hear a hair's breadth above:
+ * the path over the ground to it would have no length, and no side to come from. One per thread.
  */
 public final class Clearance {
     /**
-     * How far from a surface a place is moved, m: nothing to a wave, and above {@link Visibility#MARGIN}, so that the surface
+     * How far from a surface a position is moved, m: nothing to a wave, and above {@link Visibility#MARGIN}, so that the surface
      * still hides what is behind it.
      */
     public static final double GAP = 1e-4;
 
-    /** A place may lie on the walls of a corner. */
+    /** A position may lie on the walls of a corner. */
     private static final int MOST_WALLS = 3;
 
     private static final double[][] AXES = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -30,14 +30,14 @@ public final class Clearance {
         this.traversal = world.newRayTracer();
     }
 
-    /** Whether a place lies on a surface. */
-    public boolean isMissing(Position place) {
-        return touched(place) >= 0;
+    /** Whether a position lies on a surface. */
+    public boolean isMissing(Position position) {
+        return touched(position) >= 0;
     }
 
-    /** A place, or one before the surfaces that it lies on: on the side from which their corners run counter-clockwise. */
-    public Position of(Position place) {
-        Position clear = place;
+    /** A position, or one before the surfaces that it lies on: on the side from which their corners run counter-clockwise. */
+    public Position of(Position position) {
+        Position clear = position;
         for (int wall = 0; wall < MOST_WALLS; wall++) {
             int triangle = touched(clear);
             if (triangle < 0) {
@@ -56,9 +56,10 @@ public final class Clearance {
     }
 
     /** A triangle nearer than half the gap along an axis; -1 for none. */
-    private int touched(Position place) {
+    private int touched(Position position) {
         for (double[] axis : AXES) {
-            if (traversal.closestHit(place.x(), place.y(), place.z(), axis[0], axis[1], axis[2], 0.0, 0.5 * GAP)) {
+            if (traversal.closestHit(
+                    position.x(), position.y(), position.z(), axis[0], axis[1], axis[2], 0.0, 0.5 * GAP)) {
                 return traversal.triangle();
             }
         }

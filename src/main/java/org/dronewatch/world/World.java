@@ -218,8 +218,8 @@ public final class World {
      * Whether a point seems to be inside a wall or under the ground: most surfaces that rays from it hit face away from
      * it. Right for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
      */
-    public boolean isInsideWall(Position place) {
-        return new Surroundings(this).showTheirBacks(place);
+    public boolean isInsideWall(Position position) {
+        return new Surroundings(this).showTheirBacks(position);
     }
 
     /** A ray tracer for the use of one thread. */

@@ -84,8 +84,8 @@ public final class CameraSensor implements AssessableSensor {
     @Override
     public Explanation explainMiss(World site, Drone drone, Optional<Pointing> where) {
         turn(site, where);
-        Position way = drone.origin().minus(settings.position());
-        if (!picture.camera().outline().contains(way)) {
+        Position vector = drone.origin().minus(settings.position());
+        if (!picture.camera().outline().contains(vector)) {
             return Explanation.of(Cause.OUT_OF_VIEW);
         }
         return cover.explain(drone, () -> !isInPicture(drone), () -> signal(view(drone, picture.pixelsInTheOpen(drone)))
@@ -126,9 +126,9 @@ public final class CameraSensor implements AssessableSensor {
         if (pixels == 0) {
             return new DroneView(0, range, focalLength, 0.0, world.light(), Double.POSITIVE_INFINITY);
         }
-        Position way = drone.origin().minus(settings.position());
+        Position vector = drone.origin().minus(settings.position());
         double crossing = turning(drone, range) * focalLength;
-        double sunAngle = sun.map(way::angle).orElse(Double.POSITIVE_INFINITY);
+        double sunAngle = sun.map(vector::angle).orElse(Double.POSITIVE_INFINITY);
         return new DroneView(pixels, range, focalLength, crossing, world.light(), sunAngle);
     }
 
@@ -156,10 +156,16 @@ public final class CameraSensor implements AssessableSensor {
         return world.light()
                 .sun()
                 .map(shining -> shining.direction())
-                .filter(way -> way.z() >= 0.0
+                .filter(vector -> vector.z() >= 0.0
                         && new Visibility(world)
                                 .isFreeAlong(
-                                        at.x(), at.y(), at.z(), way.x(), way.y(), way.z(), Double.POSITIVE_INFINITY));
+                                        at.x(),
+                                        at.y(),
+                                        at.z(),
+                                        vector.x(),
+                                        vector.y(),
+                                        vector.z(),
+                                        Double.POSITIVE_INFINITY));
     }
 
     /**

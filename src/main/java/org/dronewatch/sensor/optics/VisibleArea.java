@@ -53,17 +53,17 @@ public final class VisibleArea {
     private double of(Drone drone, boolean open) {
         Position from = camera.position();
         Position at = drone.origin();
-        Position way = at.minus(from);
-        double range = way.length();
+        Position vector = at.minus(from);
+        double range = vector.length();
         double reach = drone.reach();
         if (camera.isOutside(at.x(), at.y(), at.z(), reach)) {
             return 0.0;
         }
         if (range <= reach) {
             // It sits on the lens, or on the back of the camera.
-            return way.dot(outline.forward()) < 0.0 ? 0.0 : (double) camera.width() * camera.height();
+            return vector.dot(outline.forward()) < 0.0 ? 0.0 : (double) camera.width() * camera.height();
         }
-        Position ahead = way.times(1.0 / range);
+        Position ahead = vector.times(1.0 / range);
         Position top = Math.abs(ahead.z()) < 0.9 ? new Position(0, 0, 1) : new Position(0, 1, 0);
         Position aside = ahead.cross(top).unit();
         Position above = aside.cross(ahead);

@@ -104,7 +104,7 @@ public final class RfSensor implements AssessableSensor {
 
     private double ofPilot(Drone drone) {
         RadioLink link = drone.settings().radio();
-        return link.pilot().map(place -> ratio(link, place, link.pilotPower())).orElse(Double.NEGATIVE_INFINITY);
+        return link.pilot().map(pilot -> ratio(link, pilot, link.pilotPower())).orElse(Double.NEGATIVE_INFINITY);
     }
 
     /** Signal-to-noise ratio of an emission from a position, dB. */

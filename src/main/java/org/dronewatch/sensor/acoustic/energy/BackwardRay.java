@@ -85,7 +85,7 @@ final class BackwardRay {
 
     /** Prepares for rays that look for a source. */
     void seek(SoundSource next) {
-        receiver.surround(next.place(), traversal);
+        receiver.surround(next.position(), traversal);
     }
 
     /** Follows one ray to its end, looking for the source that is sought; gives how many pieces were traced. */
@@ -160,8 +160,8 @@ final class BackwardRay {
 
     private void recordConnection() {
         if (recorder != RayRecorder.NONE) {
-            Position place = source.place();
-            record(place.x(), place.y(), place.z(), true);
+            Position position = source.position();
+            record(position.x(), position.y(), position.z(), true);
         }
     }
 

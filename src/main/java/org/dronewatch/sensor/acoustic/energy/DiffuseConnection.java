@@ -32,14 +32,15 @@ final class DiffuseConnection {
      * @return whether anything arrives
      */
     boolean add(AcousticRay ray, double[] normal, double[] scattered, SoundSource source) {
-        Position place = source.place();
-        double x = place.x() - ray.originX;
-        double y = place.y() - ray.originY;
-        double z = place.z() - ray.originZ;
+        Position position = source.position();
+        double x = position.x() - ray.originX;
+        double y = position.y() - ray.originY;
+        double z = position.z() - ray.originZ;
         double squared = x * x + y * y + z * z;
         double along = x * normal[0] + y * normal[1] + z * normal[2];
         if (!(along > 0.0)
-                || !walls.trace(ray.originX, ray.originY, ray.originZ, place.x(), place.y(), place.z(), ray.medium)) {
+                || !walls.trace(
+                        ray.originX, ray.originY, ray.originZ, position.x(), position.y(), position.z(), ray.medium)) {
             return false;
         }
         double distance = Math.sqrt(squared);

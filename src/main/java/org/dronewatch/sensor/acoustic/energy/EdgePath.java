@@ -5,7 +5,7 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The way round the nearest edge of what hides a source. In each of several half-planes through source and sensor, the
+ * The path round the nearest edge of what hides a source. In each of several half-planes through source and sensor, the
  * lowest free rays from either end meet above the edge, or above the highest of several (Bullington, Proceedings of the
  * IRE 35, 1947, for radio over hills); of all half-planes the one with the least detour counts. One per thread.
  */
@@ -23,22 +23,22 @@ final class EdgePath {
         this.visibility = new Visibility(world);
     }
 
-    /** Looks for the nearest edge between two points that do not see each other; false where there is no way round. */
+    /** Looks for the nearest edge between two points that do not see each other; false where there is no path round. */
     boolean find(Position source, Position sensor) {
-        Position way = sensor.minus(source);
-        double straight = way.length();
-        Position ahead = way.times(1.0 / straight);
+        Position vector = sensor.minus(source);
+        double straight = vector.length();
+        Position ahead = vector.times(1.0 / straight);
         Position across = across(ahead);
         Position up = across.cross(ahead);
         pathDifference = Double.POSITIVE_INFINITY;
         for (int i = 0; i < HALF_PLANES; i++) {
             double angle = 2.0 * Math.PI * i / HALF_PLANES;
             Position side = up.times(Math.cos(angle)).plus(across.times(Math.sin(angle)));
-            double ofSource = lowestFree(source, way, side.times(straight));
+            double ofSource = lowestFree(source, vector, side.times(straight));
             if (!Double.isFinite(ofSource)) {
                 continue;
             }
-            double ofSensor = lowestFree(sensor, way.times(-1.0), side.times(straight));
+            double ofSensor = lowestFree(sensor, vector.times(-1.0), side.times(straight));
             if (!Double.isFinite(ofSensor)) {
                 continue;
             }
@@ -55,21 +55,21 @@ final class EdgePath {
         return Double.isFinite(pathDifference);
     }
 
-    /** How much longer the last way found is than the straight one, m. */
+    /** How much longer the last path found is than the straight one, m. */
     double pathDifference() {
         return pathDifference;
     }
 
-    /** Sine of the elevation at which the last way found leaves the source. */
+    /** Sine of the elevation at which the last path found leaves the source. */
     double rise() {
         return rise;
     }
 
-    /** Slope against the straight way of the lowest ray that passes all that is in it; infinity where none does. */
-    private double lowestFree(Position from, Position way, Position side) {
+    /** Slope against the straight path of the lowest ray that passes all that is in it; infinity where none does. */
+    private double lowestFree(Position from, Position vector, Position side) {
         double blocked = 0.0;
         double free = FIRST_SLOPE;
-        while (isBlocked(from, way, side, free)) {
+        while (isBlocked(from, vector, side, free)) {
             blocked = free;
             free *= 2.0;
             if (free > LARGEST_SLOPE) {
@@ -78,7 +78,7 @@ final class EdgePath {
         }
         for (int i = 0; i < HALVINGS; i++) {
             double middle = 0.5 * (blocked + free);
-            if (isBlocked(from, way, side, middle)) {
+            if (isBlocked(from, vector, side, middle)) {
                 blocked = middle;
             } else {
                 free = middle;
@@ -87,18 +87,18 @@ final class EdgePath {
         return free;
     }
 
-    private boolean isBlocked(Position from, Position way, Position side, double slope) {
+    private boolean isBlocked(Position from, Position vector, Position side, double slope) {
         return !visibility.isFreeAlong(
                 from.x(),
                 from.y(),
                 from.z(),
-                way.x() + slope * side.x(),
-                way.y() + slope * side.y(),
-                way.z() + slope * side.z(),
+                vector.x() + slope * side.x(),
+                vector.y() + slope * side.y(),
+                vector.z() + slope * side.z(),
                 1.0);
     }
 
-    /** A level direction across, so that the first half-plane stands upright; any for a vertical way. */
+    /** A level direction across, so that the first half-plane stands upright; any for a vertical path. */
     private static Position across(Position ahead) {
         Position across = new Position(ahead.y(), -ahead.x(), 0.0);
         double length = across.length();

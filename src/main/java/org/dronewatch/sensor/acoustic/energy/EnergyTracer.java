@@ -71,7 +71,7 @@ public final class EnergyTracer {
      * @param recorder receives every piece of every ray that counts, from the sensor on
      */
     public EnergyReading trace(SoundSource drone, RandomGenerator random, RayRecorder recorder) {
-        SoundSource source = drone.at(clearance.of(drone.place()));
+        SoundSource source = drone.at(clearance.of(drone.position()));
         ledger.clear();
         tally.clear();
         exact.find(source, sensor);
@@ -108,7 +108,7 @@ public final class EnergyTracer {
      * @param drone the drone's sound
      */
     public EnergyReading inTheOpen(SoundSource drone) {
-        SoundSource source = drone.at(clearance.of(drone.place()));
+        SoundSource source = drone.at(clearance.of(drone.position()));
         double[] heard = exact.inTheOpen(source, sensor);
         List<Double> nothing = Collections.nCopies(OctaveBands.COUNT, 0.0);
         EnergyAudit unsent = new EnergyAudit(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);

@@ -31,7 +31,7 @@ final class ExactPaths {
     private final FoundPaths diffracted = new FoundPaths();
     private final FoundPaths mirrored = new FoundPaths();
     private final double[] heard = new double[BANDS];
-    private Position[] mirrorPlaces = new Position[16];
+    private Position[] mirrorPoints = new Position[16];
     private int mirrors;
 
     ExactPaths(EnergyModel model, World world, WallPlanes planes, BandSurfaces surfaces, Air air) {
@@ -83,68 +83,72 @@ final class ExactPaths {
     }
 
     private void addDirect(SoundSource source, Position sensor) {
-        Position place = source.place();
-        if (!walls.trace(place.x(), place.y(), place.z(), sensor.x(), sensor.y(), sensor.z(), AcousticRay.AIR)) {
+        Position position = source.position();
+        if (!walls.trace(
+                position.x(), position.y(), position.z(), sensor.x(), sensor.y(), sensor.z(), AcousticRay.AIR)) {
             return;
         }
-        double way = Math.max(place.distance(sensor), OWN);
-        double rise = (sensor.z() - place.z()) / way;
+        double length = Math.max(position.distance(sensor), OWN);
+        double rise = (sensor.z() - position.z()) / length;
         for (int band = 0; band < BANDS; band++) {
-            heard[band] = walls.passed(band) * spread(source, band, rise, way);
+            heard[band] = walls.passed(band) * spread(source, band, rise, length);
         }
-        direct.add(way, heard);
+        direct.add(length, heard);
     }
 
     /** What would come straight in each band if nothing stood in the way. */
     double[] inTheOpen(SoundSource source, Position sensor) {
-        double way = Math.max(source.place().distance(sensor), OWN);
-        double rise = (sensor.z() - source.place().z()) / way;
+        double length = Math.max(source.position().distance(sensor), OWN);
+        double rise = (sensor.z() - source.position().z()) / length;
         double[] open = new double[BANDS];
         for (int band = 0; band < BANDS; band++) {
-            open[band] = spread(source, band, rise, way);
+            open[band] = spread(source, band, rise, length);
         }
         return open;
     }
 
-    /** Power in a band that leaves at an elevation, spread over the sphere after a way. */
-    private double spread(SoundSource source, int band, double rise, double way) {
-        return source.share(band) * source.factor(band, rise) * air.left(band, way) / (4.0 * Math.PI * way * way);
+    /** Power in a band that leaves at an elevation, spread over the sphere after a distance. */
+    private double spread(SoundSource source, int band, double rise, double length) {
+        return source.share(band)
+                * source.factor(band, rise)
+                * air.left(band, length)
+                / (4.0 * Math.PI * length * length);
     }
 
     private void addDiffracted(SoundSource source, Position sensor) {
-        Position place = source.place();
-        if (!edges.find(place, sensor)) {
+        Position position = source.position();
+        if (!edges.find(position, sensor)) {
             return;
         }
-        double straight = Math.max(place.distance(sensor), OWN);
-        double way = straight + edges.pathDifference();
+        double straight = Math.max(position.distance(sensor), OWN);
+        double length = straight + edges.pathDifference();
         for (int band = 0; band < BANDS; band++) {
             double wavelength = air.soundSpeed() / OctaveBands.midband(band);
             double loss = model.diffraction().attenuation(edges.pathDifference(), wavelength);
-            // The edge's loss is over what would arrive by the straight way; only the air takes its share on the
+            // The edge's loss is over what would arrive by the straight path; only the air takes its share on the
             // longer.
             heard[band] = Math.pow(10.0, -0.1 * loss)
                     * source.share(band)
                     * source.factor(band, edges.rise())
-                    * air.left(band, way)
+                    * air.left(band, length)
                     / (4.0 * Math.PI * straight * straight);
         }
-        diffracted.add(way, heard);
+        diffracted.add(length, heard);
     }
 
     private void addMirror(int triangle, SoundSource source, Position sensor) {
-        Position place = source.place();
-        double ofSource = planes.height(triangle, place.x(), place.y(), place.z());
+        Position position = source.position();
+        double ofSource = planes.height(triangle, position.x(), position.y(), position.z());
         double ofSensor = planes.height(triangle, sensor.x(), sensor.y(), sensor.z());
         int material = mesh.material(triangle);
         if (!(ofSource * ofSensor > 0.0) || !surfaces.mirrors(material)) {
             return;
         }
-        // The straight way from the mirror image to the sensor crosses the plane here.
+        // The straight line from the image source to the sensor crosses the plane here.
         double share = ofSource / (ofSource + ofSensor);
-        double imageX = place.x() - 2.0 * ofSource * planes.normalX(triangle);
-        double imageY = place.y() - 2.0 * ofSource * planes.normalY(triangle);
-        double imageZ = place.z() - 2.0 * ofSource * planes.normalZ(triangle);
+        double imageX = position.x() - 2.0 * ofSource * planes.normalX(triangle);
+        double imageY = position.y() - 2.0 * ofSource * planes.normalY(triangle);
+        double imageZ = position.z() - 2.0 * ofSource * planes.normalZ(triangle);
         double x = imageX + share * (sensor.x() - imageX);
         double y = imageY + share * (sensor.y() - imageY);
         double z = imageZ + share * (sensor.z() - imageZ);
@@ -152,16 +156,16 @@ final class ExactPaths {
             return;
         }
         Position at = new Position(x, y, z);
-        double way = new Position(imageX, imageY, imageZ).distance(sensor);
-        if (isKnown(at, way) || !sees(place, at) || !sees(sensor, at)) {
+        double length = new Position(imageX, imageY, imageZ).distance(sensor);
+        if (isKnown(at, length) || !sees(position, at) || !sees(sensor, at)) {
             return;
         }
         remember(at);
-        double rise = (z - place.z()) / at.distance(place);
+        double rise = (z - position.z()) / at.distance(position);
         for (int band = 0; band < BANDS; band++) {
-            heard[band] = surfaces.mirrored(material, band) * spread(source, band, rise, way);
+            heard[band] = surfaces.mirrored(material, band) * spread(source, band, rise, length);
         }
-        mirrored.add(way, heard);
+        mirrored.add(length, heard);
     }
 
     /** Whether a point of the triangle's plane lies in it, its border included. */
@@ -192,9 +196,9 @@ final class ExactPaths {
     }
 
     /** A path over the common edge of two triangles of one wall is one path. */
-    private boolean isKnown(Position at, double way) {
+    private boolean isKnown(Position at, double length) {
         for (int i = 0; i < mirrors; i++) {
-            if (mirrorPlaces[i].distance(at) < OWN * way) {
+            if (mirrorPoints[i].distance(at) < OWN * length) {
                 return true;
             }
         }
@@ -202,10 +206,10 @@ final class ExactPaths {
     }
 
     private void remember(Position at) {
-        if (mirrors == mirrorPlaces.length) {
-            mirrorPlaces = Arrays.copyOf(mirrorPlaces, 2 * mirrors);
+        if (mirrors == mirrorPoints.length) {
+            mirrorPoints = Arrays.copyOf(mirrorPoints, 2 * mirrors);
         }
-        mirrorPlaces[mirrors++] = at;
+        mirrorPoints[mirrors++] = at;
     }
 
     private boolean sees(Position from, Position surface) {

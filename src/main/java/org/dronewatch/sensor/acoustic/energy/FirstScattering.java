@@ -40,7 +40,7 @@ final class FirstScattering {
     }
 
     /**
-     * The chance with which uniform rays from a point find a place on a surface, over the surface's area and but for a
+     * The chance with which uniform rays from a point find a point on a surface, over the surface's area and but for a
      * constant.
      *
      * @param cosine of the angle between the ray and the surface's normal
@@ -56,10 +56,10 @@ final class FirstScattering {
      * @return how many pieces were traced
      */
     int add(SoundSource source, Position sensor, RandomGenerator random) {
-        Position place = source.place();
-        ray.originX = place.x();
-        ray.originY = place.y();
-        ray.originZ = place.z();
+        Position position = source.position();
+        ray.originX = position.x();
+        ray.originY = position.y();
+        ray.originZ = position.z();
         Directions.draw(random, ray);
         if (!traversal.closestHit(
                 ray.originX,

@@ -45,10 +45,10 @@ final class ImageSources {
 
     /** Adds all paths of order two to the largest one. */
     void addTo(FoundPaths paths, SoundSource source, Position sensor) {
-        Position place = source.place();
-        images[0][0] = place.x();
-        images[0][1] = place.y();
-        images[0][2] = place.z();
+        Position position = source.position();
+        images[0][0] = position.x();
+        images[0][1] = position.y();
+        images[0][2] = position.z();
         heardCount = 0;
         mirror(0, source, sensor, paths);
     }
@@ -109,25 +109,27 @@ final class ImageSources {
             z += dz;
             wall = walls[k];
         }
-        double[] place = images[0];
-        if (findFirst(x, y, z, place[0] - x, place[1] - y, place[2] - z, 1.0, wall)) {
+        double[] position = images[0];
+        if (findFirst(x, y, z, position[0] - x, position[1] - y, position[2] - z, 1.0, wall)) {
             return;
         }
         double[] image = images[last + 1];
         if (!addUnlessKnown(image)) {
             return;
         }
-        double way = new Position(image[0], image[1], image[2]).distance(sensor);
-        double firstLeg = Math.sqrt(square(x - place[0]) + square(y - place[1]) + square(z - place[2]));
-        double rise = (z - place[2]) / firstLeg;
+        double length = new Position(image[0], image[1], image[2]).distance(sensor);
+        double firstLeg = Math.sqrt(square(x - position[0]) + square(y - position[1]) + square(z - position[2]));
+        double rise = (z - position[2]) / firstLeg;
         for (int band = 0; band < BANDS; band++) {
-            heard[band] =
-                    source.share(band) * source.factor(band, rise) * air.left(band, way) / (4.0 * Math.PI * way * way);
+            heard[band] = source.share(band)
+                    * source.factor(band, rise)
+                    * air.left(band, length)
+                    / (4.0 * Math.PI * length * length);
             for (int k = 0; k <= last; k++) {
                 heard[band] *= surfaces.mirrored(materials[k], band);
             }
         }
-        paths.add(way, heard);
+        paths.add(length, heard);
     }
 
     /**

@@ -31,7 +31,7 @@ final class ReceiverSphere {
     }
 
     /**
-     * Puts the ball about a place. What a surface cuts off brings nothing, and does not count in the volume either: a drone
+     * Puts the ball about a point. What a surface cuts off brings nothing, and does not count in the volume either: a drone
      * just above a floor has half a ball.
      *
      * @return its volume, m3
@@ -56,7 +56,7 @@ final class ReceiverSphere {
      * Counts what a ray brings to the ball about a source on its way to {@code end} metres from its origin, if it comes by.
      */
     void count(AcousticRay ray, double[] energy, double end, SoundSource source) {
-        Position centre = source.place();
+        Position centre = source.position();
         double entry = IntersectionHandler.raySphere(
                 ray.originX,
                 ray.originY,

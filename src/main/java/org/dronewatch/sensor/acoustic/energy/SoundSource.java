@@ -7,7 +7,7 @@ import org.dronewatch.sound.Levels;
 
 /** What a drone gives to the air: where, how much in each band, and how that depends on the elevation. */
 public final class SoundSource {
-    private final Position place;
+    private final Position position;
     private final double[] power;
     private final EmissionPattern pattern;
     private final double emitted;
@@ -15,12 +15,12 @@ public final class SoundSource {
     /**
      * A source.
      *
-     * @param place where it is, m
+     * @param position where it is, m
      * @param powerLevels sound power level in each band, dB re 1 pW; minus infinity for silence
      * @param directivity how much of it leaves at which elevation
      */
-    public SoundSource(Position place, List<Double> powerLevels, Directivity directivity) {
-        this.place = place;
+    public SoundSource(Position position, List<Double> powerLevels, Directivity directivity) {
+        this.position = position;
         this.power = powerLevels.stream().mapToDouble(Levels::toRatio).toArray();
         this.pattern = EmissionPattern.of(directivity);
         double sum = 0.0;
@@ -30,8 +30,8 @@ public final class SoundSource {
         this.emitted = sum;
     }
 
-    private SoundSource(Position place, SoundSource like) {
-        this.place = place;
+    private SoundSource(Position position, SoundSource like) {
+        this.position = position;
         this.power = like.power;
         this.pattern = like.pattern;
         this.emitted = like.emitted;
@@ -39,12 +39,12 @@ public final class SoundSource {
 
     /** The same source somewhere else. */
     SoundSource at(Position other) {
-        return other.equals(place) ? this : new SoundSource(other, this);
+        return other.equals(position) ? this : new SoundSource(other, this);
     }
 
     /** Where it is. */
-    Position place() {
-        return place;
+    Position position() {
+        return position;
     }
 
     /** Power of all bands together, over 1 pW. */
