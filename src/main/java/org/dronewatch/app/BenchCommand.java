@@ -48,7 +48,7 @@ final class BenchCommand implements Callable<Integer> {
     @Option(
             names = "--width",
             paramLabel = "W",
-            description = "The rays in the file are a picture of this" + " width, row by row.")
+            description = "Treats the rays of the file as an image of this width, stored row by row.")
     private Integer width;
 
     @Option(names = "--passes", defaultValue = "5", paramLabel = "N", description = "Measured passes; 5 by default.")
@@ -61,7 +61,7 @@ final class BenchCommand implements Callable<Integer> {
             names = "--traversal",
             defaultValue = "fastest",
             paramLabel = "NAME",
-            description = "tiles (for pictures), stack or sequential; the fastest by default.")
+            description = "tiles (for images), stack, sequential or bvh; the fastest by default.")
     private TraversalKind traversal;
 
     @Option(

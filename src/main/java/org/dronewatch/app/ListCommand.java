@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "list",
         mixinStandardHelpOptions = true,
-        description = "Lists the packaged scenes and the sensors of the catalogue, a line each; or the kinds that"
+        description = "Lists the packaged scenes and the sensors of the catalogue, one per line; or the kinds that"
                 + " scenes can choose.")
 final class ListCommand implements Callable<Integer> {
     private static final String KIND_LINE = "%-19s %-19s %s; %s%n";

@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
         description = {
             "Draws a picture of a scene at one moment, without a window: what one camera sees (PNG in shades of"
                     + " blue, or PFM with distances in metres), or the whole site in 3D with its sensors,"
-                    + " drones and rays of sound (PNG); or makes a film of either (MP4).",
+                    + " drones and sound rays (PNG); or makes a film of either (MP4).",
             "For a film, and for a camera on a positioner, the run is simulated."
         },
         footer = {

@@ -72,9 +72,7 @@ final class RunCommand implements Callable<Integer> {
                     "Writes the rays of the acoustic sensors at the start of the first run as lines of an OBJ file.")
     private String rays;
 
-    @Option(
-            names = "--view",
-            description = "Opens a window in which the run can be watched; results are written as without it.")
+    @Option(names = "--view", description = "Opens a window to watch the run; the results are the same as without it.")
     private boolean view;
 
     @ParentCommand

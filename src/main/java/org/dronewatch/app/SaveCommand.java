@@ -20,7 +20,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "save",
         mixinStandardHelpOptions = true,
-        description = "Writes a scene with its overrides, or one run of its sweep, as a scene file that has the same"
+        description = "Writes a scene with its overrides, or one run of its sweep, as a scene file that gives the same"
                 + " results.",
         footer = {"", "Example:", "  dronewatch save camera-range --run 2 --set run.duration=30s --out third.yaml"})
 final class SaveCommand implements Callable<Integer> {

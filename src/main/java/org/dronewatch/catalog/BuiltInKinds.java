@@ -62,8 +62,11 @@ public final class BuiltInKinds implements KindGroup {
 
     private static List<Kind<?>> propagations() {
         return List.of(
-                propagation("level-model", LevelModel.class, "whole levels along rays; calibrated, not physical"),
-                propagation("energy-model", EnergyModel.class, "energy in octave bands; physical"));
+                propagation(
+                        "level-model",
+                        LevelModel.class,
+                        "each ray carries the full sound level; calibrated, not physical"),
+                propagation("energy-model", EnergyModel.class, "octave-band energy; physical"));
     }
 
     private static Kind<?> sensor(String name, Class<? extends SensorSettings<?>> settings, String summary) {

@@ -13,7 +13,7 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param rule when the sensors' observations amount to an alert
  * @param confirm how often a sensor must detect a drone before it counts
- * @param protect the zone that must not be reached, or empty
+ * @param protect the zone that must not be reached; omit it for none
  * @param response how much time is needed between the alert and the drone's arrival, 0 to 86400 s; 0 if not required
  */
 public record AlertSettings(

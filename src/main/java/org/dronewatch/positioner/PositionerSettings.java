@@ -27,7 +27,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param hold how long it waits for a drone that is no longer seen, 0 to 3600 s
  * @param lockPixels pixels on a drone that its own camera needs to track it, 1 or more
  * @param search what it does until it is cued
- * @param zoom how its lens zooms, or empty for a fixed one
+ * @param zoom how its lens zooms; omit it for a fixed one
  */
 public record PositionerSettings(
         List<String> cues,

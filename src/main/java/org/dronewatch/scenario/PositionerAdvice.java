@@ -23,8 +23,8 @@ public record PositionerAdvice(SceneSettings scene, String id, PositionerSetting
             if (positioner.hold() < interval) {
                 target.accept(String.format(
                         Locale.ROOT,
-                        "sensor '%s' holds a drone for %.2g s, but '%s', which cues it, looks every %.2g s: it"
-                                + " will let go in between",
+                        "sensor '%s' holds a drone for %.2g s, but '%s', which cues it, looks every %.2g s: the positioner"
+                                + " will drop the drone in between",
                         id,
                         positioner.hold(),
                         cue,

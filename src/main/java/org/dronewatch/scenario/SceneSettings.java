@@ -33,7 +33,7 @@ import org.dronewatch.world.WorldSettings;
  * @param alert when an alert is raised, and what is to be protected
  * @param prices what the sensors cost
  * @param run duration and seed; no sensor may look more than 100,000,000 times in a run
- * @param sweep a setting that changes from run to run, or empty for a single run
+ * @param sweep a setting that changes from run to run; omit it for a single run
  */
 public record SceneSettings(
         WorldSettings world,
@@ -110,7 +110,7 @@ public record SceneSettings(
     private static void checkCue(String id, String cue, Map<String, SensorSettings<?>> sensors) {
         String listens = "sensors." + id + ".positioner.cues: sensor '" + id + "' is cued by '" + cue + "'";
         if (cue.equals(id)) {
-            throw new IllegalArgumentException(listens + ", which is itself: it follows what it sees in any case");
+            throw new IllegalArgumentException(listens + ", which is itself: it follows what it detects anyway");
         }
         if (!sensors.containsKey(cue)) {
             throw new IllegalArgumentException(

@@ -60,7 +60,7 @@ public sealed interface SweepSettings {
     }
 
     /**
-     * Values at equal distances.
+     * Equally spaced values.
      *
      * @param parameter path of the setting
      * @param from the first value, with a unit or without

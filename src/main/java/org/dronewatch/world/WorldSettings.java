@@ -25,7 +25,7 @@ import org.dronewatch.sound.BandLevels;
  * @param atmosphere the air
  * @param rain rain rate, 0 to 500 mm/h; it affects radars, not sound
  * @param light visibility and daylight
- * @param origin where on earth the scene's origin lies, or empty; if given, a run writes maps and records it in the
+ * @param origin geographic position of the scene's origin (WGS 84); omit it if unknown; if given, a run writes maps and records it in the
  *     summary
  */
 public record WorldSettings(

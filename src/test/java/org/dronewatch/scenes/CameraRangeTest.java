@@ -50,7 +50,7 @@ class CameraRangeTest {
         }
     }
 
-    /** Thin arms alias, so the first detection scatters about the mean law; but with the same picture for all five. */
+    /** Thin arms alias, so the first detection scatters about the mean-range formula; but with the same picture for all five. */
     @Test
     void theRangesFollowTheFocalLengthAndTheMeanLaw() {
         SceneResult result = runner.run();

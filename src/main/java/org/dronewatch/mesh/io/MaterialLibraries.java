@@ -54,7 +54,7 @@ final class MaterialLibraries {
                 library = model.beside(name);
             } catch (InputException e) {
                 warnings.add(model.name() + ": material library '" + name + "' " + e.getMessage()
-                        + "; its materials are names only");
+                        + "; its materials have no colours");
                 return;
             }
             read(library);

@@ -170,7 +170,7 @@ final class ObjMeshCollector {
         });
         return missing.isEmpty()
                 ? List.of()
-                : List.of(file + ": statements that are not read would add surfaces, which are missing: "
+                : List.of(file + ": statements that define surfaces were skipped, so these surfaces are missing: "
                         + String.join(", ", missing));
     }
 }

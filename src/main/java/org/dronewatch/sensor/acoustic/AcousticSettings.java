@@ -27,7 +27,7 @@ import org.dronewatch.world.World;
  * @param rate looks per second, above 0, Hz
  * @param threshold how far above the background a sound must be to be detected, dB
  * @param arrayGain gain in signal-to-noise ratio over a single microphone, 0 to 60 dB
- * @param propagation how sound propagates: {@link LevelModel}, {@link org.dronewatch.sensor.acoustic.energy.EnergyModel EnergyModel} or another
+ * @param propagation how sound propagates: {@code level-model}, {@code energy-model}, or a kind from another jar
  */
 public record AcousticSettings(
         Position position,

@@ -20,14 +20,14 @@ import org.dronewatch.world.Light;
  * A camera, on a fixed mount or on a positioner.
  *
  * @param position where its centre of projection is, m
- * @param aim where its axis points; the horizon is level
+ * @param aim where its axis points, without roll
  * @param width pixels per row, 1 to 16384; at most 67,108,864 in the picture
  * @param height rows of pixels, 1 to 16384
  * @param fov field of view, 0.01 to 179 degrees, rad
- * @param fovAxis the side of the picture that the field of view spans
+ * @param fovAxis the axis of the image along which the field of view is measured
  * @param rate frames per second, above 0, Hz
  * @param detection how a detection is decided
- * @param positioner the positioner that turns it, or empty for a fixed mount
+ * @param positioner the positioner that turns it; omit it for a fixed mount
  */
 public record CameraSettings(
         Position position,

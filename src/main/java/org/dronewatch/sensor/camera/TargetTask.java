@@ -26,10 +26,10 @@ import org.dronewatch.setting.SettingsForm;
  * directions. The dependence on contrast is a straight line instead of a camera's measured curve of minimum resolvable
  * contrast.
  *
- * @param task what the picture must allow
+ * @param task the task that the image must support
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by
  *     chance
- * @param byChance whether each frame decides by a random number instead
+ * @param byChance whether each frame is decided at random with that probability instead
  * @param contrast contrast of the drone to its background at close range, above 0 and at most 1
  * @param contrastThreshold least contrast that the camera can detect in good light, above 0 and below 1
  * @param shotNoiseIlluminance illuminance below which shot noise raises the contrast threshold, above 0, lx

@@ -11,7 +11,7 @@ public interface PictureSettings extends Aimed, Imaging {
     /** Where its centre of projection is, m. */
     Position position();
 
-    /** Where its axis points; the horizon is level. */
+    /** Where its axis points, without roll. */
     @Override
     Aim aim();
 
@@ -29,7 +29,7 @@ public interface PictureSettings extends Aimed, Imaging {
     /** Field of view, 0.01 to 179 degrees, rad. */
     double fov();
 
-    /** The side of the picture that the field of view spans. */
+    /** The axis of the image along which the field of view is measured. */
     FieldOfView fovAxis();
 
     /** Focal length in pixels, the same for both axes: {@code (side/2) / tan(fov/2)}. */

@@ -25,7 +25,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param elevationWidth vertical width of its field of view, 0.01 to 180 degrees, rad
  * @param minRange minimum range: nearer drones are masked by its own pulse, 0 to 1000 km, m
  * @param maxRange maximum range: farther drones are not detected, above 0 and at most 1000 km, m
- * @param minSpeed least radial speed: slower drones are taken for ground clutter, 0 to 10,000 m/s
+ * @param minSpeed minimum radial speed: slower drones are taken for ground clutter, 0 to 10,000 m/s
  * @param maxSpeed largest radial speed: faster drones are not detected, above 0 and at most 10,000 m/s
  * @param rate scans per second, above 0, Hz
  * @param frequency carrier, 1 to 1000 GHz, Hz

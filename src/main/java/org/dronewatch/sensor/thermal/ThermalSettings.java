@@ -22,20 +22,20 @@ import org.dronewatch.setting.SettingsForm;
  * A thermal camera, on a fixed mount or on a positioner.
  *
  * @param position where its centre of projection is, m
- * @param aim where its axis points; the horizon is level
+ * @param aim where its axis points, without roll
  * @param width pixels per row, 1 to 16384; at most 67,108,864 in the picture
  * @param height rows of pixels, 1 to 16384
  * @param fov field of view, 0.01 to 179 degrees, rad
- * @param fovAxis the side of the picture that the field of view spans
+ * @param fovAxis the axis of the image along which the field of view is measured
  * @param rate frames per second, above 0, Hz
  * @param netd noise-equivalent temperature difference (NETD), 1e-6 to 100 K
  * @param transmission transmittance of a kilometre of air in its band and in the weather assumed, 1e-6 to 1
  * @param minSnr signal-to-noise ratio below which nothing is resolved, above 0 and at most 1000
- * @param task what the picture must allow
+ * @param task the task that the image must support
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by
  *     chance
- * @param byChance whether each frame decides by a random number instead
- * @param positioner the positioner that turns it, or empty for a fixed mount
+ * @param byChance whether each frame is decided at random with that probability instead
+ * @param positioner the positioner that turns it; omit it for a fixed mount
  */
 public record ThermalSettings(
         Position position,

@@ -179,7 +179,7 @@ final class YamlFile {
         String anchor = parser.getString();
         Node meant = anchors.get(anchor);
         if (meant == null) {
-            throw new InputException(mark + ": alias '*" + anchor + "' refers to nothing that is complete before it");
+            throw new InputException(mark + ": alias '*" + anchor + "' refers to no anchor that ends before it");
         }
         return meant;
     }
