@@ -13,9 +13,9 @@ import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.Sightline;
 
-/** When the site of a run is alerted to each drone, and how early that is: a row for each drone or swarm. */
+/** When the alert for each drone of a run was raised, and how early that was: a row for each drone or swarm. */
 final class AlertTable {
-    private static final int MOST_SENSORS = 4;
+    private static final int MAX_SENSORS = 4;
 
     private final RunResult run;
     private final boolean zone;
@@ -25,7 +25,7 @@ final class AlertTable {
         this.zone = run.settings().alert().protect().isPresent();
     }
 
-    /** The table, and a fold with each swarm's drones. */
+    /** The table, and a collapsible section with each swarm's drones. */
     String html() {
         List<List<String>> rows = new ArrayList<>();
         List<List<String>> members = new ArrayList<>();
@@ -46,9 +46,13 @@ final class AlertTable {
 
     private List<String> head() {
         List<String> head = new ArrayList<>(List.of(
-                "drone", "first in view of any sensor [s]", "alert [s]", "from view to alert [s]", "alert from"));
+                "drone",
+                "first in any sensor's view [s]",
+                "alert [s]",
+                "delay from first view to alert [s]",
+                "raised by"));
         if (zone) {
-            head.addAll(List.of("distance to zone at alert [m]", "warning [s]", "reaches zone [s]", "in time"));
+            head.addAll(List.of("distance to zone at alert [m]", "warning time [s]", "reaches zone [s]", "in time"));
         }
         return head;
     }
@@ -75,8 +79,8 @@ final class AlertTable {
                 .flatMap(alert -> alert.sensors().stream())
                 .distinct()
                 .toList();
-        String names = String.join(", ", sensors.subList(0, Math.min(MOST_SENSORS, sensors.size())));
-        int more = sensors.size() - MOST_SENSORS;
+        String names = String.join(", ", sensors.subList(0, Math.min(MAX_SENSORS, sensors.size())));
+        int more = sensors.size() - MAX_SENSORS;
         List<String> row = new ArrayList<>(List.of(
                 swarm.label(),
                 counted(alerts, AlertResult::firstSight, views() ? "never" : NONE),
@@ -98,7 +102,7 @@ final class AlertTable {
         return row;
     }
 
-    /** How many of them have a value, and from where to where it goes. */
+    /** How many of them have a value, and its range. */
     private static String counted(List<AlertResult> alerts, Function<AlertResult, OptionalDouble> value, String none) {
         long count = values(alerts, value).count();
         String range = ReadableNumbers.range(values(alerts, value));
@@ -110,8 +114,8 @@ final class AlertTable {
     }
 
     /**
-     * How long it took from when the drone came into view to the alert; none for an alert that came before, and for one that
-     * rests on sensors without a field of view alone, to which view means nothing.
+     * The delay from the drone's coming into view to the alert; empty for an earlier alert, and for one raised only by sensors
+     * without a field of view.
      */
     private OptionalDouble delay(AlertResult alert) {
         boolean byView = alert.sensors().stream()

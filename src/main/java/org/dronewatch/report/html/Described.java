@@ -14,16 +14,16 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
 
-/** Settings as people read them: names, values, units; angles in degrees. */
+/** Settings in readable form: names, values, units; angles in degrees. */
 final class Described {
     private static final String OURS = "org.dronewatch.";
 
     private Described() {}
 
     /**
-     * All parts of settings but some.
+     * All components of a settings record except some.
      *
-     * @param without names of parts that stand elsewhere
+     * @param without names of components that are shown elsewhere
      */
     static String of(Record settings, Set<String> without) {
         List<String> parts = new ArrayList<>();
@@ -51,7 +51,7 @@ final class Described {
             if (parts.isEmpty()) {
                 return Optional.of(kind);
             }
-            // The name of what can only be of one kind tells nothing.
+            // The name is redundant where there is only one kind.
             return Optional.of((isChoice(inner) ? kind + " " : "") + "(" + parts + ")");
         }
         if (value instanceof Number number) {
@@ -86,7 +86,7 @@ final class Described {
         return (quantity.inBrief(value) + " " + quantity.unit()).strip();
     }
 
-    /** A part's name in separate words. */
+    /** A component's name in separate words. */
     private static String words(String name) {
         return name.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
     }

@@ -16,23 +16,23 @@ import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;
 
-/** Which sensor of a run detects which drone: a row for each sensor with each drone or swarm, a fold with each swarm's drones. */
+/** Detections of a run by sensor: a row for each sensor with each drone or swarm, and a collapsible section with each swarm's drones. */
 final class DetectionTables {
-    /** Most rows of a table. */
-    static final int MOST_ROWS = 60;
+    /** Maximum number of rows of a table. */
+    static final int MAX_ROWS = 60;
 
-    /** Most rows of a table that a reader opens. */
-    private static final int MOST_FOLDED_ROWS = 500;
+    /** Maximum number of rows of a collapsed table. */
+    private static final int MAX_FOLDED_ROWS = 500;
 
     private static final List<String> HEAD = List.of(
             "sensor",
             "kind",
             "drone",
             "first detected [s]",
-            "range then [m]",
+            "range at first detection [m]",
             "last detected [s]",
             "greatest range [m]",
-            "looks with detection");
+            "detection rate (looks)");
 
     private final RunResult run;
     private final RunLooks looks;
@@ -49,7 +49,7 @@ final class DetectionTables {
         }
     }
 
-    /** The table; where it is very long, the first of those that detect. */
+    /** The table; if it is very long, only the first rows with detections. */
     String detections() {
         Map<String, List<PairResult>> bySensor = run.pairs().stream()
                 .collect(Collectors.groupingBy(PairResult::sensor, LinkedHashMap::new, Collectors.toList()));
@@ -74,18 +74,18 @@ final class DetectionTables {
     }
 
     private static String shortened(List<List<String>> all, List<List<String>> detected) {
-        if (all.size() <= MOST_ROWS) {
+        if (all.size() <= MAX_ROWS) {
             return Html.table(HEAD, all);
         }
         int without = all.size() - detected.size();
         return (without > 0
                         ? Html.plain("p", without + " pairs of sensor and drone without a detection are not shown.")
                         : "")
-                + Html.table(HEAD, detected.subList(0, Math.min(MOST_ROWS, detected.size())))
-                + notShown(detected.size() - MOST_ROWS);
+                + Html.table(HEAD, detected.subList(0, Math.min(MAX_ROWS, detected.size())))
+                + notShown(detected.size() - MAX_ROWS);
     }
 
-    /** How many rows a table leaves out; nothing when it has them all. */
+    /** States how many rows a table omits; empty if it omits none. */
     static String notShown(int left) {
         return left > 0 ? Html.plain("p", left + " more pairs of sensor and drone are not shown.") : "";
     }
@@ -94,7 +94,7 @@ final class DetectionTables {
         if (members.isEmpty()) {
             return "";
         }
-        List<List<String>> shown = members.subList(0, Math.min(MOST_FOLDED_ROWS, members.size()));
+        List<List<String>> shown = members.subList(0, Math.min(MAX_FOLDED_ROWS, members.size()));
         String rest = shown.size() == members.size()
                 ? ""
                 : Html.plain("p", members.size() - shown.size() + " more rows are not shown.");

@@ -9,15 +9,15 @@ import org.dronewatch.flight.Swarm;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * What the report treats as one: a drone by itself, or all drones of a swarm.
+ * A unit of the report: a single drone, or all drones of a swarm.
  *
  * @param name of the drone or the swarm in the scene
- * @param isSwarm whether it is a swarm, if only of one drone
+ * @param isSwarm whether it is a swarm, even of one drone
  * @param members names of its drones
- * @param role what it is known to be
+ * @param role its role
  */
 record DroneGroup(String name, boolean isSwarm, List<String> members, ThreatLabel.Role role) {
-    /** Keeps its own list. */
+    /** Copies the list. */
     DroneGroup {
         members = List.copyOf(members);
     }
@@ -39,7 +39,7 @@ record DroneGroup(String name, boolean isSwarm, List<String> members, ThreatLabe
         return groups;
     }
 
-    /** For a table: {@code wing (25 drones)}; with a word where an alert is no success. */
+    /** For a table: {@code wing (25 drones)}; with its role unless it attacks. */
     String label() {
         String note = role == ThreatLabel.Role.DECOY ? "decoy" : role == ThreatLabel.Role.BYSTANDER ? "bystander" : "";
         String count = isSwarm ? members.size() + (members.size() == 1 ? " drone" : " drones") : "";

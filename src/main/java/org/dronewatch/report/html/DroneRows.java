@@ -11,7 +11,7 @@ import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.Choices;
 
-/** The table of all that flies. */
+/** The table of all drones and swarms. */
 final class DroneRows {
     private static final List<String> HEAD =
             List.of("drone", "model", "speed", "sound", "radar cross-section", "heat", "control", "label");
@@ -43,7 +43,7 @@ final class DroneRows {
                 + ReadableNumbers.number(drone.soundLevel()) + " dB in the level model";
     }
 
-    /** What is known of it: {@code attack, strike, fixed-wing}. */
+    /** Its label: {@code attack, strike, fixed-wing}. */
     private static String label(ThreatLabel label) {
         return Stream.of(label.role(), label.purpose(), label.platform())
                 .filter(part -> part != ThreatLabel.Purpose.UNKNOWN && part != ThreatLabel.Platform.UNKNOWN)

@@ -1,19 +1,19 @@
 package org.dronewatch.report.html;
 
 /**
- * A picture of the report.
+ * A figure of the report.
  *
  * @param caption what it shows
- * @param png the picture
+ * @param png the image
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record Figure(String caption, byte[] png) {
-    /** Keeps its own bytes. */
+    /** Copies the bytes. */
     public Figure {
         png = png.clone();
     }
 
-    /** A copy of the picture. */
+    /** A copy of the image. */
     @Override
     public byte[] png() {
         return png.clone();

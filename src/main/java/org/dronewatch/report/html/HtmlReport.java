@@ -15,12 +15,12 @@ import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.ConditionAdvice;
 
 /**
- * One file for a browser or for paper: the verdict over all runs, who was detected when and by whom, what was missed and why,
- * the site, the settings, the limits of the model, and where the results come from. Everything is in it; it loads nothing from
- * anywhere. The same results and provenance give the same bytes.
+ * A self-contained HTML file for a browser or for printing: the verdict over all runs, which sensor detected which drone and
+ * when, what was missed and why, the site, the settings, the limitations of the model, and the provenance of the results. It
+ * loads no external resources. The same results and provenance give the same bytes.
  */
 public final class HtmlReport {
-    /** Opens every fold for the printer and closes it again afterwards; where handlers are off, the style sheet shows them. */
+    /** Expands every section for printing and collapses it again afterwards; without scripts, the style sheet does it. */
     private static final String FOR_PRINT = " onbeforeprint=\"document.querySelectorAll('details:not([open])')"
             + ".forEach(function(d){d.open=true;d.dataset.shut='';})\""
             + " onafterprint=\"document.querySelectorAll('details[data-shut]')"
@@ -32,20 +32,20 @@ public final class HtmlReport {
     private final List<Figure> plots;
     private final Map<String, String> provenance;
 
-    /** Gives the site of a run, when the report comes to it. */
+    /** Provides the site of a run when the report needs it. */
     @FunctionalInterface
     public interface Views {
-        /** The site of a run and pictures of it. */
+        /** The site of a run and its images. */
         RunView of(RunResult run) throws IOException;
     }
 
     /**
      * A report of a finished scene.
      *
-     * @param looks what listened to all its runs
-     * @param views is asked for one run after another
-     * @param plots what the sensors measured
-     * @param provenance where the results come from, for people; empty to say nothing of it
+     * @param looks the looks recorded in all runs
+     * @param views called for one run after another
+     * @param plots plots of the measured values
+     * @param provenance where the results come from, as names and values; empty to omit this section
      */
     public HtmlReport(
             SceneResult result, Looks looks, Views views, List<Figure> plots, Map<String, String> provenance) {
@@ -62,23 +62,23 @@ public final class HtmlReport {
         page.append("<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n")
                 .append("<meta charset=\"utf-8\"/>\n")
                 .append("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n")
-                .append(Html.plain("title", result.scene() + ": what the sensors detect"))
+                .append(Html.plain("title", result.scene() + ": detection report"))
                 .append(Html.element("style", style()))
                 .append("</head>\n<body" + FOR_PRINT + ">\n")
                 .append(Html.plain("h1", result.scene()));
         writeRuns(page);
         if (!plots.isEmpty()) {
-            section(page, "What the sensors measured", "");
+            section(page, "Measured values", "");
             for (Figure plot : plots) {
                 page.append(Html.figure(plot.png(), plot.caption()));
             }
         }
         SettingTables settings = new SettingTables(result);
         section(page, "Sensors", settings.sensors());
-        section(page, "Where the settings come from", settings.sources());
+        section(page, "Sources of the settings", settings.sources());
         section(page, "Drones", settings.drones());
         section(page, "Site", settings.site());
-        section(page, "Limits of this model", settings.limits());
+        section(page, "Limitations of the model", settings.limits());
         if (!provenance.isEmpty()) {
             section(page, "Provenance", Html.definitions(provenance));
         }
@@ -98,7 +98,7 @@ public final class HtmlReport {
     private void writeRuns(Writer page) throws IOException {
         List<RunResult> runs = result.runs();
         boolean sweeps = runs.size() > 1;
-        String cut = result.complete() ? "" : " The run was cut short.";
+        String cut = result.complete() ? "" : " The run was stopped early.";
         String verdict = sweeps ? new SweepVerdict(runs).inWords() : new Verdict(runs.get(0)).inWords();
         page.append("<p class=\"verdict\">").append(Html.text(verdict + cut)).append("</p>\n");
         for (String line :
@@ -126,17 +126,17 @@ public final class HtmlReport {
         return new RunSections(run, looks.ofRun(run.run()).orElseThrow(), views.of(run), level);
     }
 
-    /** How to read the table of all runs, and which of them are shown in full. */
+    /** Explains the table of all runs and which of them are detailed below. */
     private String rowsAndFolds() {
         long folds = result.runs().stream()
                 .map(run -> looks.ofRun(run.run()))
                 .filter(Optional::isPresent)
                 .count();
         String which = folds == result.runs().size()
-                ? "Each run is shown in full below; the worst is open."
+                ? "Each run is detailed below, with the worst one expanded."
                 : "The first run and the " + (folds - 1) + " worst of all "
                         + result.runs().size()
-                        + " are shown in full below, the worst one open; the others have their row here.";
+                        + " are detailed below, with the worst one expanded; the others are listed in this table only.";
         return (which + " " + SweepVerdict.note(result.runs().get(0))).strip();
     }
 

@@ -13,14 +13,14 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
 /**
- * Keeps the looks and the sites of the runs that a report shows in full: of all runs where there are at most {@value #MOST_RUNS}, else of the
+ * Keeps the looks and the sites of the runs that a report shows in full: of all runs where there are at most {@value #MAX_RUNS}, else of the
  * first and of the {@value #WORST_OF_MANY} worst, so that memory does not grow with the number of runs.
  */
 public final class Looks implements SceneListener {
-    /** Up to this number all runs are shown in full. */
-    static final int MOST_RUNS = 24;
+    /** Maximum number of runs that are all shown in full. */
+    static final int MAX_RUNS = 24;
 
-    /** How many of more runs are shown in full besides the first. */
+    /** If there are more runs, the number shown in full besides the first. */
     static final int WORST_OF_MANY = 8;
 
     private final TreeMap<Integer, RunLooks> kept = new TreeMap<>();
@@ -46,7 +46,7 @@ public final class Looks implements SceneListener {
 
     @Override
     public void runEnded(RunResult result) {
-        if (runs <= MOST_RUNS || result.run() == 0) {
+        if (runs <= MAX_RUNS || result.run() == 0) {
             return;
         }
         ranked.add(new RunRank.Ranked(result));
@@ -60,7 +60,7 @@ public final class Looks implements SceneListener {
         return Optional.ofNullable(kept.get(run));
     }
 
-    /** Whether a sensor ever had a reading of any drone: not nothing, and not zero. */
+    /** Whether a sensor ever measured a finite, nonzero value of any drone. */
     public boolean hasReadings(String sensor) {
         return withReadings.contains(sensor);
     }

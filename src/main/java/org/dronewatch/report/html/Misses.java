@@ -14,10 +14,11 @@ import org.dronewatch.run.RunResult;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
 
-/** What the sensors of a run never detected, or lost for good, and why: a row for each sensor with each drone or swarm. */
+/** The drones that sensors of a run never detected, or lost and did not regain, and why: a row for each sensor with each
+ * drone or swarm. */
 final class Misses {
-    /** Of a larger swarm the reasons are those of as many of its drones, spread over all. */
-    private static final int MOST_MEMBERS = 20;
+    /** In a larger swarm, reasons are determined for this number of drones, evenly spaced in the list. */
+    private static final int MAX_MEMBERS = 20;
 
     private final RunResult run;
     private final RunLooks looks;
@@ -52,7 +53,7 @@ final class Misses {
                 if (members.isEmpty()) {
                     continue;
                 }
-                if (rows.size() < DetectionTables.MOST_ROWS) {
+                if (rows.size() < DetectionTables.MAX_ROWS) {
                     rows.add(row(sensor.getKey(), group, members, why(sensor.getKey(), members)));
                 } else {
                     left++;
@@ -60,9 +61,8 @@ final class Misses {
             }
         }
         return rows.isEmpty()
-                ? Html.plain("p", "Nothing: every sensor detects every drone.")
-                : Html.table(List.of("sensor", "kind", "drone", "why it was never detected"), rows)
-                        + DetectionTables.notShown(left);
+                ? Html.plain("p", "None: every sensor detects every drone.")
+                : Html.table(List.of("sensor", "kind", "drone", "reason"), rows) + DetectionTables.notShown(left);
     }
 
     private String why(String sensor, List<String> members) {
@@ -85,7 +85,7 @@ final class Misses {
                 if (of.isEmpty()) {
                     continue;
                 }
-                if (rows.size() < DetectionTables.MOST_ROWS) {
+                if (rows.size() < DetectionTables.MAX_ROWS) {
                     rows.add(lostRow(sensor, group, of));
                 } else {
                     left++;
@@ -95,7 +95,13 @@ final class Misses {
         return rows.isEmpty()
                 ? ""
                 : Html.table(
-                                List.of("sensor", "kind", "drone", "lost at [s]", "range then [m]", "why from then on"),
+                                List.of(
+                                        "sensor",
+                                        "kind",
+                                        "drone",
+                                        "lost at [s]",
+                                        "range at loss [m]",
+                                        "reason after loss"),
                                 rows)
                         + DetectionTables.notShown(left);
     }
@@ -120,12 +126,12 @@ final class Misses {
     }
 
     private static List<String> some(List<String> members) {
-        if (members.size() <= MOST_MEMBERS) {
+        if (members.size() <= MAX_MEMBERS) {
             return members;
         }
         List<String> some = new ArrayList<>();
-        for (int i = 0; i < MOST_MEMBERS; i++) {
-            some.add(members.get(i * (members.size() - 1) / (MOST_MEMBERS - 1)));
+        for (int i = 0; i < MAX_MEMBERS; i++) {
+            some.add(members.get(i * (members.size() - 1) / (MAX_MEMBERS - 1)));
         }
         return some;
     }

@@ -5,14 +5,14 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 
-/** ReadableNumbers for people. */
+/** Number formats for the report. */
 final class ReadableNumbers {
-    /** What tables show where there is no value. */
+    /** Shown in tables where there is no value. */
     static final String NONE = "-";
 
     private ReadableNumbers() {}
 
-    /** Three digits at most, or all before the point. */
+    /** One decimal at most; none for whole numbers and from 100 on. */
     static String number(double value) {
         return Math.abs(value) >= 100.0 || value == Math.rint(value) ? format("%.0f", value) : format("%.1f", value);
     }
@@ -31,7 +31,7 @@ final class ReadableNumbers {
         return value.isPresent() ? format("%.1f", value.getAsDouble()) : none;
     }
 
-    /** The least and the greatest of some values with one decimal, {@code 3.0 to 7.5}; a dash where there is none. */
+    /** The smallest and the largest of some values with one decimal, {@code 3.0 to 7.5}; a dash where there is none. */
     static String range(DoubleStream values) {
         DoubleSummaryStatistics all = values.summaryStatistics();
         if (all.getCount() == 0) {

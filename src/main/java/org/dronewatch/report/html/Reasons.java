@@ -22,11 +22,11 @@ import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * Says why a sensor did not detect a drone, and for which fraction of the time: out of range, out of its field of view, hidden
- * and by what, of a kind that it cannot notice, or too weak.
+ * Explains why a sensor did not detect a drone, and for what fraction of the time: out of range, out of its field of view,
+ * hidden and by which model, of a kind that the sensor cannot detect, or with too weak a signal.
  */
 final class Reasons {
-    /** How many moments of a run are looked at, besides its start. */
+    /** Number of instants of a run that are examined, besides its start. */
     static final int MOMENTS = 400;
 
     private final SceneSettings settings;
@@ -39,7 +39,7 @@ final class Reasons {
     /**
      * Of a run.
      *
-     * @param simulated how far it went, s
+     * @param simulated simulated time, s
      */
     Reasons(SceneSettings settings, Stage stage, Pointings pointings, double simulated) {
         this.settings = settings;
@@ -54,25 +54,26 @@ final class Reasons {
     }
 
     /**
-     * Why a sensor missed some drones, in words, the reason that held longest first.
+     * Why a sensor missed some drones, in words, the most frequent reason first.
      *
      * @param drones that the sensor did not detect, at least one
      * @param best the best look at any of them
      */
     String of(String sensor, List<String> drones, Optional<BestLook> best) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
-        Shares shares = shares(sensor, drones, weakness(missing, best), 0.0);
-        boolean measured = shares.weak() > 0 && best.filter(Reasons::isReading).isPresent();
-        String distance = measured ? "" : format("; the closest approach was %.0f m", shares.nearest());
-        boolean quiet = !Sightline.looks(missing) && shares.weak() > 0 && shares.gliding() > 0;
-        return shares.inWords()
+        Fractions fractions = fractions(sensor, drones, weakness(missing, best), 0.0);
+        boolean measured =
+                fractions.weak() > 0 && best.filter(Reasons::isReading).isPresent();
+        String distance = measured ? "" : format("; the closest approach was %.0f m", fractions.nearest());
+        boolean quiet = !Sightline.looks(missing) && fractions.weak() > 0 && fractions.gliding() > 0;
+        return fractions.inWords()
                 + distance
-                + (quiet ? "; motors off " + share(shares.gliding(), shares.all()) + " of the time" : "");
+                + (quiet ? "; motors off " + percent(fractions.gliding(), fractions.all()) + " of the time" : "");
     }
 
     /** Why a sensor does not detect some drones again that it has lost, in words. */
     String afterLoss(String sensor, List<String> drones, double time) {
-        return shares(
+        return fractions(
                         sensor,
                         drones,
                         settings.sensors().get(sensor).description().weakness(),
@@ -80,8 +81,8 @@ final class Reasons {
                 .inWords();
     }
 
-    /** How many moments of a run each reason held. */
-    private record Shares(Map<String, Integer> counts, int weak, double nearest, int gliding) {
+    /** The number of instants of a run at which each reason held. */
+    private record Fractions(Map<String, Integer> counts, int weak, double nearest, int gliding) {
         int all() {
             return counts.values().stream().mapToInt(Integer::intValue).sum();
         }
@@ -94,12 +95,12 @@ final class Reasons {
             }
             int all = all();
             return sorted.stream()
-                    .map(one -> share(one.getValue(), all) + " of the time " + one.getKey())
+                    .map(one -> percent(one.getValue(), all) + " of the time: " + one.getKey())
                     .collect(Collectors.joining("; "));
         }
     }
 
-    private Shares shares(String sensor, List<String> drones, String weak, double from) {
+    private Fractions fractions(String sensor, List<String> drones, String weak, double from) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
         Assessor assessor = assessors.computeIfAbsent(sensor, id -> new Assessor(id, missing, stage.world()));
         Map<String, Integer> counts = new LinkedHashMap<>();
@@ -117,7 +118,7 @@ final class Reasons {
                 counts.merge(reason(assessor, pointing, flying, weak, materials), 1, Integer::sum);
             }
         }
-        return new Shares(named(counts, materials), counts.getOrDefault(weak, 0), nearest, gliding);
+        return new Fractions(named(counts, materials), counts.getOrDefault(weak, 0), nearest, gliding);
     }
 
     /** Why a sensor misses a drone now, in words. */
@@ -135,7 +136,7 @@ final class Reasons {
         return words;
     }
 
-    /** Models that hide, with the materials that do. */
+    /** Names the materials of the models that hide the drone. */
     private static Map<String, Integer> named(Map<String, Integer> counts, Map<String, Set<String>> materials) {
         Map<String, Integer> named = new LinkedHashMap<>();
         counts.forEach((reason, count) -> named.put(
@@ -152,18 +153,14 @@ final class Reasons {
         return sensor.description().weakness()
                 + best.filter(Reasons::isReading)
                         .map(look -> format(
-                                ": at best %s (needs %s), %.0f m away",
-                                ReadableNumbers.measured(look.value(), look.unit()), threshold(look), look.range()))
-                        .orElse(" for any reading");
+                                " (best %s at %.0f m, threshold %s)",
+                                ReadableNumbers.measured(look.value(), look.unit()),
+                                look.range(),
+                                ReadableNumbers.measured(look.threshold(), look.unit())))
+                        .orElse(" (no measurable signal)");
     }
 
-    private static String threshold(BestLook look) {
-        return look.unit().isEmpty()
-                ? ReadableNumbers.measured(look.threshold(), "")
-                : ReadableNumbers.number(look.threshold());
-    }
-
-    private static String share(int count, int of) {
+    private static String percent(int count, int of) {
         double percent = 100.0 * count / of;
         return percent < 1.0 ? "less than 1 %" : format("%.0f %%", percent);
     }

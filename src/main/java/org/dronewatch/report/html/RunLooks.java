@@ -9,9 +9,9 @@ import org.dronewatch.run.Pointings;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
-/** Of one run: of all looks of a sensor at a drone the best, how many of them detected it, and where positioners pointed. */
+/** The looks of one run: for each sensor and drone the best look and the number of detections, and where positioners pointed. */
 public final class RunLooks {
-    /** Intervals of a run in which positioners' last pointings are kept: ten for each moment that {@link Reasons} looks at. */
+    /** Intervals of a run in which positioners' last pointings are kept: ten for each instant that {@link Reasons} looks at. */
     private static final int INTERVALS = 10 * Reasons.MOMENTS;
 
     private final Map<List<String>, BestLook> best = new HashMap<>();
@@ -20,7 +20,7 @@ public final class RunLooks {
     private final Stage stage;
 
     /**
-     * Of a run that has not looked yet.
+     * For a run that has not started yet.
      *
      * @param duration of the run, s
      * @param stage its site
@@ -57,7 +57,7 @@ public final class RunLooks {
         return Optional.ofNullable(best.get(List.of(sensor, drone)));
     }
 
-    /** Which fraction of a sensor's looks detected a drone, 0 to 1. */
+    /** Fraction of a sensor's looks that detected a drone, 0 to 1. */
     double detecting(String sensor, String drone) {
         long[] count = counts.getOrDefault(List.of(sensor, drone), new long[] {1, 0});
         return (double) count[1] / count[0];

@@ -8,11 +8,11 @@ import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;
 
 /**
- * How well a run went for who is to be warned. Attacking drones count; where none attacks, all do.
+ * Ranks runs by how well the site was warned. Only attacking drones count; if none attacks, all do.
  *
- * @param late to how many drones the alert did not come in time, though that was asked for
- * @param missed to how many drones there was no alert
- * @param warning the shortest warning, s; infinite where nothing is protected
+ * @param late number of drones whose alert was not in time, if a response time is required
+ * @param missed number of drones without an alert
+ * @param warning the shortest warning time, s; infinite if nothing is protected
  * @param range the shortest distance of a first detection, m; 0 for a drone that was never detected
  */
 record RunRank(long late, long missed, double warning, double range) {
@@ -22,18 +22,18 @@ record RunRank(long late, long missed, double warning, double range) {
             .thenComparingDouble(RunRank::warning)
             .thenComparingDouble(RunRank::range);
 
-    /** The run with most late alerts first, then with most missing ones, the shortest warning, the shortest range. */
+    /** Orders runs by most late alerts, then most missing alerts, shortest warning time, shortest range. */
     static final Comparator<Ranked> WORST_FIRST = Comparator.comparing(Ranked::rank, WORST_RANK_FIRST)
             .thenComparingInt(ranked -> ranked.run().run());
 
-    /** A run with its rank, which goes through all its pairs and so is computed once only. */
+    /** A run with its rank, computed once because it visits all pairs of the run. */
     record Ranked(RunResult run, RunRank rank) {
         Ranked(RunResult run) {
             this(run, RunRank.of(run));
         }
     }
 
-    /** The drone without an alert first, then that with a late one, the shortest warning, the latest alert. */
+    /** Orders drones without an alert first, then those with a late one, the shortest warning time, the latest alert. */
     static final Comparator<AlertResult> WORST_ALERT_FIRST = Comparator.comparing(
                     (AlertResult alert) -> alert.time().isPresent())
             .thenComparing(alert -> !isLate(alert))

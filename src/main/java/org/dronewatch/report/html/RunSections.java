@@ -3,7 +3,7 @@ package org.dronewatch.report.html;
 import java.util.stream.Collectors;
 import org.dronewatch.run.RunResult;
 
-/** The part of the report that is about one run: pictures, alert, detections, time line, what was missed. */
+/** The part of the report on one run: images, alert, detections, time line, missed detections. */
 final class RunSections {
     private final RunResult run;
     private final RunLooks looks;
@@ -13,7 +13,7 @@ final class RunSections {
     /**
      * Of a run.
      *
-     * @param level the headings' element: {@code h2}, or {@code h3} inside a fold
+     * @param level the headings' element: {@code h2}, or {@code h3} inside a collapsible section
      */
     RunSections(RunResult run, RunLooks looks, RunView view, String level) {
         this.run = run;
@@ -22,7 +22,7 @@ final class RunSections {
         this.level = level;
     }
 
-    /** As a fold of a sweep, with its own verdict. */
+    /** As a collapsible section of a sweep, with the verdict on this run. */
     String fold(boolean open) {
         String verdict = Html.plain("p", new Verdict(run).inWords());
         return Html.fold(SweepVerdict.title(run), verdict + html(), open);
@@ -32,11 +32,12 @@ final class RunSections {
         Reasons reasons = new Reasons(run.settings(), view.stage(), looks.pointings(), run.simulated());
         return pictures()
                 + section("Alert", new AlertTable(run).html())
-                + section("Who detects what", new DetectionTables(run, looks).detections())
+                + section("Detections by sensor", new DetectionTables(run, looks).detections())
                 + section(
                         "Detections over time",
-                        Html.plain("p", "A bar shows when a sensor detects any drone.") + new TimelineSvg(run).draw())
-                + section("What was missed, and why", new Misses(run, looks, reasons).tables());
+                        Html.plain("p", "Bars show when each sensor detects at least one drone.")
+                                + new TimelineSvg(run).draw())
+                + section("Missed detections and reasons", new Misses(run, looks, reasons).tables());
     }
 
     private String pictures() {

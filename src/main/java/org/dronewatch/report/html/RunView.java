@@ -4,13 +4,13 @@ import java.util.List;
 import org.dronewatch.run.Stage;
 
 /**
- * What the report needs of one run besides its result.
+ * The site and images of one run for the report.
  *
  * @param stage its site
- * @param pictures of the site
+ * @param pictures images of the site
  */
 public record RunView(Stage stage, List<Figure> pictures) {
-    /** Keeps its own list. */
+    /** Copies the list. */
     public RunView {
         pictures = List.copyOf(pictures);
     }

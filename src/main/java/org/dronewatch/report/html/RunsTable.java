@@ -33,11 +33,11 @@ final class RunsTable {
                 "drones detected",
                 "first detected by",
                 "first detected [s]",
-                "range then [m]",
+                "range at first detection [m]",
                 "alerts",
                 "first alert [s]"));
         if (zone) {
-            head.addAll(List.of("shortest warning [s]", "in time"));
+            head.addAll(List.of("shortest warning time [s]", "in time"));
         }
         return Html.table(head, runs.stream().map(this::row).toList());
     }

@@ -23,7 +23,7 @@ import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.WorldSettings;
 
-/** What was simulated: sensors with what they cost, drones, the site, the rule of alert, and the limits of the model. */
+/** The settings of the simulation: sensors with their costs, drones, the site, the alert rule, and the limitations of the model. */
 final class SettingTables {
     private final SceneResult result;
     private final SceneSettings settings;
@@ -48,7 +48,7 @@ final class SettingTables {
             List<String> row = new ArrayList<>(
                     List.of(id, sensor.kind(), coordinates(sensor.position()), looks, described(sensor)));
             if (priced) {
-                String known = prices.containsKey(id) ? money(prices.get(id)) : "not known";
+                String known = prices.containsKey(id) ? money(prices.get(id)) : "unknown";
                 row.add(4, enabled ? known : "not installed");
             }
             rows.add(row);
@@ -60,11 +60,11 @@ final class SettingTables {
                     .sum();
             long unknown =
                     installed.stream().filter(id -> !prices.containsKey(id)).count();
-            String rest = unknown == 0 ? "" : "without " + unknown + " of unknown price";
+            String rest = unknown == 0 ? "" : "excluding " + unknown + " of unknown price";
             rows.add(List.of("all", "", "", "", money(sum), rest));
         }
         return Html.table(head, rows)
-                + (priced ? "" : Html.plain("p", "No prices are known; a scene states them under 'prices'."));
+                + (priced ? "" : Html.plain("p", "No prices are known; a scene specifies them under 'prices'."));
     }
 
     private static String money(double amount) {
@@ -91,10 +91,10 @@ final class SettingTables {
                         longitude < 0.0 ? "W" : "E")
                 + origin.height()
                         .map(height -> format("%.1f m above sea level", height))
-                        .orElse("height not known");
+                        .orElse("altitude unknown");
     }
 
-    /** Where the settings of sensors come from: a row for each entry of the catalogue, and one for all that is in none. */
+    /** The sources of the sensors' settings: a row for each catalogue entry, and one for all sensors that are not in the catalogue. */
     String sources() {
         Map<String, List<String>> users = new LinkedHashMap<>();
         settings.sensors().forEach((id, sensor) -> users.computeIfAbsent(
@@ -107,7 +107,7 @@ final class SettingTables {
                     String.join(", ", ids),
                     entry.map(CatalogEntry::title).orElse("defined in the scene"),
                     entry.map(known -> Choices.name(known.basis().name())).orElse("not stated"),
-                    entry.map(known -> known.source() + ". " + known.note()).orElse("The scene names no source.")));
+                    entry.map(known -> known.source() + ". " + known.note()).orElse("No source given in the scene.")));
         });
         return Html.table(List.of("sensor", "model", "basis of its ranges", "source and assumptions"), rows);
     }
@@ -136,12 +136,11 @@ final class SettingTables {
         return Html.table(head, List.of(row));
     }
 
-    /** The rule of alert and what it protects, in a sentence. */
+    /** The alert rule and the protected zone, in a sentence. */
     String rule() {
         AlertSettings alert = settings.alert();
         String needs = alert.response() > 0.0
-                ? " " + number(alert.response()) + " " + Quantity.DURATION.unit()
-                        + " are needed between the alert and the drone's arrival."
+                ? " Required response time: " + number(alert.response()) + " " + Quantity.DURATION.unit() + "."
                 : "";
         String confirmed = alert.confirm().looks() == 1
                 ? ""
@@ -150,7 +149,7 @@ final class SettingTables {
         String zone = alert.protect()
                 .map(ball -> " Protected zone: everything within " + number(ball.radius()) + " m of ("
                         + coordinates(ball.centre())
-                        + ") m. The warning time is that of the straight flight to the zone at the drone's cruise speed."
+                        + ") m. Warning time is the straight-line flight time to the zone at the drone's cruise speed."
                         + needs)
                 .orElse("");
         return Html.plain("p", "Alert rule: " + rule(alert.rule(), confirmed) + "." + zone);
@@ -164,24 +163,25 @@ final class SettingTables {
         }
         if (rule instanceof AlertRule.UnionOfProbabilities union) {
             return format(
-                    "as soon as the looks of the last %s s together make detection %s likely, if the sensors miss"
-                            + " independently of one another",
+                    "as soon as the combined probability of detection over the last %s s reaches %s, assuming that sensors"
+                            + " miss independently",
                     number(union.within()), ReadableNumbers.measured(union.probability(), ""));
         }
         return "as soon as any sensor detects a drone" + confirmed;
     }
 
-    /** The limits of the model, of the kinds of sensors that there are. */
+    /** The limitations of the model, for the kinds of sensors in the scene. */
     String limits() {
         List<String> items = new ArrayList<>();
-        items.add("Ranges follow from the models and settings above; those of a real sensor have to be measured.");
-        Set<String> leftOut = new LinkedHashSet<>();
+        items.add("Ranges follow from the models and settings above; the ranges of real sensors must be measured.");
+        Set<String> omissions = new LinkedHashSet<>();
         settings.enabledSensors()
                 .values()
-                .forEach(sensor -> leftOut.addAll(sensor.description().leavesOut()));
-        items.addAll(leftOut);
+                .forEach(sensor -> omissions.addAll(sensor.description().leavesOut()));
+        items.addAll(omissions);
         items.add("False alarms are not modelled.");
-        items.add("Each flight is one of many: other bearings, heights and times give other results.");
+        items.add(
+                "Each result holds for these flight paths only; other bearings, altitudes and times give other results.");
         return Html.element(
                 "ul", items.stream().map(item -> Html.plain("li", item)).reduce("", String::concat));
     }

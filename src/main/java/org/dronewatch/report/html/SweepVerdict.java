@@ -13,10 +13,10 @@ import org.dronewatch.run.RunResult;
 import org.dronewatch.scenario.SweepSettings;
 import org.dronewatch.scenario.SweptValue;
 
-/** What all runs of a sweep come to: in how many of them the alert came, and in time, and how the worst went. */
+/** The result of a sweep: in how many runs an alert was raised, in how many in time, and the verdict of the worst run. */
 final class SweepVerdict {
-    /** As many runs are listed in the sentence; of more only their number. */
-    private static final int MOST_LISTED = 12;
+    /** Maximum number of runs listed in a sentence; of more, only the number is given. */
+    private static final int MAX_LISTED = 12;
 
     private final List<RunResult> runs;
     private final List<RunRank.Ranked> ranked;
@@ -28,7 +28,7 @@ final class SweepVerdict {
         this.worst = ranked.stream().min(RunRank.WORST_FIRST).orElseThrow().run();
     }
 
-    /** The run that went worst; the first of several that are alike. */
+    /** The worst run; the first of several equally bad ones. */
     RunResult worst() {
         return worst;
     }
@@ -43,18 +43,18 @@ final class SweepVerdict {
         String drones = others ? "every attacking drone" : "every drone";
         sentences.add(fraction(
                 rank -> rank.missed() == 0,
-                alert.equals(AlertSettings.DEFAULT) ? drones + " is detected" : "there is an alert for " + drones));
+                alert.equals(AlertSettings.DEFAULT) ? drones + " is detected" : "an alert is raised for " + drones));
         if (timed) {
             sentences.add(fraction(
                     rank -> rank.late() == 0,
                     format(
-                            "the alert comes in time, at least %s s before the drone can reach the protected zone",
+                            "the alert is in time, at least %s s before the drone can reach the protected zone",
                             number(alert.response()))));
         }
         if (others) {
-            sentences.add("Drones that do not attack are not counted.");
+            sentences.add("Only attacking drones are counted.");
         }
-        sentences.add("The worst is run " + worst.run() + with(worst) + ": " + new Verdict(worst).inWords());
+        sentences.add("The worst run is run " + worst.run() + with(worst) + ": " + new Verdict(worst).inWords());
         return String.join(" ", sentences);
     }
 
@@ -70,11 +70,9 @@ final class SweepVerdict {
         int count = runs.size() - bad.size();
         String all = bad.isEmpty()
                 ? "In all " + runs.size() + " runs "
-                : count == 0
-                        ? "In none of the " + runs.size() + " runs "
-                        : "In " + count + " of " + runs.size() + " runs ";
-        boolean listed = count > 0 && !bad.isEmpty() && bad.size() <= MOST_LISTED;
-        return all + what + (listed ? ", but not with " + values(bad) : "") + ".";
+                : count == 0 ? "In 0 of " + runs.size() + " runs " : "In " + count + " of " + runs.size() + " runs ";
+        boolean listed = count > 0 && !bad.isEmpty() && bad.size() <= MAX_LISTED;
+        return all + what + (listed ? " (not for " + values(bad) + ")" : "") + ".";
     }
 
     /** {@code bearing 60 deg, 90 deg and 120 deg}. */
@@ -86,9 +84,7 @@ final class SweepVerdict {
                         .orElse(""))
                 .toList();
         String name = value(some.get(0)).replaceFirst(" .*", "") + " ";
-        return texts.size() == 1
-                ? name + texts.get(0)
-                : name + String.join(", ", texts.subList(0, texts.size() - 1)) + " and " + texts.get(texts.size() - 1);
+        return name + Verdict.list(texts);
     }
 
     private static String with(RunResult run) {
@@ -104,7 +100,7 @@ final class SweepVerdict {
                 .orElse("");
     }
 
-    /** In which sense a swept direction is counted; empty for other settings. */
+    /** The sense in which a swept direction is measured; empty for other settings. */
     static String note(RunResult run) {
         String parameter = run.settings().sweep().map(SweepSettings::parameter).orElse("");
         boolean compass = parameter.toLowerCase(Locale.ROOT).matches(".*(bearing|azimuth|heading)");

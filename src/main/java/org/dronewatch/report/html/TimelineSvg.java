@@ -9,7 +9,7 @@ import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.DetectionIntervals.Interval;
 import org.dronewatch.run.RunResult;
 
-/** A run over time as a drawing: a row for each sensor, with a bar for each stretch in which it detects a drone. */
+/** The time line of a run: a row for each sensor, with a bar for each interval in which it detects a drone. */
 final class TimelineSvg {
     private static final int WIDTH = 900;
     private static final int NAMES = 170;

@@ -14,10 +14,10 @@ import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;
 
-/** What one run comes to: a few sentences for each drone and each swarm. */
+/** The result of one run in a few sentences for each drone and each swarm. */
 final class Verdict {
-    /** Of more drones and swarms only those are described to which there is no alert in time. */
-    private static final int MOST_GROUPS = 4;
+    /** If there are more drones and swarms, only those without a timely alert are described. */
+    private static final int MAX_GROUPS = 4;
 
     private final RunResult run;
 
@@ -27,16 +27,18 @@ final class Verdict {
 
     String inWords() {
         List<DroneGroup> groups = DroneGroup.of(run.settings());
-        if (groups.size() <= MOST_GROUPS) {
+        if (groups.size() <= MAX_GROUPS) {
             return groups.stream().map(this::sentences).collect(Collectors.joining(" "));
         }
         List<DroneGroup> bad = groups.stream().filter(this::isBad).toList();
         String worst = bad.stream()
-                .limit(MOST_GROUPS)
+                .limit(MAX_GROUPS)
                 .map(group -> " " + sentences(group))
                 .collect(Collectors.joining());
-        int more = bad.size() - MOST_GROUPS;
-        return summary() + worst + (more > 0 ? " " + more + " more fared like these: see the table." : "");
+        int more = bad.size() - MAX_GROUPS;
+        return summary()
+                + worst
+                + (more > 0 ? format(" For %d more, the alert is also late or missing: see the table.", more) : "");
     }
 
     private boolean isBad(DroneGroup group) {
@@ -50,7 +52,7 @@ final class Verdict {
                 .toList();
     }
 
-    /** How many of many drones there was an alert to, and whether in time. */
+    /** For how many of many drones an alert is raised, and for how many in time. */
     private String summary() {
         List<AlertResult> alerts = run.alerts();
         long attackers = run.settings().fliers().values().stream()
@@ -60,25 +62,33 @@ final class Verdict {
         return alerted(alerts, alerts.size() + " drones" + role);
     }
 
-    /** {@code There is an alert for 20 of 25 drones, in time for 18.} Or {@code for all 25 drones}. */
+    /** {@code An alert is raised for 20 of 25 drones, in time for 18.} Or {@code for all 25 drones}. */
     private String alerted(List<AlertResult> alerts, String of) {
         long alerted = alerts.stream().filter(alert -> alert.time().isPresent()).count();
-        boolean unnamed = alerted == alerts.size() && Character.isDigit(of.charAt(0));
-        String all = "There is an alert for " + count(alerted, alerts.size()) + (unnamed ? " " : " of ") + of;
+        if (alerted == 0) {
+            return "No alert is raised for any of " + (isCounted(of) ? "the " : "") + of + ".";
+        }
+        String joint = alerted == alerts.size() && isCounted(of) ? " " : " of ";
+        String all = "An alert is raised for " + count(alerted, alerts.size()) + joint + of;
         if (alerts.stream().noneMatch(alert -> alert.inTime().isPresent())) {
             return all + ".";
         }
         long inTime =
                 alerts.stream().filter(alert -> alert.inTime().orElse(false)).count();
-        return all + format(", in time for %s; %s s are needed.", count(inTime, alerts.size()), response());
+        return all + format(", in time for %s %s.", count(inTime, alerts.size()), required());
+    }
+
+    private static boolean isCounted(String drones) {
+        return Character.isDigit(drones.charAt(0));
     }
 
     private static String count(long count, int of) {
         return count == 0 ? "none" : count == of ? "all" : Long.toString(count);
     }
 
-    private String response() {
-        return number(run.settings().alert().response());
+    private String required() {
+        return format(
+                "(required response time: %s s)", number(run.settings().alert().response()));
     }
 
     private String sentences(DroneGroup group) {
@@ -110,7 +120,7 @@ final class Verdict {
                 .min(Comparator.comparingDouble(pair -> pair.firstDetected().getAsDouble()));
     }
 
-    /** How many drones of a swarm are detected, which first, how far away, how early. */
+    /** How many drones of a swarm are detected, which first, at what range and when. */
     private String ofSwarm(DroneGroup swarm) {
         int all = swarm.members().size();
         long detected = run.pairs().stream()
@@ -121,7 +131,7 @@ final class Verdict {
                 .count();
         return first(swarm)
                 .map(pair -> format(
-                        "%s drones of swarm '%s' %s detected; the first is '%s', %s.",
+                        "%s drones of swarm '%s' %s detected; the first is '%s', detected %s.",
                         detected == all ? "All " + all : detected + " of the " + all,
                         swarm.name(),
                         detected == 1 ? "is" : "are",
@@ -130,7 +140,7 @@ final class Verdict {
                 .orElseGet(() -> format("None of the %d drones of swarm '%s' is detected.", all, swarm.name()));
     }
 
-    /** Who detects a drone first, how far away, how early. */
+    /** Which sensor detects a drone first, at what range and when. */
     private String ofDrone(String drone) {
         List<PairResult> pairs =
                 run.pairs().stream().filter(pair -> pair.drone().equals(drone)).toList();
@@ -146,32 +156,41 @@ final class Verdict {
 
     private static String where(PairResult pair) {
         return format(
-                "by '%s' (%s), %s m away, %s s after the start",
+                "by '%s' (%s) at a range of %s m, %s s after the start",
                 pair.sensor(),
                 pair.kind(),
                 number(pair.range().orElseThrow()),
                 number(pair.firstDetected().getAsDouble()));
     }
 
-    /** When the alert comes, and what time it leaves. */
+    /** When the alert is raised, and how much warning time it gives. */
     private String alert(AlertResult alert) {
         if (alert.time().isEmpty()) {
-            return "There is no alert.";
+            return "No alert is raised.";
         }
         String when = format(
-                "The alert comes %s s after the start, from %s",
-                number(alert.time().getAsDouble()), "'" + String.join("', '", alert.sensors()) + "'");
+                "The alert is raised by %s %s s after the start",
+                list(alert.sensors().stream().map(sensor -> "'" + sensor + "'").toList()),
+                number(alert.time().getAsDouble()));
         if (alert.warning().isEmpty()) {
             return when + ".";
         }
         String left = format(
-                ", when the drone is %s m and %s s of flight away from the protected zone",
+                ", when the drone is %s m (%s s of flight) from the protected zone",
                 number(alert.zoneDistance().getAsDouble()),
                 number(alert.warning().getAsDouble()));
         return when
                 + left
                 + alert.inTime()
-                        .map(enough -> format("; %s s are needed: %s.", response(), enough ? "in time" : "too late"))
+                        .map(enough -> format(": %s %s.", enough ? "in time" : "too late", required()))
                         .orElse(".");
+    }
+
+    /** {@code a, b and c}. */
+    static String list(List<String> items) {
+        int last = items.size() - 1;
+        return last < 1
+                ? String.join("", items)
+                : String.join(", ", items.subList(0, last)) + " and " + items.get(last);
     }
 }

@@ -1,2 +1,2 @@
-/** The report for people: one file that holds all it shows, for a browser or for paper. */
+/** The HTML report: one self-contained file for a browser or for printing. */
 package org.dronewatch.report.html;

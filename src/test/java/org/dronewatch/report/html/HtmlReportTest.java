@@ -86,23 +86,23 @@ class HtmlReportTest {
         Document document = parsed(page);
 
         assertThat(texts(document, "p"))
-                .anyMatch(text -> text.equals("'glider' is first detected by 'radar' (radar), 664 m away, 8 s after the"
-                        + " start; 6 of 7 sensors never detect it. The alert comes 8 s after the start, from"
-                        + " 'radar', when"
-                        + " the drone is 609 m and 40.6 s of flight away from the protected zone; 30 s are needed: in"
-                        + " time."));
+                .anyMatch(text ->
+                        text.equals("'glider' is first detected by 'radar' (radar) at a range of 664 m, 8 s after"
+                                + " the start; 6 of 7 sensors never detect it. The alert is raised by 'radar' 8 s after the start,"
+                                + " when the drone is 609 m (40.6 s of flight) from the protected zone: in time (required response"
+                                + " time: 30 s)."));
         assertThat(texts(document, "td"))
                 .anyMatch(text -> text.startsWith("always radio-silent (autonomous)"))
                 .anyMatch(text ->
-                        text.matches("81 % of the time out of its field of view; 19 % of the time too small or too"
-                                + " faint: at best 8 px \\(needs 12\\), 159 m away"))
+                        text.matches("81 % of the time: out of its field of view; 19 % of the time: too small or too"
+                                + " faint \\(best 8 px at 159 m, threshold 12 px\\)"))
                 .anyMatch(
-                        text -> text.matches("always too quiet: at best [0-9.]+ dB \\(needs 47\\), \\d+ m away; motors"
+                        text -> text.matches("always too quiet \\(best [0-9.]+ dB at \\d+ m, threshold 47 dB\\); motors"
                                 + " off 79 % of the time"));
         // The radar loses it at 38 s, when it flies above the radar's field.
         assertThat(texts(document, "td"))
                 .containsSubsequence("radar", "38.0", "327.8", "always out of its field of view");
-        assertThat(texts(document, "th")).contains("why from then on");
+        assertThat(texts(document, "th")).contains("reason after loss");
         assertThat(texts(document, "figcaption")).containsExactly("a <picture>");
         assertThat(page).contains("data:image/png;base64,AQID");
         // Nothing is asked for from anywhere.
@@ -120,11 +120,11 @@ class HtmlReportTest {
                 .anyMatch(text -> text.startsWith("Positioners accelerate instantly"))
                 .noneMatch(text -> text.startsWith("A camera that counts pixels"));
         assertThat(texts(document, "td"))
-                .contains("26\u202f000", "35\u202f000", "not known", "without 1 of unknown price")
+                .contains("26\u202f000", "35\u202f000", "unknown", "excluding 1 of unknown price")
                 .contains("Blighter A400 air security radar, antenna M10S", "fixed, cued")
                 .anyMatch(text -> text.startsWith("Piranha 46 HR data sheet: "))
                 .anyMatch(text ->
-                        text.contains("always too small or too faint: at best") && text.contains("(needs 50 %)"));
+                        text.contains("always too small or too faint (best") && text.contains(", threshold 50 %)"));
     }
 
     @Test
@@ -152,11 +152,11 @@ class HtmlReportTest {
                 """);
         Document document = parsed(report(new SceneFile(file), List.of()));
 
-        assertThat(texts(document, "td").stream().filter(text -> text.contains("too slow for it")))
+        assertThat(texts(document, "td").stream().filter(text -> text.contains("too slow for the sensor")))
                 .hasSize(2)
-                .allMatch(text -> text.startsWith("always too slow for it (radial speed below 1.0 m/s)"));
+                .allMatch(text -> text.startsWith("always too slow for the sensor (radial speed below 1.0 m/s)"));
         assertThat(texts(document, "td"))
-                .anyMatch(text -> text.startsWith("always too fast for it (radial speed above 60 m/s)"));
+                .anyMatch(text -> text.startsWith("always too fast for the sensor (radial speed above 60 m/s)"));
     }
 
     @Test
@@ -217,8 +217,10 @@ class HtmlReportTest {
         String verdict = new Verdict(result.runs().get(0)).inWords();
 
         assertThat(verdict)
-                .startsWith("1 of the 3 drones of swarm 'x' is detected; the first is '" + first + "', by 'camera'")
-                .contains("There is an alert for 1 of the swarm's 3 drones, in time for none; 5 s are needed.");
+                .startsWith("1 of the 3 drones of swarm 'x' is detected; the first is '" + first
+                        + "', detected by 'camera'")
+                .contains(
+                        "An alert is raised for 1 of the swarm's 3 drones, in time for none (required response time: 5 s).");
         assertThat(texts(parsed(report(new SceneFile(file), List.of())), "p")).contains(verdict);
     }
 
@@ -297,12 +299,12 @@ class HtmlReportTest {
         assertThat(alerts.get(0).inTime()).as("run 0 alone looks well").contains(true);
         assertThat(verdict)
                 .startsWith("In " + alerted
-                        + " of 12 runs there is an alert for every drone, but not with bearing 30 deg, 60 deg")
+                        + " of 12 runs an alert is raised for every drone (not for bearing 30 deg, 60 deg")
                 .contains("In " + inTime
-                        + " of 12 runs the alert comes in time, at least 4.5 s before the drone can reach the"
-                        + " protected zone, but not with bearing 30 deg")
-                .endsWith("The worst is run 1 (bearing 30 deg): 'quadrotor' is not detected by any sensor. There is no"
-                        + " alert.");
+                        + " of 12 runs the alert is in time, at least 4.5 s before the drone can reach the"
+                        + " protected zone (not for bearing 30 deg")
+                .endsWith("The worst run is run 1 (bearing 30 deg): 'quadrotor' is not detected by any sensor. No"
+                        + " alert is raised.");
         NodeList folds = document.getElementsByTagName("details");
         assertThat(folds.getLength()).isEqualTo(12);
         for (int i = 0; i < folds.getLength(); i++) {
@@ -335,8 +337,8 @@ class HtmlReportTest {
         Document document = parsed(report(new SceneFile(file), List.of()));
 
         assertThat(texts(document, "p").get(0))
-                .contains("of 12 runs there is an alert for every attacking drone, but not with bearing 30 deg")
-                .contains("Drones that do not attack are not counted. The worst is run 1 (bearing 30 deg)");
+                .contains("of 12 runs an alert is raised for every attacking drone (not for bearing 30 deg")
+                .contains("Only attacking drones are counted. The worst run is run 1 (bearing 30 deg)");
         List<String> cells = texts(document, "td");
         int row = cells.indexOf("bearing 30 deg");
         assertThat(cells.subList(row + 1, row + 7)).containsExactly("0 of 1", "-", "never", "-", "0 of 1", "never");
@@ -349,7 +351,7 @@ class HtmlReportTest {
 
         assertThat(texts(document, "summary")).hasSize(9).contains("Run 0 (bearing 0 deg)", "Run 9 (bearing 90 deg)");
         assertThat(texts(document, "p"))
-                .anyMatch(text -> text.startsWith("The first run and the 8 worst of all 36 are shown in full below"));
+                .anyMatch(text -> text.startsWith("The first run and the 8 worst of all 36 are detailed below"));
         assertThat(texts(document, "td").stream().filter(text -> text.matches("bearing \\d+ deg")))
                 .hasSize(36);
     }
@@ -397,7 +399,8 @@ class HtmlReportTest {
                 """);
         Document document = parsed(report(new SceneFile(file), List.of()));
 
-        assertThat(texts(document, "th")).contains("first in view of any sensor [s]", "from view to alert [s]");
+        assertThat(texts(document, "th"))
+                .contains("first in any sensor's view [s]", "delay from first view to alert [s]");
         List<String> cells = texts(document, "td");
         int row = cells.indexOf("quadrotor");
         assertThat(Double.parseDouble(cells.get(row + 1))).isGreaterThan(4.0);
@@ -422,7 +425,7 @@ class HtmlReportTest {
 
         assertThat(texts(document, "p"))
                 .anyMatch(text -> text.startsWith("Warning: world.light.illuminance 0.01 lx has no effect on camera"));
-        assertThat(texts(document, "h2")).endsWith("Limits of this model", "Provenance");
+        assertThat(texts(document, "h2")).endsWith("Limitations of the model", "Provenance");
         assertThat(texts(document, "td")).endsWith("program", "dronewatch <1>");
     }
 
@@ -468,7 +471,7 @@ class HtmlReportTest {
                 .write(page);
 
         assertThat(texts(parsed(page.toString(StandardCharsets.UTF_8)), "p"))
-                .contains("'quadrotor' is not detected by any sensor. The run was cut short.");
+                .contains("'quadrotor' is not detected by any sensor. The run was stopped early.");
     }
 
     @Test
@@ -492,15 +495,15 @@ class HtmlReportTest {
         assertThat(reasons.of("covered", QUADROTOR, weak)).contains("hidden by yard.obj (brick)");
         assertThat(reasons.of("short", QUADROTOR, weak)).isEqualTo("always out of range; the closest approach was 5 m");
         assertThat(reasons.of("camera", QUADROTOR, weak))
-                .contains("too small or too faint: at best 7 px (needs 12), 30 m away");
+                .contains("too small or too faint (best 7 px at 30 m, threshold 12 px)");
         assertThat(reasons.of("microphone", QUADROTOR, Optional.of(new BestLook(1, 30, 41.26, 45, "dB"))))
                 .as("behind the wall it would be heard if the wall were not there")
-                .isEqualTo("66 % of the time hidden by yard.obj (brick); 34 % of the time too quiet: at best 41.3 dB"
-                        + " (needs 45), 30 m away");
+                .isEqualTo("66 % of the time: hidden by yard.obj (brick); 34 % of the time: too quiet (best 41.3 dB at"
+                        + " 30 m, threshold 45 dB)");
         assertThat(reasons.of(
                         "microphone", QUADROTOR, Optional.of(new BestLook(1, 30, Double.NEGATIVE_INFINITY, 45, "dB"))))
-                .contains("34 % of the time too quiet for any reading; the closest approach was");
+                .contains("34 % of the time: too quiet (no measurable signal); the closest approach was");
         assertThat(reasons.of("camera", QUADROTOR, Optional.of(new BestLook(1, 30, 0.031, 0.5, ""))))
-                .contains("at best 3.1 % (needs 50 %), 30 m away");
+                .contains("(best 3.1 % at 30 m, threshold 50 %)");
     }
 }
