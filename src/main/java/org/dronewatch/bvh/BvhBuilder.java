@@ -18,7 +18,7 @@ final class BvhBuilder {
     /** Cost of a box's test over that of a block's: measured. */
     private static final float STEP = 0.5f;
 
-    /** The most triangles of a leaf, where splitting does not pay. */
+    /** Maximum number of triangles of a leaf, where splitting does not pay. */
     private static final int MOST_IN_LEAF = 8;
 
     /** Below this level, parts are halved by number: bounds the cost of degenerate input. */

@@ -2,13 +2,14 @@ package org.dronewatch.bvh;
 
 /**
  * The layout of the BVH in one array of ints; the only file with its offsets. A node holds the boxes of its eight
- * children and references to them; a block holds four triangles. Coordinates are the bits of floats, eight or four side by side,
- * so that one vector takes them all.
+ * children and references to them; a block holds four triangles. Coordinates are the bits of floats, eight or four side
+ * by side, so that one vector takes them all.
  *
  * <pre>
  * node,  64 ints: low x, low y, low z, high x, high y, high z of 8 children, 8 references, 8 spare
  * block, 40 ints: x, y, z of the first, second, third corners of 4 triangles, their 4 numbers
- * reference: index of a node; or, with the sign bit, index of the first block, and in the 2 lowest bits how many follow it
+ * reference: index of a node; or, with the sign bit, index of the first block, and in the 2 lowest bits how many follow
+ * it
  * </pre>
  */
 final class BvhNode {
@@ -27,7 +28,7 @@ final class BvhNode {
     /** Ints of a block. */
     static final int BLOCK = 10 * TRIANGLES;
 
-    /** The most blocks of a leaf. */
+    /** Maximum number of blocks of a leaf. */
     static final int MOST_BLOCKS = 4;
 
     /** Index of the root: the array's header of 16 bytes and 48 bytes more put it at the start of a cache line. */

@@ -9,9 +9,9 @@ import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.VectorInstructions;
 
 /**
- * The acceleration structures that find the triangles of a mesh along rays: its kd-tree, and a BVH for incoherent rays that
- * is built when first needed. Immutable as far as callers can see, and shared by all threads: whoever keeps it also keeps the
- * BVH.
+ * The acceleration structures that find the triangles of a mesh along rays: its kd-tree, and a BVH for incoherent rays
+ * that is built when first needed. Immutable as far as callers can see, and shared by all threads: whoever keeps it
+ * also keeps the BVH.
  */
 public final class TracingIndex {
     private final KDTree tree;
@@ -42,11 +42,12 @@ public final class TracingIndex {
     }
 
     /**
-     * A new ray tracer for incoherent rays, which are unrelated to each other, such as those of diffuse sound, for the use
-     * of one thread. Where the processor's vectors can be used ({@code --add-modules jdk.incubator.vector}) it is three to
-     * four times as fast in large models, once the BVH is built, by several threads if there are; elsewhere it is that of
-     * {@link #newRayTracer()}. Both find the same hits; where triangles meet in the very point that a ray hits, they may
-     * report different triangles, and in the last bit of the distance.
+     * A new ray tracer for incoherent rays, which are unrelated to each other, such as those of diffuse sound, for the
+     * use of one thread. Where the processor's vectors can be used ({@code --add-modules jdk.incubator.vector}) it is
+     * three to four times as fast in large models, once the BVH has been built (in parallel if threads are available);
+     * otherwise this returns the same tracer as {@link #newRayTracer()}. Both find the same hits; where triangles meet
+     * at the very point that a ray hits, they may report different triangles, and distances that differ in the last
+     * bit.
      *
      * @throws CancellationException when the thread is interrupted while the BVH is built
      */
@@ -55,8 +56,8 @@ public final class TracingIndex {
     }
 
     /**
-     * Whether incoherent rays have a BVH: if the processor's vectors can be used, and the mesh has triangles, none of them so
-     * far from the origin that single precision cannot bound them.
+     * Whether incoherent rays have a BVH: if the processor's vectors can be used, and the mesh has triangles, none of
+     * them so far from the origin that single precision cannot bound them.
      */
     public boolean hasBvh() {
         return VectorInstructions.areAvailable()

@@ -133,9 +133,9 @@ public final class Catalog implements Kinds.NamedSettings {
     /**
      * The settings of a sensor.
      *
-     * @param name in this catalogue, or that of a kind, which is then as it is by default
+     * @param name an entry of this catalogue, or the name of a kind, which then has its default settings
      * @param parts settings that the entry leaves open or that are overridden, by name: at least the position
-     * @throws InputException when there is no such sensor, or the settings do not fit
+     * @throws InputException if there is no such sensor, or the settings do not fit
      */
     public SensorSettings<?> settings(String name, Map<String, ?> parts) {
         Node.Mapping known = find(name)

@@ -153,7 +153,7 @@ public final class Drone {
         return new Point3d(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
 
-    /** Where its origin is in the world, m: {@link #position()} as a value that nobody can change. */
+    /** Where its origin is in the world, m: {@link #position()} as an immutable value. */
     public Position origin() {
         return new Position(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
@@ -204,7 +204,7 @@ public final class Drone {
         return gliding.isEmpty();
     }
 
-    /** Its level for the level model as it flies now, dB: with its motors off it is quieter. */
+    /** Its source level for the level model in its current state, dB: with its motors off it is quieter. */
     public double soundLevel() {
         return settings.soundLevel() - quieter();
     }

@@ -34,8 +34,8 @@ import org.dronewatch.world.World;
  * @param radar its radar signature
  * @param heat its thermal signature
  * @param radio how it is controlled, and which radio signals can be received
- * @param soundLevel level for the thesis's level model, reduced only by the attenuation of air and surfaces, dB; 50 to
- *     55 in the thesis
+ * @param soundLevel source level for the simple attenuation model (the level model), reduced only by air and surfaces,
+ *     dB; 50 to 55 in the thesis
  * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1e-12 W; about 85 for a real
  *     quadrotor
  * @param glideReduction how much quieter it is with its motors off, when only airflow is heard, 0 to 100 dB
@@ -62,7 +62,7 @@ public record DroneSettings(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public DroneSettings {
         Limits.check(
@@ -189,7 +189,7 @@ public record DroneSettings(
         return DroneSounds.get(sound).octaves(level);
     }
 
-    /** These settings quieter or louder with the motors off, dB below the sound of the motors. */
+    /** These settings with another reduction of the sound level when the motors are off, dB. */
     public DroneSettings withGlideReduction(double decibels) {
         return SettingsForm.with(this, "glideReduction", decibels);
     }

@@ -38,7 +38,7 @@ public record RadarSignature(
     /**
      * Checks the limits and keeps its own list.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public RadarSignature {
         Limits.check(RadarSignature.class, crossSection, fluctuation, aspects);

@@ -15,7 +15,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param control how it is controlled
  * @param frequency carrier, 1 MHz to 100 GHz, Hz
  * @param power equivalent isotropic radiated power of the drone, -100 to 100 dBm
- * @param pilot position of the pilot's transmitter, or empty if it is not to be received, m
+ * @param pilot position of the pilot's transmitter, or empty if it cannot be received, m
  * @param pilotPower equivalent isotropic radiated power of the pilot's transmitter, -100 to 100 dBm
  */
 public record RadioLink(
@@ -32,9 +32,9 @@ public record RadioLink(
     public enum Control {
         /** A pilot by radio: video and telemetry come back. */
         RADIO,
-        /** Nobody: it flies as it was programmed, and transmits nothing. */
+        /** No pilot: it flies as programmed, and transmits nothing. */
         AUTONOMOUS,
-        /** A pilot through a fibre that it unwinds: it transmits nothing either. */
+        /** A pilot, over an optical fibre that the drone pays out: it transmits nothing either. */
         FIBRE
     }
 

@@ -6,7 +6,7 @@ import org.dronewatch.setting.Limits;
 /**
  * What a drone means to the site, for readers of the results. No sensor uses it: it changes no detection.
  *
- * @param role what it is there for
+ * @param role its role in the scene
  * @param purpose what its owner wants
  * @param platform how it is built
  */
@@ -15,13 +15,13 @@ public record ThreatLabel(Role role, Purpose purpose, Platform platform) {
     @Defaults
     public static final ThreatLabel DEFAULT = new ThreatLabel(Role.ATTACK, Purpose.UNKNOWN, Platform.UNKNOWN);
 
-    /** What a drone is there for. */
+    /** The role of a drone. */
     public enum Role {
-        /** It is what the site must detect. */
+        /** The threat that the site must detect. */
         ATTACK,
-        /** It draws attention away from others. */
+        /** A decoy, which draws attention away from others. */
         DECOY,
-        /** It means no harm, and passes by. */
+        /** A harmless drone that passes by. */
         BYSTANDER
     }
 
@@ -29,11 +29,11 @@ public record ThreatLabel(Role role, Purpose purpose, Platform platform) {
     public enum Purpose {
         /** Not known. */
         UNKNOWN,
-        /** To look and listen. */
+        /** Reconnaissance. */
         SURVEILLANCE,
-        /** To bring or fetch things. */
+        /** Delivery or collection of contraband. */
         SMUGGLING,
-        /** To stop operations, such as air traffic. */
+        /** Disruption of operations, such as air traffic. */
         DISRUPTION,
         /** To destroy. */
         STRIKE
@@ -49,7 +49,7 @@ public record ThreatLabel(Role role, Purpose purpose, Platform platform) {
         FIXED_WING,
         /** With a wing, and without a motor that runs. */
         GLIDER,
-        /** A small fast multirotor that is flown by its own camera's picture. */
+        /** A small fast multirotor that is flown by first-person view (FPV). */
         FPV,
         /** With one main rotor. */
         HELICOPTER

@@ -19,7 +19,7 @@ public interface FlightPathSettings {
     /** The shortest leg of a flight, m. */
     double SHORTEST = 0.001;
 
-    /** The most waypoints of a flight. */
+    /** Maximum number of waypoints of a flight. */
     int MOST_WAYPOINTS = 10_000;
 
     /**

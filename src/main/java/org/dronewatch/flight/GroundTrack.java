@@ -3,11 +3,11 @@ package org.dronewatch.flight;
 import java.util.List;
 import org.dronewatch.world.GroundPoint;
 
-/** A path in plan, cut into short pieces; all its corners are among the cuts. */
+/** A path in plan, cut into short segments; all its corners are among the cuts. */
 final class GroundTrack {
-    /** Longest piece, m. */
+    /** Longest segment, m. */
     static final double STEP = 0.5;
-    /** Longest path, m: a hundred thousand pieces. */
+    /** Longest path, m: a hundred thousand segments. */
     static final double LONGEST = 100_000 * STEP;
 
     private final double[] x;

@@ -10,7 +10,7 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * Flies straight towards a point, low over the ground, behind whatever cover there is, and stops before it. It climbs
+ * Flies straight towards a point, low over the ground, using whatever cover there is, and stops short of it. It climbs
  * and descends at no more than 45 degrees, and keeps its height as {@link TerrainFollowing} does.
  *
  * @param target the point in plan, as a pair of east and north, m
@@ -35,7 +35,7 @@ public record LowApproach(
         }
     }
 
-    /** Comes from the north to over the target. */
+    /** Approaches from the north and stops above the target. */
     @Defaults({"target", "distance", "height"})
     public static LowApproach from(GroundPoint target, double distance, double height) {
         return new LowApproach(target, 0.0, distance, height, 0.0);

@@ -46,7 +46,7 @@ final class TerrainPath implements FlightPath {
                 from.plus(direction.times(travelled - flown[next - 1])), direction.times(speed), heading(next));
     }
 
-    /** Along the piece of the track that ends at a cut. */
+    /** Along the segment of the track that ends at a cut. */
     private double heading(int cut) {
         Position leg = points[cut].minus(points[cut - 1]);
         return Math.atan2(leg.x(), leg.y());

@@ -3,7 +3,7 @@ package org.dronewatch.flight;
 import java.util.OptionalDouble;
 import org.dronewatch.world.Ground;
 
-/** What lies below a ground track, raised so that it is nowhere too steep: heights at the track's cuts. */
+/** The ground below a ground track, raised so that it is nowhere too steep: heights at the track's cuts. */
 final class TerrainProfile {
     private TerrainProfile() {}
 
@@ -58,9 +58,9 @@ final class TerrainProfile {
     }
 
     /**
-     * Heights at the cuts whose straight connections are over the ground between them too. There it may have a ridge: at
-     * most as high as its sides, drawn on, meet, if these are land. Walls are not drawn on: steeper sides count as if they
-     * were as steep as allowed.
+     * Heights at the cuts such that straight segments between them also clear the ground in between. A ridge between
+     * two cuts is assumed to be no higher than the intersection of the extrapolated slopes on either side; slopes
+     * steeper than the limit (walls) are extrapolated at the limit.
      */
     private static double[] covering(GroundTrack track, double[] ground, double slope) {
         double[] heights = ground.clone();

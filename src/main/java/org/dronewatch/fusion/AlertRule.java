@@ -13,7 +13,7 @@ import org.dronewatch.setting.Quantity;
 public sealed interface AlertRule {
 
     /**
-     * The sensors on which an alert rests now; none when there is none.
+     * The sensors that currently justify an alert; empty if there is no alert.
      *
      * @param tracks what each sensor has observed of the drone
      * @param time now, s
@@ -33,7 +33,7 @@ public sealed interface AlertRule {
     /**
      * As soon as several sensors detect the drone, each with the confirmation required.
      *
-     * @param count how many sensors, 1 to 1000
+     * @param count number of sensors, 1 to 1000
      * @param within within what time, 0 to 3600 s
      */
     record SeveralSensors(

@@ -3,14 +3,15 @@ package org.dronewatch.geo;
 import org.dronewatch.geometry.Position;
 
 /**
- * Turns positions in the world frame (x east, y north, z up, m) into latitude and longitude on the WGS 84 ellipsoid. The frame
- * touches at the scene's origin a surface that lies above the ellipsoid by the origin's height; an origin whose height is not
- * known is taken to lie on the ellipsoid, which at 1000 m would move what is 1 km away by 0.16 m on the map.
+ * Turns positions in the world frame (x east, y north, z up, m) into latitude and longitude on the WGS 84 ellipsoid.
+ * The frame touches at the scene's origin a surface that lies above the ellipsoid by the origin's height; an origin
+ * whose height is not known is taken to lie on the ellipsoid, which at 1000 m would move what is 1 km away by 0.16 m on
+ * the map.
  *
- * <p>East, north and up become earth-centred coordinates without any approximation, and these become latitude and longitude
- * (IOGP Publication 373-7-2, Geomatics Guidance Note 7, part 2, methods 9837 and 9602). The formula of the latitude is
- * Bowring's (Transformation from spatial to geographical coordinates, Survey Review 23, 1976), iterated until it is exact to
- * rounding. Semi-major axis and flattening are those of WGS 84 (NIMA TR8350.2). Immutable.
+ * <p>East, north and up become earth-centred coordinates without any approximation, and these become latitude and
+ * longitude (IOGP Publication 373-7-2, Geomatics Guidance Note 7, part 2, methods 9837 and 9602). The formula of the
+ * latitude is Bowring's (Transformation from spatial to geographical coordinates, Survey Review 23, 1976), iterated
+ * until it is exact to rounding. Semi-major axis and flattening are those of WGS 84 (NIMA TR8350.2). Immutable.
  */
 public final class Geodesy {
     private static final double SEMI_MAJOR = 6_378_137.0;
@@ -49,7 +50,8 @@ public final class Geodesy {
      *
      * @param latitude north of the equator, rad
      * @param theLongitude longitude east of Greenwich, rad
-     * @param above height above the ellipsoid, on which the origin lies at its own height, or at 0 where that is not known, m
+     * @param above height above the ellipsoid, on which the origin lies at its own height, or at 0 where that is not
+     *     known, m
      */
     public Position inWorld(double latitude, double theLongitude, double above) {
         double sin = Math.sin(latitude);
@@ -68,9 +70,9 @@ public final class Geodesy {
     /**
      * The point on a map of a position in the world frame; its height is z over that of the origin.
      *
-     * <p>Longitudes are counted on from that of the origin: beyond the date line they go on above 180 or below -180 degrees,
-     * so that lines and areas stay in one piece. At the poles every point is right, but areas about a pole are no areas on a
-     * map of longitude and latitude.
+     * <p>Longitudes are counted on from that of the origin: beyond the date line they go on above 180 or below -180
+     * degrees, so that lines and areas stay in one piece. At the poles every point is right, but areas about a pole are
+     * not areas on a map of longitude and latitude.
      *
      * @param position position, m
      */

@@ -2,7 +2,7 @@ package org.dronewatch.geometry;
 
 import java.util.Arrays;
 
-/** A growing list of floats without boxes. */
+/** A growable list of primitive floats (no boxing). */
 public final class Floats {
     private float[] values = new float[1024];
     private int size;

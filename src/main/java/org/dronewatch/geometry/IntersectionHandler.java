@@ -7,7 +7,7 @@ import org.jogamp.vecmath.Vector3d;
 
 /**
  * Where a ray meets a triangle, a box or a sphere: the readable reference, one shape at a time. The tree's traversals
- * have their own, faster triangle test, which the project's tests hold against this one.
+ * have their own, faster triangle test, which the tests check against this one.
  */
 public final class IntersectionHandler {
 
@@ -56,7 +56,7 @@ public final class IntersectionHandler {
      *
      * @param interval receives the ray parameters of entry and exit in its first two elements; an origin inside the box
      *     enters at the ray's tMin
-     * @return whether the ray meets the box within its own range; if not, the interval is left as it was
+     * @return whether the ray meets the box within its own range; if not, the interval is unchanged
      */
     public static boolean rayBox(Ray ray, AABB box, double[] interval) {
         Point3d o = ray.origin();
@@ -89,10 +89,11 @@ public final class IntersectionHandler {
     }
 
     /**
-     * The first ray parameter within the ray's range at which the ray is in a ball: 0 (or tMin) when it starts inside.
+     * The first ray parameter within the ray's range at which the ray is inside a sphere: 0 (or tMin) when it starts
+     * inside.
      *
      * @param radius radius in metres, above 0
-     * @return the ray parameter, empty where the ray passes beside the ball or turns away from it
+     * @return the ray parameter, empty where the ray misses the sphere or points away from it
      * @throws IllegalArgumentException when the radius is not above 0
      */
     public static OptionalDouble raySphere(Ray ray, Point3d center, double radius) {
@@ -125,7 +126,7 @@ public final class IntersectionHandler {
      * @param dy its y
      * @param dz its z
      * @param radius radius in metres, above 0
-     * @return metres to the ball, 0 from inside; infinity for a miss
+     * @return metres to the sphere, 0 from inside; infinity for a miss
      */
     public static double raySphere(
             double ox,

@@ -2,7 +2,7 @@ package org.dronewatch.geometry;
 
 import java.util.Arrays;
 
-/** A growing list of integers without boxes. */
+/** A growable list of primitive integers (no boxing). */
 public final class Ints {
     private int[] values = new int[1024];
     private int size;

@@ -5,8 +5,8 @@ import org.jogamp.vecmath.Tuple3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * A half line, or a piece of it: all points {@code origin + t * direction} with {@code tMin <= t <= tMax}. The direction
- * need not be of unit length; a distance along the ray is then the parameter t, not metres. Immutable.
+ * A half line, or a segment of it: all points {@code origin + t * direction} with {@code tMin <= t <= tMax}. The
+ * direction need not be of unit length; a distance along the ray is then the parameter t, not metres. Immutable.
  */
 public final class Ray {
     private final double ox;
@@ -29,13 +29,13 @@ public final class Ray {
     }
 
     /**
-     * A piece of a half line.
+     * A segment of a half line.
      *
      * @param origin where t is 0, m
      * @param direction any finite vector but zero
      * @param tMin the smallest t of the ray, 0 or more
      * @param tMax the largest t, not below tMin; infinity for no end
-     * @throws IllegalArgumentException when one of these does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public Ray(Tuple3d origin, Tuple3d direction, double tMin, double tMax) {
         if (!(Double.isFinite(origin.x) && Double.isFinite(origin.y) && Double.isFinite(origin.z))) {

@@ -3,8 +3,8 @@ package org.dronewatch.geometry;
 import java.util.List;
 
 /**
- * Triangles that share corners, each with a material. Corners are kept as floats, in metres: their resolution is 0.06 mm
- * at 1 km from the frame's origin and 8 mm at 100 km, so put the origin near the site. Immutable.
+ * Triangles that share corners, each with a material. Corners are kept as floats, in metres: their resolution is 0.06
+ * mm at 1 km from the frame's origin and 8 mm at 100 km, so put the origin near the site. Immutable.
  */
 public final class TriangleMesh {
     /** The largest absolute coordinate of a corner: its square must stay far from overflow. */
@@ -22,7 +22,7 @@ public final class TriangleMesh {
      * @param vertices x, y, z of each vertex in turn, m
      * @param corners three vertex numbers a triangle, from 0
      * @param materials one material number a triangle, an index into the names
-     * @param sourceNumbers one number a triangle: its index in the file it came from, where dropped ones count too
+     * @param sourceNumbers one number per triangle: its index in the file it came from, where dropped ones count too
      * @param materialNames the names of the materials
      * @throws IllegalArgumentException when lengths do not fit, an index is out of range or a coordinate is not finite
      *     or beyond {@link #MAX_COORDINATE}
@@ -160,7 +160,7 @@ public final class TriangleMesh {
     /**
      * The smallest box around all triangles; unused vertices do not count.
      *
-     * @throws IllegalStateException when there is no triangle
+     * @throws IllegalStateException if there is no triangle
      */
     public AABB bounds() {
         if (triangleCount() == 0) {

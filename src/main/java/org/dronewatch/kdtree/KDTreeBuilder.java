@@ -4,18 +4,18 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /**
  * Builds a tree top down: split where {@link SahSplitFinder} says, stop when no split is cheaper than a leaf. Follows
- * Wald and Havran (2006). Large parts grow side by side on the {@link org.dronewatch.parallel.Workers} that call; the tree
- * is the same for any number of them.
+ * Wald and Havran (2006). Large parts grow side by side on the {@link org.dronewatch.parallel.Workers} that call; the
+ * tree is the same for any number of them.
  *
- * <p>Two limits bound what degenerate input can do: on the depth ({@link #depthLimit}), and on the references to triangles
- * in the leaves ({@link #MAX_REFERENCES}), which {@link TreeGrower} divides among the parts of the tree. Memory is thereby
- * in proportion to the number of triangles, while the tree grows and when it is complete. Within the limits they change
- * nothing.
+ * <p>Two limits bound what degenerate input can do: on the depth ({@link #depthLimit}), and on the references to
+ * triangles in the leaves ({@link #MAX_REFERENCES}), which {@link TreeGrower} divides among the parts of the tree.
+ * Memory is thereby in proportion to the number of triangles, while the tree grows and when it is complete. Within the
+ * limits they change nothing.
  */
 final class KDTreeBuilder {
     private static final int BOX = SahSplitFinder.BOX;
     /**
-     * The most references to triangles that the leaves of a tree hold for each triangle of the mesh, on average. The
+     * Maximum number of references that the leaves of a tree hold per triangle of the mesh, on average. The
      * packaged models have 2 to 7, closed surfaces 2 to 4, ground 1 to 2; bundles of slivers would have as many as
      * triangles.
      */
@@ -25,7 +25,7 @@ final class KDTreeBuilder {
     private final float[] corners;
     private final long duplicates;
 
-    /** A builder of a tree of at most {@link #MAX_REFERENCES} references a triangle. */
+    /** A builder of a tree of at most {@link #MAX_REFERENCES} references per triangle. */
     KDTreeBuilder(TriangleMesh mesh) {
         this(mesh, MAX_REFERENCES);
     }
@@ -33,7 +33,7 @@ final class KDTreeBuilder {
     /**
      * A builder.
      *
-     * @param maxReferences the most references a triangle on average, at least 1
+     * @param maxReferences maximum average number of references per triangle, at least 1
      */
     KDTreeBuilder(TriangleMesh mesh, int maxReferences) {
         this.mesh = mesh;

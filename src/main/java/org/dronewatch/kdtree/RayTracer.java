@@ -7,8 +7,8 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * Finds what a ray meets in a mesh. One per thread: it holds the ray and the hit of its last query. The methods that take
- * primitives allocate nothing.
+ * Finds what a ray meets in a mesh. One per thread: it holds the ray and the hit of its last query. The methods that
+ * take primitives allocate nothing.
  *
  * <p>Origins are in metres in the mesh's frame. A direction may have any length but zero; distances are ray parameters,
  * which are metres for a unit direction. Triangles are hit from either side.
@@ -35,8 +35,8 @@ public abstract class RayTracer {
     }
 
     /**
-     * Looks for the nearest triangle along a ray. Of several with the same corners it reports the one with the lowest number. Where
-     * a ray hits an edge or a corner of several, which of them is reported may depend on the tracer.
+     * Looks for the nearest triangle along a ray. Of several with the same corners it reports the one with the lowest
+     * number. Where a ray hits an edge or a corner of several, which of them is reported may depend on the tracer.
      *
      * @param tMin the smallest ray parameter that counts, 0 or more
      * @param tMax the largest that counts
@@ -110,7 +110,8 @@ public abstract class RayTracer {
     }
 
     /**
-     * Finds what the current ray hits and keeps it, with {@link #setHit} or in the intersection; for the kernel's packages.
+     * Finds what the current ray hits and keeps it, with {@link #setHit} or in the intersection; for the kernel's
+     * packages.
      *
      * @param tMin the smallest ray parameter that counts
      * @param tMax the largest that counts
@@ -119,14 +120,17 @@ public abstract class RayTracer {
     protected abstract void trace(double tMin, double tMax, boolean anyHit);
 
     /**
-     * Whether the ray passes beside a triangle although the edge functions agree; for the kernel's packages, which ask it of what
-     * they hit. Corners relative to the ray, sheared so that the ray is at the origin.
+     * Rejects edge-on triangles: whether the ray misses a triangle although all edge functions have the same sign; for
+     * the kernel's packages, which check their hits with it. Corners relative to the ray, sheared so that the ray is at
+     * the origin.
      */
     protected static boolean isBeside(double ax, double ay, double bx, double by, double cx, double cy) {
         return TriangleIntersection.isBeside(ax, ay, bx, by, cx, cy);
     }
 
-    /** Keeps a hit of the current ray that was found by the arithmetic of the kernel's test; for the kernel's packages. */
+    /**
+     * Keeps a hit of the current ray that was found by the arithmetic of the kernel's test; for the kernel's packages.
+     */
     protected final void setHit(int triangle, double distance, double u, double v) {
         intersection.setHit(triangle, distance, u, v);
     }

@@ -4,12 +4,13 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * Finds the cheapest plane to split a voxel, by sweeping a plane along each axis. The cost changes only where a triangle
- * ends, lies, or starts: these events, sorted, are tried, and in place of a face in which triangles lie the plane next to it.
+ * Finds the cheapest plane to split a voxel, by sweeping a plane along each axis. The cost changes only where a
+ * triangle ends, lies, or starts: these events, sorted, are tried, and instead of a face in which triangles lie, the
+ * plane next to it.
  *
  * <p>Where there are many triangles, they are first counted in equal slices of each axis. The counts bound the cost of
- * any plane in a slice from below, so that only slices which may hold the cheapest plane are sorted and swept: the answer
- * is that of the full sweep. The benchmark {@code TreeBuild} shows what that buys.
+ * any plane in a slice from below, so that only slices which may hold the cheapest plane are sorted and swept: the
+ * answer is that of the full sweep. The benchmark {@code TreeBuild} shows what that buys.
  *
  * <p>Boxes and voxels are given as grid numbers (see {@link KDNode}), triangles rounded outwards. On the grid the sweep
  * is exact: what it counts on each side is what {@link Split} will put there. A triangle that lies in a plane between
@@ -110,9 +111,9 @@ final class SahSplitFinder {
     }
 
     /**
-     * Tries to cut off triangles that lie in a face of the voxel, one step of the grid inside it: floors and walls would
-     * else share the air before them, and rays through the air would test them all. The slice of one step has no plane
-     * inside, so it is not cut so again.
+     * Tries to cut off triangles that lie in a face of the voxel, one step of the grid inside it: floors and walls
+     * would else share the air before them, and rays through the air would test them all. The slice of one step has no
+     * plane inside, so it is not cut so again.
      */
     private void tryBesideFaces(int[] boxes, int count, int axis, int[] voxel) {
         boolean inLowFace = false;

@@ -4,9 +4,9 @@ package org.dronewatch.kdtree;
  * The kernel's ray-triangle test, after Woop, Benthin and Wald, "Watertight ray/triangle intersection" (JCGT 2013), in
  * double precision. The ray is sheared onto its largest axis; then the three edge functions are two-dimensional and an
  * edge shared by two triangles gets the same value in both but for its sign. A difference of two rounded products never
- * has the wrong sign, at worst it is zero, and zero counts as inside: no ray slips through an edge or a corner. Zeros alone
- * would also let a triangle seen edge-on be hit by rays that pass beside it, in the plane of the triangle: those are
- * {@linkplain #isBeside sorted out}.
+ * has the wrong sign, at worst it is zero, and zero counts as inside: no ray slips through an edge or a corner. Zeros
+ * alone would also let a triangle seen edge-on be hit by rays that miss it, in the plane of the triangle: those are
+ * {@linkplain #isBeside rejected}.
  *
  * <p>Holds one ray and its best hit so far; one per thread.
  */
@@ -55,7 +55,8 @@ final class TriangleIntersection {
     }
 
     /**
-     * Tests one triangle and keeps the hit if it is the nearest so far; of several equally near ones, the one with the lowest number.
+     * Tests one triangle and keeps the hit if it is the nearest so far; of several equally near ones, the one with the
+     * lowest number.
      *
      * @param index of the triangle in leaf order
      * @param tMin the smallest ray parameter that counts
@@ -101,11 +102,12 @@ final class TriangleIntersection {
     }
 
     /**
-     * Whether a ray passes beside a triangle of which the edge functions do not say so: all corners are on one side of it. Seen
-     * edge-on, a triangle has edge functions that are zero or mere roundings, on the whole line through its corners.
+     * Rejects edge-on triangles: whether a ray misses a triangle although all edge functions have the same sign,
+     * because all corners are on one side of it. Seen edge-on, a triangle has edge functions that are zero or mere
+     * rounding errors, along the whole line through its corners.
      *
-     * <p>Watertight as the test itself: of corners as they are after shearing it is exact, and neighbours share those. What is
-     * left out contains no point of the ray, so the triangle that does contain it is another one.
+     * <p>As watertight as the test itself: it is exact for the corners after shearing, which adjacent triangles have in
+     * common. A rejected triangle contains no point of the ray, so the triangle that does contain it is another one.
      *
      * @param ax first corner, relative to the ray and sheared, so that the ray is at the origin
      * @param ay first corner

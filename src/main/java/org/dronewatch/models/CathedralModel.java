@@ -70,8 +70,8 @@ public final class CathedralModel {
     }
 
     /**
-     * A pointed arch of two arcs: height as a share of the rise at a distance as a share of the half span. Each arc's
-     * centre lies on the springing line beyond the middle.
+     * A pointed arch of two arcs: height as a fraction of the rise at a distance as a fraction of the half span. Each
+     * arc's centre lies on the springing line beyond the middle.
      */
     static double pointed(double share) {
         double centre = 0.35;

@@ -48,7 +48,7 @@ final class CathedralWindows {
         };
     }
 
-    /** A frame with a pointed head, two lancets with heads of their own and a ring above them. */
+    /** A frame with a pointed head, two lancets with separate heads and a ring above them. */
     private static void addWindow(
             MeshBuilder builder, String name, double sill, double spring, UnaryOperator<Point> placement) {
         add(builder, "frame_" + name, outline(0, HALF, sill, spring), 1.4 * ROUND, placement);

@@ -38,7 +38,7 @@ final class Erosion {
      *
      * @param steps number of steps
      * @param power erosion per step and unit slope below one metre of drained width, metres
-     * @param creep share of the difference from the neighbours' mean that one step levels out, 0 to 1
+     * @param creep fraction of the difference from the neighbours' mean that one step levels out, 0 to 1
      */
     void run(int steps, double power, double creep) {
         for (int step = 0; step < steps; step++) {

@@ -2,7 +2,7 @@ package org.dronewatch.models;
 
 import java.util.List;
 
-/** What grows on a piece of ground, judged by its slope, its height and some patchiness. */
+/** What grows on a patch of ground, judged by its slope, its height and some patchiness. */
 final class GroundCover {
 
     static final Material GRASS = new Material("grass", 0.38, 0.47, 0.22);

@@ -7,7 +7,7 @@ import java.util.Map;
 
 /**
  * Collects parts into a {@link Mesh}. Coordinates are rounded to the decimals of the file, and corners of one part
- * that round to the same place become one vertex, so a solid that was closed on paper is closed in the file.
+ * that round to the same position become one vertex, so a solid that was closed on paper is closed in the file.
  */
 public final class MeshBuilder {
 
@@ -31,12 +31,12 @@ public final class MeshBuilder {
         this.unitsPerMetre = StrictMath.pow(10, decimals);
     }
 
-    /** Adds a closed solid as a part of its own, turning its faces outward if need be. */
+    /** Adds a closed solid as a separate part, turning its faces outward if need be. */
     MeshBuilder add(String partName, Solid solid) {
         return addFacets(partName, solid.outwardFacets());
     }
 
-    /** Adds an open surface whose facets are already turned the way they should face. */
+    /** Adds an open surface whose facets are already oriented as they should face. */
     MeshBuilder addFacets(String partName, List<Solid.Facet> facets) {
         Map<Place, Integer> known = new HashMap<>();
         List<Mesh.Face> faces = new ArrayList<>();

@@ -78,7 +78,7 @@ public final class ProjectedArea {
         }
     }
 
-    /** Length of the union of so many spans. */
+    /** Length of the union of the given number of spans. */
     private static double joined(double[] spans, int count) {
         double[][] sorted = new double[count][];
         for (int i = 0; i < count; i++) {

@@ -77,7 +77,7 @@ public final class QuadrotorModel {
         add("antenna", Solids.turned(SHELL, new Point(0, 0.108, 0.045), dome, 24));
     }
 
-    /** Superellipses across the z axis: place, half width, half height, height of the centre. */
+    /** Superellipses across the z axis: position, half width, half height, height of the centre. */
     private static Solid lengthwise(Material material, double[][] sections, double exponent) {
         int sides = 36;
         List<List<Point>> outlines = new ArrayList<>();
@@ -111,7 +111,7 @@ public final class QuadrotorModel {
                 add("motor_" + number, Solids.turned(METAL, foot, housing, 20));
                 Point hub = foot.plus(new Point(0, 0.048, 0));
                 add("hub_" + number, Solids.cylinder(DARK, hub, 0.008, 0.010, 12));
-                // As they happen to stand after landing; neighbours turn opposite ways.
+                // As they happen to stand after landing; neighbours turn in opposite directions.
                 double standing = StrictMath.toRadians(new double[] {8, -38, -25, 12}[number - 1]);
                 double turn = side * end;
                 Point middle = hub.plus(new Point(0, 0.006, 0));

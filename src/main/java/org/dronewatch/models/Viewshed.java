@@ -14,7 +14,7 @@ public final class Viewshed {
     }
 
     /**
-     * Share of the plan area within a radius whose ground the terrain hides from the eye.
+     * Fraction of the plan area within a radius whose ground the terrain hides from the eye.
      *
      * @param eyeAboveGround height of the eye above the ground at the plan origin, metres
      * @param radius metres, at most half the terrain's edge

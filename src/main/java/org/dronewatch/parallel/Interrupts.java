@@ -11,7 +11,7 @@ public final class Interrupts {
     private Interrupts() {}
 
     /**
-     * Does a piece of work that an interrupt of this thread may end.
+     * Runs a task that an interrupt of this thread may end.
      *
      * @throws CancellationException when this thread is interrupted, before or meanwhile; it stays so
      */
@@ -38,7 +38,10 @@ public final class Interrupts {
         return isIn(problem) || Thread.currentThread().isInterrupted() && !(problem instanceof InputException);
     }
 
-    /** Whether an interrupt caused it: what waits, or reads a file, reports it in its own fashion, and may clear the flag. */
+    /**
+     * Whether an interrupt caused it: what waits, or reads a file, reports it in its own fashion, and may clear the
+     * flag.
+     */
     public static boolean isIn(Throwable problem) {
         for (Throwable cause = problem; cause != null; cause = cause.getCause()) {
             if (cause instanceof InterruptedException

@@ -13,17 +13,17 @@ import java.util.function.Supplier;
 
 /**
  * A number of threads that work for one caller. What is done inside {@link #call} may spread loops over them by
- * {@link #forEach}, at any depth and without being handed anything: a kd-tree, a picture, the sensors of a site. Outside,
- * the same loops run on the thread that calls them.
+ * {@link #forEach}, at any depth and without being handed anything: a kd-tree, an image, the sensors of a site.
+ * Outside, the same loops run on the thread that calls them.
  *
- * <p>The thread that starts a loop works on it itself and waits only for pieces that others are working on: a loop within
- * a loop cannot stop for want of threads.
+ * <p>The thread that starts a loop works on it itself and waits only for parts that others are working on: a loop
+ * within a loop cannot stop for want of threads.
  *
  * <p>An interrupt of the caller's thread ends its loops, at any depth and on all threads, as a
  * {@link CancellationException}. The caller's thread stays interrupted.
  */
 public final class Workers implements AutoCloseable {
-    /** The most threads that can be asked for. */
+    /** Maximum number of threads that can be requested. */
     public static final int MAX_THREADS = 1024;
 
     private static final ThreadLocal<Workers> HERE = new ThreadLocal<>();
@@ -38,7 +38,7 @@ public final class Workers implements AutoCloseable {
     private volatile boolean callerInterrupted;
 
     /**
-     * So many threads, the caller's among them.
+     * A given number of threads, including the caller's.
      *
      * @throws IllegalArgumentException when below 1 or above {@link #MAX_THREADS}
      */
@@ -67,10 +67,10 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
-     * Does a piece of work on the caller's thread, with these threads to help; gives what it gives.
+     * Runs a task on the caller's thread, with these threads to help; returns its result.
      *
-     * @throws RuntimeException what the work throws, unchanged, as errors are; a checked exception becomes the cause of an
-     *     {@link IllegalStateException}
+     * @throws RuntimeException what the work throws, unchanged, as errors are; a checked exception becomes the cause of
+     *     an {@link IllegalStateException}
      */
     public <T> T call(Callable<T> work) {
         Workers outer = HERE.get();
@@ -97,14 +97,14 @@ public final class Workers implements AutoCloseable {
         }
     }
 
-    /** How many threads the code that asks may use. */
+    /** The number of threads that the calling code may use. */
     public static int available() {
         Workers here = HERE.get();
         return here == null ? 1 : here.threads;
     }
 
     /**
-     * Ends work that nobody waits for any more.
+     * Ends work whose result is no longer needed.
      *
      * @throws CancellationException when the thread for which this one works, or this one, is interrupted; it stays so
      */
@@ -139,20 +139,22 @@ public final class Workers implements AutoCloseable {
      * @param count how many numbers
      * @param action must not depend on the others
      * @throws CancellationException when the caller's thread is interrupted
-     * @throws RuntimeException the first failure, unchanged, as errors are; numbers that have not been begun are left out then
+     * @throws RuntimeException the first failure, unchanged, as errors are; numbers that have not been begun are left
+     *     out then
      */
     public static void forEach(int count, IntConsumer action) {
         forEach(count, () -> action, IntConsumer::accept);
     }
 
     /**
-     * Does something for each number from 0 on, with scratch memory of its own for each thread.
+     * Does something for each number from 0 on, with separate scratch memory for each thread.
      *
      * @param count how many numbers
      * @param scratch makes the memory, for each thread that takes part
      * @param action must not depend on the others
      * @throws CancellationException when the caller's thread is interrupted
-     * @throws RuntimeException the first failure, unchanged, as errors are; numbers that have not been begun are left out then
+     * @throws RuntimeException the first failure, unchanged, as errors are; numbers that have not been begun are left
+     *     out then
      */
     public static <S> void forEach(int count, Supplier<S> scratch, ObjIntConsumer<S> action) {
         Workers here = HERE.get();
@@ -236,7 +238,7 @@ public final class Workers implements AutoCloseable {
             }
         }
 
-        /** What has not been given out is nobody's any more. */
+        /** Numbers that have not been handed out are dropped. */
         private void abandon(Throwable problem) {
             int given = next.getAndSet(count);
             finish(Math.max(0, count - given), problem);

@@ -7,16 +7,15 @@ import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
 
 /**
- * A positioner during a run: where it points, which cues it has received, which contact it follows. Its own sensor reports
- * to it what it sees, and the sensors that cue it what they detect; both take effect from the next look on. For one run
- * and one thread.
+ * A positioner during a run: where it points, which cues it has received, which contact it follows. Its own sensor
+ * reports to it what it sees, and the sensors that cue it what they detect; both take effect from the next look on. For
+ * one run and one thread.
  */
 public final class Positioner {
     /**
-     * What its own camera saw longer ago than this no longer counts, s; for a slow camera it is one and a half
-     * intervals between looks.
+     * Maximum age of the detections of its own camera, s; for a slow camera, 1.5 times the interval between its looks.
      */
-    private static final double OWN = 0.5;
+    private static final double MAX_OWN_AGE = 0.5;
 
     private static final double LOOKS = 1.5;
 
@@ -49,7 +48,7 @@ public final class Positioner {
         this.position = position;
         this.rest = rest;
         this.widest = widest;
-        this.fresh = Math.max(OWN, LOOKS * interval);
+        this.fresh = Math.max(MAX_OWN_AGE, LOOKS * interval);
         this.own = rest;
         this.direction = settings.tilted(settings.search().at(rest, 0.0));
         this.fov = widest;

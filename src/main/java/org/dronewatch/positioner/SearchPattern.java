@@ -16,8 +16,8 @@ public sealed interface SearchPattern {
      */
     Direction at(Direction aim, double time);
 
-    /** The position of something that moves to and fro between 0 and a length, after a distance travelled. */
-    private static double toAndFro(double travelled, double length) {
+    /** A triangle wave: the position between 0 and a length after a distance travelled back and forth. */
+    private static double triangleWave(double travelled, double length) {
         double phase = travelled - 2.0 * length * Math.floor(travelled / (2.0 * length));
         return phase <= length ? phase : 2.0 * length - phase;
     }
@@ -53,7 +53,8 @@ public sealed interface SearchPattern {
     }
 
     /**
-     * Turns to and fro, or covers a field row by row from the lowest row up and back again. It begins at the left.
+     * Scans a sector back and forth, or a raster row by row from the lowest row up and back again. It begins at the
+     * left.
      *
      * @param width width of the field, centred on the aim, 0.1 degrees to 2 pi, rad
      * @param height height of the field, centred on the aim, 0 to pi/2 rad
@@ -71,7 +72,7 @@ public sealed interface SearchPattern {
             Limits.check(Sweep.class, width, height, rows, speed);
         }
 
-        /** To and fro in one row at 10 degrees per second. */
+        /** Back and forth in one row at 10 degrees per second. */
         @Defaults("width")
         public static Sweep of(double width) {
             return new Sweep(width, 0.0, 1, Math.toRadians(10.0));
@@ -79,7 +80,7 @@ public sealed interface SearchPattern {
 
         @Override
         public Direction at(Direction aim, double time) {
-            double travelled = toAndFro(speed * time, rows * width);
+            double travelled = triangleWave(speed * time, rows * width);
             int row = Math.min(rows - 1, (int) (travelled / width));
             double inRow = travelled - row * width;
             double across = row % 2 == 0 ? inRow : width - inRow;

@@ -20,8 +20,9 @@ final class TileBuffer {
     final double[] nearest;
 
     /**
-     * Which triangle that is, in lanes as wide as those that compare distances: vectors of ints converted to doubles and back
-     * make {@code BvhTraversal} a third slower in the same virtual machine, whose compiler then inlines less of either.
+     * Which triangle that is, in lanes as wide as those that compare distances: vectors of ints converted to doubles
+     * and back make {@code BvhTraversal} a third slower in the same virtual machine, whose compiler then inlines less
+     * of either.
      */
     final double[] triangles;
 
@@ -77,12 +78,12 @@ final class TileBuffer {
         leastInverse = 0.0;
     }
 
-    /** Column of the tile's left pixels in the picture. */
+    /** Column of the tile's left pixels in the image. */
     int left() {
         return left;
     }
 
-    /** Row of the tile's top pixels in the picture. */
+    /** Row of the tile's top pixels in the image. */
     int top() {
         return top;
     }
@@ -191,8 +192,8 @@ final class TileBuffer {
     }
 
     /**
-     * Fills the pixels of a column from one row to another with a triangle where it is the nearest. Separate from rows, since
-     * the compiler makes more of a loop over neighbours.
+     * Fills the pixels of a column from one row to another with a triangle where it is the nearest. Separate from rows,
+     * since the compiler makes more of a loop over neighbours.
      *
      * @param inverse inverse ray parameter of the triangle in the tile's top row
      * @param step what a row adds to it

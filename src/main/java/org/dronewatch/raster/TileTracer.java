@@ -6,14 +6,15 @@ import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.VectorInstructions;
 
 /**
- * Finds what the pixels of a tile of a picture see. All rays of a tile share their origin, and their directions lie on a
- * regular grid: so the tree is descended once for the whole tile, with the interval of ray parameters in which any of its
- * rays is inside a cell, and each triangle on the path is rasterised into the tile; the nearest surface wins. One per thread.
+ * Finds the nearest triangle for each pixel of a tile of an image. All rays of a tile have the same origin, and their
+ * directions lie on a regular grid: so the tree is descended once for the whole tile, with the interval of ray
+ * parameters in which any of its rays is inside a cell, and each triangle on the path is rasterised into the tile; the
+ * nearest surface wins. One per thread.
  *
- * <p>What it gains: a separate ray costs a descent and a handful of triangle tests, a pixel of a tile a few additions.
- * The benchmark {@code PictureTracing} shows the ratio. It pays while triangles are not much smaller than pixels; a tile
- * that has met {@link #TRIANGLES_PER_PIXEL} times as many triangles as it has pixels is traced ray by ray instead. Cells
- * that lie between or behind all that the pixels see are skipped ({@link TileCuller}).
+ * <p>The benefit: a separate ray costs a descent and a handful of triangle tests, a pixel of a tile a few additions.
+ * The benchmark {@code PictureTracing} shows the ratio. It pays while triangles are not much smaller than pixels; a
+ * tile that has met {@link #TRIANGLES_PER_PIXEL} times as many triangles as it has pixels is traced ray by ray instead.
+ * Cells that lie between or behind the triangles found for all pixels are skipped ({@link TileCuller}).
  */
 public final class TileTracer {
     /** The largest number of columns of a tile. */
@@ -69,7 +70,7 @@ public final class TileTracer {
     }
 
     /**
-     * Sets the picture whose tiles come next. The ray of the pixel in a column and a row starts at the origin in the
+     * Sets the image whose tiles come next. The ray of the pixel in a column and a row starts at the origin in the
      * direction corner + column * right + row * down.
      *
      * @param from the origin, three coordinates
@@ -117,8 +118,8 @@ public final class TileTracer {
     }
 
     /**
-     * Writes how far the pixels of the last tile see: ray parameters times the lengths of the pixels' directions, which is
-     * metres in the frame of the grid. Infinity for nothing.
+     * Writes how far the pixels of the last tile see: ray parameters times the lengths of the pixels' directions, which
+     * is metres in the frame of the grid. Infinity for nothing.
      *
      * @param target where to
      * @param first index of the tile's first pixel in it

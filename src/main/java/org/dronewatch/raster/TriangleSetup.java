@@ -6,17 +6,18 @@ import org.dronewatch.kdtree.LeafOrderTriangles;
  * Sets triangles up for the rasteriser: projects their corners onto the tile, culls those without a pixel, and computes
  * their edge functions and the inverse of the ray parameter. One per thread.
  *
- * <p>In the frame of the {@link PixelGrid} the ray of pixel (x, y) has the direction (x, y, 1). The three edge functions of
- * a triangle, whose signs separate inside from outside, and the inverse of the ray parameter are linear in x and y there. Each
- * line of pixels is then an interval between the edges. A common edge of two triangles has opposite functions in them,
- * and zero counts as inside: no pixel slips through an edge. That also holds where one is rasterised by rows and the other by
- * columns: the two orders of adding round differently, but never across zero. Where corners lie some 1e-5 of a pixel
- * from each other, and from a pixel's centre, the rounding errors of different edges may leave it to none of them.
+ * <p>In the frame of the {@link PixelGrid} the ray of pixel (x, y) has the direction (x, y, 1). The three edge
+ * functions of a triangle, whose signs separate inside from outside, and the inverse of the ray parameter are linear in
+ * x and y there. Each line of pixels is then an interval between the edges. A common edge of two triangles has opposite
+ * functions in them, and zero counts as inside: no pixel slips through an edge. That also holds where one is rasterised
+ * by rows and the other by columns: the two orders of adding round differently, but never across zero. Where corners
+ * lie some 1e-5 of a pixel from each other, and from a pixel's centre, the rounding errors of different edges may leave
+ * it to none of them.
  */
 class TriangleSetup {
     /** Relative size of the rounding errors of the volume between the origin and a triangle. */
     static final double IN_PLANE = 1e-12;
-    /** The most triangles at a time. */
+    /** Maximum number of triangles at a time. */
     static final int MOST = 128;
 
     final float[] corners;

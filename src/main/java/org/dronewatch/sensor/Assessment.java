@@ -42,7 +42,7 @@ public record Assessment(Signal signal, Explanation explanation) {
     }
 
     /**
-     * What the quantity must reach; for a sensor that decides by chance, the value at which every second look detects.
+     * What the quantity must reach; for a probabilistic sensor, the value at which the detection probability is 0.5.
      */
     public double threshold() {
         return signal.threshold();

@@ -46,7 +46,7 @@ public final class Assessor {
         return new Assessment(signal, signal.isDetected() ? Explanation.DETECTED : explainByOutline(drone, pointing));
     }
 
-    /** The observation of a drone, one that detects it first: a look may leave it out, and report what is no drone. */
+    /** The observation of a drone, one that detects it first: a look may leave it out, and report false alarms. */
     private static Optional<Observation> ofDrone(List<Observation> look, Drone drone) {
         return look.stream()
                 .filter(one -> one.drone().equals(drone.id()))

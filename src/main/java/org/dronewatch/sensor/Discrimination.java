@@ -1,9 +1,9 @@
 package org.dronewatch.sensor;
 
 /**
- * What a drone's picture must allow, with the line pairs across it that give an even chance (Johnson 1958), and the
- * probability for more or fewer: the target transfer probability function (Howe, in "The Infrared and Electro-Optical
- * Systems Handbook", vol. 4, 1993).
+ * The discrimination level required of a drone's image, with the line pairs across it that give a probability of 0.5
+ * (N50, Johnson 1958), and the probability for more or fewer: the target transfer probability function (Howe, in "The
+ * Infrared and Electro-Optical Systems Handbook", vol. 4, 1993).
  */
 public enum Discrimination {
     /** Something is there: 1 line pair. */
@@ -19,7 +19,7 @@ public enum Discrimination {
         this.linePairs = linePairs;
     }
 
-    /** Line pairs across the target that give an even chance. */
+    /** Line pairs across the target that give a probability of 0.5. */
     public double linePairs() {
         return linePairs;
     }

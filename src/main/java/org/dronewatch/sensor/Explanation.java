@@ -28,7 +28,7 @@ public record Explanation(Cause cause, Optional<Obstacle> obstacle, OptionalDoub
         }
     }
 
-    /** A cause that speaks for itself. */
+    /** A cause without further details. */
     public static Explanation of(Cause cause) {
         return new Explanation(cause, Optional.empty(), OptionalDouble.empty());
     }

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor;
 
-/** Settings of a sensor that takes pictures. A capability: {@link SensorSettings#as}. */
+/** Settings of an imaging sensor. A capability: {@link SensorSettings#as}. */
 public interface Imaging {
 
-    /** The number of pixels of a picture, above 0. Java must have memory for all of them. */
+    /** The number of pixels of an image, above 0. Java must have memory for all of them. */
     long pixels();
 }

@@ -8,9 +8,9 @@ import java.util.Optional;
 import org.dronewatch.positioner.Sighting;
 
 /**
- * The record of one look of a sensor at a drone, with the truth beside what was measured, for scoring. What the sensor itself
- * reports are its {@link #measurements()}. A sensor may record several looks at one drone at the same time, leave drones out,
- * and report what is no drone.
+ * The record of one look of a sensor at a drone, with the truth beside what was measured, for scoring. What the sensor
+ * itself reports are its {@link #measurements()}. A sensor may record several looks at one drone at the same time,
+ * leave drones out, and report false alarms.
  *
  * @param look which look of which sensor it was made in
  * @param truth the drone that it came from
@@ -42,7 +42,7 @@ public record Observation(
     }
 
     /**
-     * What a sensor reports although there is no drone: noise, a bird, an echo.
+     * A false alarm: what a sensor reports although no drone caused it, such as noise, a bird or an echo.
      *
      * @param look of the sensor: {@link Look#id}
      * @param sighting where the sensor believes the source to be
@@ -106,7 +106,7 @@ public record Observation(
         return reading.unit();
     }
 
-    /** Whether there is no drone behind it. */
+    /** Whether it is a false alarm, which no drone caused. */
     public boolean isFalse() {
         return truth.isNothing();
     }

@@ -5,7 +5,8 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 
 /**
- * A sensor's field of view, as a picture shows it: occlusion, and the range at which it detects, are not part of it.
+ * The geometry of a sensor's field of view, for drawing: occlusion, and the range at which it detects, are not part of
+ * it.
  */
 public sealed interface Outline {
     /**
@@ -21,11 +22,11 @@ public sealed interface Outline {
     boolean contains(Position vector);
 
     /**
-     * The field of view of a camera's picture.
+     * The field of view of a camera's image: a frustum.
      *
      * @param forward unit vector of its axis
-     * @param right unit vector to the right of the picture
-     * @param up unit vector to the top of the picture
+     * @param right unit vector to the right of the image
+     * @param up unit vector to the top of the image
      * @param halfWidth half the width of the field at 1 m along the axis, m
      * @param halfHeight half the height of the field at 1 m along the axis, m
      */
@@ -77,7 +78,7 @@ public sealed interface Outline {
             return range >= minRange && range <= maxRange;
         }
 
-        /** Why something is missed that it does not reach: the range where it begins or ends is the limit. */
+        /** The explanation for a target outside the range limits: the limit that it violates. */
         public Explanation beyond(Position vector) {
             return Explanation.beyond(Cause.OUT_OF_RANGE, vector.length() < minRange ? minRange : maxRange);
         }

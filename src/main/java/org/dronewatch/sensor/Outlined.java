@@ -3,7 +3,7 @@ package org.dronewatch.sensor;
 import java.util.Optional;
 import org.dronewatch.positioner.Pointing;
 
-/** Settings of a sensor whose reach has a shape that pictures can show. A capability: {@link SensorSettings#as}. */
+/** Settings of a sensor whose field of view has a shape that can be drawn. A capability: {@link SensorSettings#as}. */
 public interface Outlined {
 
     /** The shape, as the sensor points on its own. */
@@ -16,7 +16,7 @@ public interface Outlined {
 
     /**
      * The field of view of any sensor, outside which it detects nothing; empty for a sensor without one. A
-     * {@linkplain Outline.Ball ball} about a microphone is not a field of view: it also hears what is outside.
+     * {@linkplain Outline.Ball sphere} about a microphone is not a field of view: it also hears what is outside.
      *
      * @param pointing where a positioner points the sensor; empty for its own aim
      */

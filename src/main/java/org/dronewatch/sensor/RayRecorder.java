@@ -3,20 +3,20 @@ package org.dronewatch.sensor;
 /** Receives every segment of every ray that a sensor traces. */
 @FunctionalInterface
 public interface RayRecorder {
-    /** Clears what was recorded. */
+    /** Records nothing. */
     RayRecorder NONE = (fromX, fromY, fromZ, toX, toY, toZ, level, order, received) -> {};
 
     /**
-     * One piece.
+     * One straight segment of a ray.
      *
      * @param fromX where it begins, m
      * @param fromY where it begins, m
      * @param fromZ where it begins, m
-     * @param toX where it ends: at a surface, at the sensor, or 1 km on where it meets nothing, m
+     * @param toX where it ends: at a surface, at the sensor, or after 1 km if it hits nothing, m
      * @param toY where it ends, m
      * @param toZ where it ends, m
      * @param level its level where it ends, dB
-     * @param order how many surfaces it had met before
+     * @param order how many surfaces the ray has hit before it
      * @param received whether it ends at the sensor
      */
     void record(

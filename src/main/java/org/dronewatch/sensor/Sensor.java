@@ -17,8 +17,8 @@ public interface Sensor {
      * @param drones the drones as they appear at the sensor at the look's time: as they are, or, for a signal that
      *     takes time to arrive, as they were when it left them
      * @param look which look of which sensor this is, when, and with which random numbers
-     * @return what was observed: usually one observation of each drone, in the same order; a sensor may leave drones out,
-     *     observe one several times, and report what is no drone ({@link Observation#ofNothing})
+     * @return what was observed: usually one observation of each drone, in the same order; a sensor may leave drones
+     *     out, observe one several times, and report false alarms ({@link Observation#ofNothing})
      */
     List<Observation> observe(World world, List<Drone> drones, Look look);
 }

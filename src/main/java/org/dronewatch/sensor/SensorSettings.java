@@ -5,10 +5,10 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.world.World;
 
 /**
- * Settings of a sensor of any kind: what every sensor has. Implementations are records, so that a scene file and {@code --set}
- * reach every field. What only some sensors have is a capability, an interface that the record implements as well: {@link Aimed},
- * {@link Mounted}, {@link Outlined}, {@link Imaging}, {@link DirectionFinding}, {@link SoundTracing}. Ask for one by
- * {@link #as}.
+ * Settings of a sensor of any kind: what every sensor has. Implementations are records, so that a scene file and
+ * {@code --set} reach every field. What only some sensors have is a capability, an interface that the record implements
+ * as well: {@link Aimed}, {@link Mounted}, {@link Outlined}, {@link Imaging}, {@link DirectionFinding},
+ * {@link SoundTracing}. Ask for one by {@link #as}.
  *
  * @param <S> the sensor that they create
  */
@@ -18,10 +18,12 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
     Position position();
 
     /**
-     * These settings at another position, with everything else as it is: a sensor that is aimed at a point stays aimed at it.
+     * These settings at another position, with everything else as it is: a sensor that is aimed at a point stays aimed
+     * at it.
      *
      * @param other position, m
-     * @throws IllegalArgumentException when a limit does not hold there, such as the distance to the point at which it is aimed
+     * @throws IllegalArgumentException if a setting is out of range there, such as the distance to the point at which
+     *     it is aimed
      */
     SensorSettings<S> withPosition(Position other);
 
@@ -46,8 +48,8 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
     }
 
     /**
-     * These settings as those of a sensor that has a capability; empty for one that has not. A record whose capabilities depend on
-     * its components overrides this.
+     * These settings as those of a sensor that has a capability; empty for one that has not. A record whose
+     * capabilities depend on its components overrides this.
      *
      * @param capability such as {@code Mounted.class}
      */

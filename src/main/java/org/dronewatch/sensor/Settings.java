@@ -1,13 +1,13 @@
 package org.dronewatch.sensor;
 
 /**
- * Everything needed to create a thing: an immutable record, changed by its {@code with...} methods. One real sensor is
- * swapped for another by swapping its settings.
+ * Everything needed to create an object: an immutable record, changed by its {@code with...} methods. One real sensor
+ * is swapped for another by swapping its settings.
  *
  * @param <T> what the settings create
  */
 public interface Settings<T> {
 
-    /** Creates a thing with these settings. */
+    /** Creates an object with these settings. */
     T create();
 }

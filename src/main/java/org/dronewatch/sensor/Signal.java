@@ -1,12 +1,13 @@
 package org.dronewatch.sensor;
 
 /**
- * What a sensor has of a drone before chance decides.
+ * The signal that a sensor receives from a drone, before any random decision.
  *
  * @param probability that one look detects the drone, 0 to 1
  * @param quantity what is measured, in the unit; minus infinity where nothing reaches the sensor and the unit is dB
  * @param unit of quantity, threshold and standard error; empty for a ratio
- * @param threshold that the quantity must reach; of a sensor that decides by chance, what detects every other time
+ * @param threshold that the quantity must reach; for a probabilistic sensor, the value at which the detection
+ *     probability is 0.5
  * @param standardError of the quantity, in its unit; 0 where it is exact
  * @param probabilityError standard error of the probability; 0 where it is exact
  */
@@ -28,7 +29,7 @@ public record Signal(
         return new Signal(probability, quantity, unit, threshold, 0.0, 0.0);
     }
 
-    /** Whether the quantity reaches the threshold: then at least every other look detects the drone. */
+    /** Whether the quantity reaches the threshold: then the detection probability of one look is at least 0.5. */
     public boolean isDetected() {
         return quantity >= threshold;
     }

@@ -1,2 +1,5 @@
-/** What all kinds of sensors share: settings and their capabilities, looks, observations, assessments and detections. */
+/**
+ * What all kinds of sensors have in common: settings and their capabilities, looks, observations, assessments and
+ * detections.
+ */
 package org.dronewatch.sensor;

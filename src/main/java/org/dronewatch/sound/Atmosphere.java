@@ -28,7 +28,7 @@ public record Atmosphere(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public Atmosphere {
         Limits.check(Atmosphere.class, temperature, humidity, pressure);

@@ -5,7 +5,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The sound at a site without drones: one level, and how it falls on the octave bands.
+ * The sound at a site without drones: one level, and its distribution over the octave bands.
  *
  * @param level A-weighted sound pressure level of all bands together, -20 to 140 dB re 20 uPa
  * @param shape levels of the bands relative to one another, dB
@@ -13,20 +13,20 @@ import org.dronewatch.setting.Quantity;
 public record BackgroundNoise(@In(value = Quantity.LEVEL, from = -20, to = 140) double level, BandLevels shape) {
     /**
      * Falls by 4 dB from octave to octave. Assumed: between wind in leaves, which is flatter, and far traffic, which is
-     * steeper. A decision by bands stands and falls with it, so measure your own.
+     * steeper. Detection by bands depends strongly on it, so measure your own spectrum.
      */
     public static final BandLevels FALLING = BandLevels.of(0, -4, -8, -12, -16, -20, -24, -28);
 
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public BackgroundNoise {
         Limits.check(BackgroundNoise.class, level, shape);
     }
 
-    /** A level with the shape that is assumed unless something is known. */
+    /** A level with the default spectrum. */
     public static BackgroundNoise of(double level) {
         return new BackgroundNoise(level, FALLING);
     }

@@ -1,12 +1,12 @@
 package org.dronewatch.sound;
 
 /**
- * How much fainter sound is behind a single edge. The path difference is the path from the source over the edge to the
- * receiver less the straight path, m: positive where the edge hides the source, 0 at the shadow's border, negative where
- * the source is seen above the edge.
+ * The attenuation of sound by a single edge. The path difference is the path from the source over the edge to the
+ * receiver less the straight path, m: positive where the edge hides the source, 0 at the shadow's border, negative
+ * where the source is seen above the edge.
  */
 public final class Barrier {
-    /** What a single edge takes at most in ISO 9613-2, dB. */
+    /** Upper limit of the attenuation by a single edge in ISO 9613-2, dB. */
     public static final double ISO_SINGLE_EDGE_LIMIT = 20.0;
 
     private static final double AT_THE_BORDER = 3.0;

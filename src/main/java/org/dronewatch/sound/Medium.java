@@ -4,7 +4,7 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
 /**
- * What sound runs through, as a fluid: a solid is taken by its longitudinal wave alone.
+ * An acoustic medium, treated as a fluid: solids carry longitudinal waves only.
  *
  * @param name its name in the table
  * @param density kg/m3, above 0

@@ -2,7 +2,7 @@ package org.dronewatch.sound;
 
 /** The eight octave bands from 63 Hz to 8 kHz, numbered from 0. */
 public final class OctaveBands {
-    /** How many bands there are. */
+    /** The number of bands. */
     public static final int COUNT = 8;
 
     /** Number of the band at 1 kHz. */
@@ -20,7 +20,7 @@ public final class OctaveBands {
         return 1000.0 * Math.pow(10.0, 0.3 * (band - ONE_KILOHERTZ));
     }
 
-    /** The frequency by which people call the band, Hz. */
+    /** The nominal midband frequency, Hz. */
     public static int nominal(int band) {
         return NOMINAL[band];
     }

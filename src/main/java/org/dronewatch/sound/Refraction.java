@@ -3,9 +3,9 @@ package org.dronewatch.sound;
 import java.util.OptionalDouble;
 
 /**
- * A plane wave at the flat border of two fluids. Angles are against the normal, radians, 0 to pi/2.
+ * A plane wave at the flat interface of two fluids. Angles are measured from the normal, radians, 0 to pi/2.
  *
- * <p>From air the critical angle of solids is below 7 degrees, so this is no model of a wall: a wall has a transmission
+ * <p>From air the critical angle of solids is below 7 degrees, so this does not model a wall: a wall has a transmission
  * loss.
  */
 public final class Refraction {
@@ -36,8 +36,9 @@ public final class Refraction {
     }
 
     /**
-     * Share of the energy that passes: {@code 1 - r^2} with {@code r = (Z2 - Z1) / (Z2 + Z1)} and {@code Z = rho c / cos
-     * t} (Rayleigh's coefficient for two fluids; Kinsler and others, Fundamentals of Acoustics, chapter 6).
+     * The fraction of the energy that is transmitted: {@code 1 - r^2} with {@code r = (Z2 - Z1) / (Z2 + Z1)} and
+     * {@code Z = rho c / cos t} (Rayleigh's coefficient for two fluids; Kinsler and others, Fundamentals of Acoustics,
+     * chapter 6).
      *
      * @param incidence 0 to pi/2
      * @return 0 to 1; 0 for total internal reflection

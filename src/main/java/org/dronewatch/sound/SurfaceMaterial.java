@@ -9,15 +9,15 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * What a surface does to sound, by octave band. Of what arrives, {@code 1 - absorption} is reflected; what is not
- * splits into what passes through, {@code 10^(-loss/10)}, and what stays in the wall.
+ * The acoustic properties of a surface, by octave band. A fraction {@code 1 - absorption} of the incident energy is
+ * reflected; the rest is split between transmission, {@code 10^(-loss/10)}, and dissipation in the wall.
  *
  * @param name its name in the table
- * @param absorption share that is not reflected, 0 to 1, one for each of the eight bands
- * @param scattering share of the reflected that leaves in all directions, 0 to 1, one for each band
+ * @param absorption fraction that is not reflected, 0 to 1, one for each of the eight bands
+ * @param scattering fraction of the reflected energy that is scattered in all directions, 0 to 1, one for each band
  * @param transmissionLoss loss through the wall, 0 or more, one for each band, dB; none for an opaque wall
  * @param wall whether one surface is the whole wall
- * @param speed speed of sound inside, m/s; empty where nobody knows or nothing passes
+ * @param speed speed of sound inside, m/s; empty if unknown or opaque
  * @param source where the figures come from
  */
 public record SurfaceMaterial(
@@ -33,14 +33,14 @@ public record SurfaceMaterial(
     public enum Wall {
         /** One surface is the whole wall, however thick. */
         SHEET,
-        /** A front and a back; the loss is charged once, on the way in. */
+        /** A front and a back; the loss is applied once, on entry. */
         SOLID
     }
 
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when a share is not 0 to 1, a loss is negative, or more than all would be
+     * @throws IllegalArgumentException if a fraction is not 0 to 1, a loss is negative, or more than all would be
      *     reflected and transmitted together
      */
     public SurfaceMaterial {
@@ -82,17 +82,17 @@ public record SurfaceMaterial(
         }
     }
 
-    /** The share that is reflected in a band. */
+    /** The fraction that is reflected in a band. */
     public double reflected(int band) {
         return 1.0 - absorption.get(band);
     }
 
-    /** The share that passes through in a band, 0 for an opaque wall. */
+    /** The fraction that is transmitted in a band, 0 for an opaque wall. */
     public double transmitted(int band) {
         return isOpaque() ? 0.0 : Levels.toRatio(-transmissionLoss.get(band));
     }
 
-    /** Whether nothing passes through. */
+    /** Whether nothing is transmitted. */
     public boolean isOpaque() {
         return transmissionLoss.isEmpty();
     }

@@ -15,7 +15,7 @@ import org.dronewatch.sound.SurfaceMaterial.Wall;
  * 63 Hz takes the value at 125 Hz and 8 kHz that at 4 kHz; scattering is one value for all bands.
  */
 public final class SurfaceMaterials {
-    /** The surface of what nobody has named a material for. */
+    /** The default surface, for materials without a name. */
     public static final String SOLID = "solid";
 
     private static final String[] BANDS = {"125", "250", "500", "1000", "2000", "4000"};

@@ -1,2 +1,2 @@
-/** What sound is measured in and what it meets: octave bands, air, surfaces. */
+/** Acoustic quantities: octave bands, atmosphere, surfaces. */
 package org.dronewatch.sound;

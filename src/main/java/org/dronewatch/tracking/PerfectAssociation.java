@@ -11,9 +11,10 @@ import org.dronewatch.sensor.Measurement;
 import org.dronewatch.sensor.Observation;
 
 /**
- * Knows which measurements belong together, because it reads the truth: all looks at one drone are one contact, each false
- * measurement is a contact by itself. It stands where a tracker will stand, and is an upper bound on what one can do. Contacts
- * are numbered from 1 on in the order in which they appear; the numbers say nothing about drones. One per run.
+ * Knows which measurements belong together, because it reads the truth: all looks at one drone are one contact, each
+ * false measurement is a contact by itself. It takes the place of a tracker that does not exist yet, and bounds the
+ * performance that one could achieve. Contacts are numbered from 1 on in the order in which they appear; the numbers
+ * say nothing about drones. One per run.
  */
 public final class PerfectAssociation {
     private final Map<String, Integer> contacts = new HashMap<>();

@@ -30,7 +30,7 @@ public record Light(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public Light {
         Limits.check(Light.class, visibility, contrastAtVisibility, illuminance, sun);
@@ -57,8 +57,9 @@ public record Light(
     }
 
     /**
-     * What is left of a contrast at a distance: {@code exp(-s d)} with {@code s = -ln(contrastAtVisibility) / visibility}
-     * (Koschmieder 1924; CIE 17-31-020). Right before the sky at the horizon, by even light.
+     * What is left of a contrast at a distance: {@code exp(-s d)} with
+     * {@code s = -ln(contrastAtVisibility) / visibility} (Koschmieder 1924; CIE 17-31-020). Valid for a target seen
+     * against the horizon sky under uniform illumination.
      *
      * @param distance m
      */

@@ -12,8 +12,8 @@ import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterials;
 
 /**
- * The acoustic surfaces of the materials in the model files. A material that is not named here but is itself a name of
- * the table is that; all others are the {@code defaultSurface}.
+ * The acoustic surfaces of the materials in the model files. A material that is not listed here but whose name is in
+ * the table of surfaces uses that entry; all others use the {@code defaultSurface}.
  *
  * @param materials names in the table of surfaces, by names of materials in the model files
  * @param defaultSurface name in the table of surfaces for all other materials
@@ -55,7 +55,7 @@ public record SurfaceSettings(Map<String, String> materials, @Formerly("otherwis
         return SurfaceMaterials.find(ofTheModel).orElseGet(() -> SurfaceMaterials.get(defaultSurface));
     }
 
-    /** Those of some materials of model files that nothing is known of, so that they are what is left over. */
+    /** Of the given model materials, those without a known surface, to which the default surface applies. */
     public List<String> leftOver(List<String> ofTheModels) {
         return ofTheModels.stream()
                 .filter(name -> !materials.containsKey(name)

@@ -4,7 +4,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 
-/** What stands about a position, seen by one ray to each corner, edge and face of a cube. */
+/** Probes the surfaces around a point, with one ray towards each corner, edge and face of a cube. */
 final class Surroundings {
     private final TriangleMesh mesh;
     private final RayTracer traversal;
@@ -16,8 +16,8 @@ final class Surroundings {
     }
 
     /**
-     * Whether most surfaces about a position show their backs: then it is inside a wall or under the ground, in a mesh whose
-     * triangles are wound counter-clockwise seen from where sound and light are.
+     * Whether most surfaces about a position show their backs: then it is inside a wall or under the ground, in a mesh
+     * whose triangles are wound counter-clockwise seen from where sound and light are.
      */
     boolean showTheirBacks(Position position) {
         int fronts = 0;

@@ -43,7 +43,7 @@ public record WorldSettings(
     /**
      * Checks the limits and keeps its own list.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public WorldSettings {
         Limits.check(

@@ -39,7 +39,7 @@ public record LoadedModel(
         warnings = List.copyOf(warnings);
     }
 
-    /** One line for a person: triangles and extent, and how many statements were skipped because they have no effect. */
+    /** A one-line summary: triangles and extent, and how many statements were skipped because they have no effect. */
     public String describe() {
         AABB bounds = mesh.bounds();
         return String.format(

@@ -21,8 +21,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * The MTL files of a model: which materials they define, and their colours. A library that cannot be read is a warning: its
- * materials are then names without a colour.
+ * The MTL files of a model: which materials they define, and their colours. A library that cannot be read is a warning:
+ * its materials are then names without a colour.
  */
 final class MaterialLibraries {
     private static final int MOST_NAMES = 10;
@@ -101,7 +101,7 @@ final class MaterialLibraries {
         }
     }
 
-    /** What a person can do something with: the parser wraps what Java says of a number. */
+    /** The part of the message that helps a reader: the parser wraps Java's own message about a number. */
     private static String reason(Exception problem) {
         Throwable cause = problem.getCause() == null ? problem : problem.getCause();
         String message = cause.getMessage() == null ? "is not a statement of an MTL file" : cause.getMessage();

@@ -8,10 +8,13 @@ import java.util.Set;
  */
 public interface MeshReader {
 
-    /** How the names of its files end, in small letters and digits without the dot: {@code obj}; no other reader has any of them. */
+    /**
+     * How the names of its files end, in small letters and digits without the dot: {@code obj}; no other reader has any
+     * of them.
+     */
     Set<String> extensions();
 
-    /** What the format is, in one line for people. */
+    /** A one-line description of the format. */
     String summary();
 
     /**
@@ -19,7 +22,7 @@ public interface MeshReader {
      *
      * @param file of bounded size, with whatever lies beside it
      * @param settings up axis, scale, position and heading
-     * @throws org.dronewatch.setting.InputException with file and place when the file is no such model
+     * @throws org.dronewatch.setting.InputException with file and location if the file is not such a model
      */
     LoadedModel read(ModelFile file, ModelSettings settings);
 }

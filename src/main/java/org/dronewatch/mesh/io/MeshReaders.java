@@ -20,7 +20,7 @@ public final class MeshReaders {
     /**
      * Some readers.
      *
-     * @throws InputException when two read the same extension, in one line with both places, or one is wrong
+     * @throws InputException if two read the same extension, in one line with both locations, or one is invalid
      */
     MeshReaders(List<MeshReader> readers) {
         for (MeshReader reader : readers) {

@@ -9,11 +9,11 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
 
 /**
- * What a {@link MeshReader} finds in a file becomes a model: vertices are placed, polygons cut into triangles, triangles without
- * area left out and counted, and all limits checked. One thread at a time.
+ * What a {@link MeshReader} finds in a file becomes a model: vertices are placed, polygons cut into triangles,
+ * triangles without area left out and counted, and all limits checked. One thread at a time.
  */
 public final class ModelCollector {
-    /** The most triangles of a model. */
+    /** Maximum number of triangles of a model. */
     public static final int MAX_TRIANGLES = 50_000_000;
 
     private final ModelFile file;

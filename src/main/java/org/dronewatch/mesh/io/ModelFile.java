@@ -19,8 +19,8 @@ import org.dronewatch.setting.RegularFile;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * A model file on disk or in the jar, and the files beside it. Only regular files of bounded size are read; a byte order mark
- * at their beginning is left out.
+ * A model file on disk or in the jar, and the files beside it. Only regular files of bounded size are read; a byte
+ * order mark at their beginning is left out.
  */
 public final class ModelFile {
     /** The largest model that is read, in bytes. */
@@ -51,7 +51,7 @@ public final class ModelFile {
      * @param directory of relative paths, that of a scene file or empty for the working directory; links do not lead
      *     out of that of a scene file
      * @param file a path, or a packaged name
-     * @throws InputException when there is no such file, or it is larger than {@link #MAX_BYTES}
+     * @throws InputException if there is no such file, or it is larger than {@link #MAX_BYTES}
      */
     static ModelFile find(Path directory, String file) {
         if (file.startsWith(ModelSettings.PACKAGED)) {
@@ -73,8 +73,9 @@ public final class ModelFile {
     }
 
     /**
-     * A scene file that somebody else wrote reads nothing elsewhere. Names that start from the working directory are the
-     * user's choice, and so are those that state themselves that they lead elsewhere: scene files may not contain such names.
+     * A scene file from another author can read nothing elsewhere. Names that start from the working directory are the
+     * user's choice, and so are those that state themselves that they lead elsewhere: scene files may not contain such
+     * names.
      */
     private static void refuseLinkOut(Path directory, Path path) {
         if (directory.toString().isEmpty() || !path.normalize().startsWith(directory.normalize())) {
@@ -114,8 +115,8 @@ public final class ModelFile {
     }
 
     /**
-     * A file in the same directory or below it: a model never reads files elsewhere, links included. Backslashes separate
-     * directories, as on Windows.
+     * A file in the same directory or below it: a model never reads files elsewhere, links included. Backslashes
+     * separate directories, as on Windows.
      *
      * @throws InputException with the end of a sentence when the name leads elsewhere or there is no such file
      */

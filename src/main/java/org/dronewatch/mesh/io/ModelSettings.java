@@ -12,7 +12,8 @@ import org.dronewatch.setting.SettingsForm;
  * Which model file to load and how to place it. The model is first turned upright, then scaled, then turned to its
  * heading, then moved.
  *
- * @param file path of a model file, such as an .obj file, or {@code packaged:NAME} for a model that comes with the library
+ * @param file path of a model file, such as an .obj file, or {@code packaged:NAME} for a model that comes with the
+ *     library
  * @param upAxis which axis of the file points up
  * @param scale length of the file's unit, 1e-6 to 1e6 m
  * @param position where the model's origin goes, m
@@ -35,7 +36,7 @@ public record ModelSettings(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public ModelSettings {
         Limits.check(ModelSettings.class, file, upAxis, scale, position, heading, role);
@@ -44,7 +45,10 @@ public record ModelSettings(
         }
     }
 
-    /** A y-up file in metres, at the origin, as most OBJ files are; a building unless it is the packaged hill, which is terrain. */
+    /**
+     * A y-up file in metres, at the origin, as most OBJ files are; a building unless it is the packaged hill, which is
+     * terrain.
+     */
     @Defaults("file")
     public static ModelSettings of(String file) {
         ModelRole role = file.equals(HILL) ? ModelRole.TERRAIN : ModelRole.BUILDING;

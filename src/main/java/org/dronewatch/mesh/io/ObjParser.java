@@ -7,8 +7,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Reads the statements of an OBJ file into a collector. Words are read in capitals, too. A statement that cannot be right, or
- * whose word the format does not have, is an {@link InputException} that names file and line.
+ * Reads the statements of an OBJ file into a collector. Words are read in capitals, too. A statement that cannot be
+ * right, or whose word the format does not have, is an {@link InputException} that names file and line.
  */
 final class ObjParser {
     private static final int MOST_DIGITS = 9;
@@ -123,7 +123,7 @@ final class ObjParser {
         return Integer.parseInt(text);
     }
 
-    /** The next piece of the line without white space; empty at its end. */
+    /** The next token of the line, without white space; empty at its end. */
     private String token() {
         while (next < line.length() && Character.isWhitespace(line.charAt(next))) {
             next++;

@@ -14,7 +14,7 @@ final class Placement {
     Placement(ModelSettings settings) {
         this.yUp = settings.upAxis() == UpAxis.Y;
         this.scale = settings.scale();
-        // A compass turns clockwise, mathematics the other way.
+        // Compass bearings turn clockwise, mathematical angles counter-clockwise.
         this.cos = Math.cos(-settings.heading());
         this.sin = Math.sin(-settings.heading());
         this.position = settings.position();

@@ -6,13 +6,15 @@ import org.dronewatch.geometry.Ints;
 import org.maplibre.earcut4j.Earcut;
 
 /**
- * Cuts polygons into triangles that are wound as the polygon is. A polygon all of which is seen from its first corner, as a
- * convex one is, becomes a fan from there; any other that does not cross itself is cut by clipping ears in its plane.
+ * Cuts polygons into triangles that are wound as the polygon is. A polygon all of which is seen from its first corner,
+ * as a convex one is, becomes a fan from there; any other that does not cross itself is cut by clipping ears in its
+ * plane.
  */
 final class PolygonCutter {
     /**
-     * The most corners of a fan. All of its triangles meet in one corner, where no tree separates them: a ray through a circle
-     * costs twice as much with a fan as with clipped ears at 256 corners, and ten times as much at 4,000.
+     * Maximum number of corners of a fan. All of its triangles meet in one corner, where no tree separates them: a ray
+     * through a circle costs twice as much with a fan as with clipped ears at 256 corners, and ten times as much at
+     * 4,000.
      */
     static final int MOST_CORNERS_OF_A_FAN = 256;
 

@@ -29,13 +29,14 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * A microphone that hears each drone for itself. By the level model its value is the best undivided level received. By the
- * energy model it is the A-weighted sound pressure level, or the signal-to-noise ratio of the best band, and the drones are
- * to be given as they were when the sound left them. Keeps scratch memory: one thread at a time.
+ * A microphone that hears each drone separately. In the level model its value is the highest received level: levels are
+ * not divided among branches. In the energy model it is the A-weighted sound pressure level, or the signal-to-noise
+ * ratio of the best band, and the drones have to be given in the state in which the sound left them. Keeps scratch
+ * memory: one thread at a time.
  *
- * <p>By the energy model an assessment and a look of the same random numbers agree exactly; the probability is 0 or 1. By the
- * level model a look traces once, and where that may go one way or the other, an assessment is the fraction of 32 traces,
- * marked as estimated: then the look's value may differ from the assessment's.
+ * <p>In the energy model an assessment and a look with the same random numbers agree exactly; the probability is 0 or
+ * 1. In the level model a look traces once; where the result depends on the random rays, the assessed probability is
+ * the fraction of 32 traces that detect, marked as estimated: then the look's value may differ from the assessment's.
  */
 public final class AcousticSensor implements RaySensor, CurveSensor, AssessableSensor {
     private static final String UNIT = "dB";
@@ -76,7 +77,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
         return tracer(world).signal(drone, rayRandom);
     }
 
-    /** Sound comes by other ways, too: a drone behind something is hidden only if it would be heard in the open. */
+    /** Sound arrives by other paths, too: a drone behind something is hidden only if it would be heard in the open. */
     @Override
     public Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing) {
         if (!tracer(world).isHeardInTheOpen(drone)) {
@@ -89,7 +90,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     }
 
     /**
-     * By the level model: traces until the first ray that is loud enough.
+     * In the level model: traces until the first ray that is loud enough.
      *
      * @throws IllegalStateException when this sensor follows sound by another model
      */
@@ -98,9 +99,9 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     }
 
     /**
-     * By the level model: traces everything.
+     * In the level model: traces everything.
      *
-     * @param recorder receives every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
+     * @param recorder receives every ray segment; {@link RayRecorder#NONE} to record nothing
      * @throws IllegalStateException when this sensor follows sound by another model
      */
     public LevelReading listenFully(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
@@ -115,7 +116,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     }
 
     /**
-     * By the energy model: levels in octave bands.
+     * In the energy model: levels in octave bands.
      *
      * @throws IllegalStateException when this sensor follows sound by another model
      */

@@ -40,7 +40,7 @@ public record AcousticSettings(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public AcousticSettings {
         Limits.check(AcousticSettings.class, position, radius, rate, threshold, arrayGain, propagation);
@@ -100,7 +100,8 @@ public record AcousticSettings(
         return SensorDescription.measuring(propagation.measures())
                 .withWeakness("too quiet")
                 .withLeavesOut(
-                        "Levels of the level model are calibrated, not physical; both models leave out wind and interference.")
+                        "In the level model, levels are calibrated to measurements rather than physical; neither model accounts"
+                                + " for wind or interference.")
                 .withIgnoredConditions(ignored);
     }
 

@@ -27,7 +27,7 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * A camera for visible light. Keeps its last picture, and scratch memory for the drones in front of it: one thread at a
+ * A camera for visible light. Keeps its last image, and scratch memory for the drones in front of it: one thread at a
  * time.
  */
 public final class CameraSensor implements AssessableSensor {
@@ -150,7 +150,7 @@ public final class CameraSensor implements AssessableSensor {
         return Math.hypot(panLeft * Math.cos(to.elevation()), tiltLeft);
     }
 
-    /** The vector to the sun, when the camera sees it, in its picture or not. */
+    /** The vector to the sun, when the camera sees it, in its image or not. */
     private Optional<Position> wayToSun() {
         Position at = settings.position();
         return world.light()
@@ -169,14 +169,16 @@ public final class CameraSensor implements AssessableSensor {
     }
 
     /**
-     * The whole picture along the camera's own aim, traced on the threads of the
+     * The whole image along the camera's own aim, traced on the threads of the
      * {@link org.dronewatch.parallel.Workers} that call; the same for any number of them.
      */
     public DepthImage depthImage(World site, List<Drone> drones) {
         return ownAim.depthImage(site, drones);
     }
 
-    /** The significant pixels of each drone along the camera's own aim, in the same order, and which of them show it. */
+    /**
+     * The significant pixels of each drone along the camera's own aim, in the same order, and which of them show it.
+     */
     public List<DronePixels> pixels(World site, List<Drone> drones) {
         return ownAim.pixels(site, drones);
     }

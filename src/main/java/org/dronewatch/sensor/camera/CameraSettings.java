@@ -21,7 +21,7 @@ import org.dronewatch.world.Light;
  *
  * @param position where its centre of projection is, m
  * @param aim where its axis points, without roll
- * @param width pixels per row, 1 to 16384; at most 67,108,864 in the picture
+ * @param width pixels per row, 1 to 16384; at most 67,108,864 in the image
  * @param height rows of pixels, 1 to 16384
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the axis of the image along which the field of view is measured
@@ -43,7 +43,7 @@ public record CameraSettings(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public CameraSettings {
         Limits.check(CameraSettings.class, position, aim, width, height, fov, fovAxis, rate, detection, positioner);
@@ -84,7 +84,7 @@ public record CameraSettings(
         return SettingsForm.with(this, "aim", other);
     }
 
-    /** These settings with another picture size in pixels. */
+    /** These settings with another image size in pixels. */
     public CameraSettings withResolution(int pixelsWide, int pixelsHigh) {
         return SettingsForm.with(this, Map.of("width", pixelsWide, "height", pixelsHigh));
     }

@@ -15,7 +15,7 @@ public interface DetectionFunction {
     double threshold();
 
     /**
-     * What the value must reach in one frame; the same in all frames unless a function decides by chance.
+     * What the value must reach in one frame; the same in all frames unless a function is probabilistic.
      *
      * @param random the frame's random numbers
      */

@@ -13,18 +13,18 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How likely it is that a person, or a program as good as one, can do something with a drone's picture: notice it,
+ * How likely it is that a person, or a program as good as one, can do something with a drone's image: notice it,
  * recognise it as a drone, or identify which drone it is. Johnson's criteria state how many line pairs across the
  * target that takes (Johnson 1958); the target transfer probability function gives the probability for more or fewer
  * (Howe, in "The Infrared and Electro-Optical Systems Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with {@code
  * x = N / N50} and {@code E = 2.7 + 0.7 x}.
  *
  * <p>The line pairs resolved are half the square root of the drone's pixels, fewer the weaker its contrast and the
- * faster it crosses the picture: {@code N = sqrt(pixels) / 2 * (1 - Ct / C) * (1 + b^2)^(-1/4)}. C is its contrast
+ * faster it crosses the image: {@code N = sqrt(pixels) / 2 * (1 - Ct / C) * (1 + b^2)^(-1/4)}. C is its contrast
  * reduced by the air (Koschmieder). Ct is the least contrast that the camera can detect; in poor light, where photons
- * are few, it grows as the square root of the ratio of {@code shotNoiseIlluminance} to the actual illuminance. b is the blur in pixels, in one of two
- * directions. The dependence on contrast is a straight line instead of a camera's measured curve of minimum resolvable
- * contrast.
+ * are few, it grows as the square root of the ratio of {@code shotNoiseIlluminance} to the actual illuminance. b is the
+ * blur in pixels, in one of two directions. The dependence on contrast is a straight line instead of a camera's
+ * measured curve of minimum resolvable contrast.
  *
  * @param task the task that the image must support
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by

@@ -1,6 +1,6 @@
 package org.dronewatch.sensor.optics;
 
-/** What is behind drones in a picture. */
+/** What is behind drones in an image. */
 @FunctionalInterface
 interface Background {
     /** Nothing: every drone is seen whole. */

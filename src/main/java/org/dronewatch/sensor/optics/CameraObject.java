@@ -17,7 +17,7 @@ public final class CameraObject {
     /** Least depth that is projected, m: so little that no ray can meet a drone before it. */
     public static final double NEAR = 1e-6;
 
-    /** Beyond this share of the vertical the camera counts as looking straight up or down. */
+    /** Beyond this fraction of the vertical the camera counts as looking straight up or down. */
     private static final double VERTICAL = 1.0 - 1e-12;
 
     private final Position position;
@@ -111,9 +111,9 @@ public final class CameraObject {
     }
 
     /**
-     * The directions of all pixels as a grid in the world's frame: that of the first pixel, what a column adds and what a
-     * row adds, three numbers each. They reach one unit along the camera's axis, so they are longer than unit directions
-     * by {@link #obliqueness}.
+     * The directions of all pixels as a grid in the world's frame: that of the first pixel, what a column adds and what
+     * a row adds, three numbers each. They reach one unit along the camera's axis, so they are longer than unit
+     * directions by {@link #obliqueness}.
      */
     public double[][] grid() {
         double x = (0.5 - 0.5 * width) / focalLength;
@@ -146,7 +146,9 @@ public final class CameraObject {
         target[at + 2] = dx * forward.x() + dy * forward.y() + dz * forward.z();
     }
 
-    /** Whether a ball is wholly behind the camera or beside its picture: true only when it surely is. */
+    /**
+     * Whether a sphere is wholly behind the camera or outside its image: conservative, true only when it certainly is.
+     */
     public boolean isOutside(double x, double y, double z, double radius) {
         double dx = x - position.x();
         double dy = y - position.y();
@@ -164,8 +166,8 @@ public final class CameraObject {
     /**
      * Where a point of the world appears.
      *
-     * @return column and row in pixels, (0, 0) being the top left corner of the top left pixel; empty for a point nearer
-     *     than {@link #NEAR} or behind the camera. The point may lie outside the picture.
+     * @return column and row in pixels, (0, 0) being the top left corner of the top left pixel; empty for a point
+     *     nearer than {@link #NEAR} or behind the camera. The point may lie outside the image.
      */
     public Optional<Point2d> pixelOf(Point3d point) {
         Vector4d clip = projection().mul(view).transform(new Vector4d(point.x, point.y, point.z, 1.0));
@@ -182,7 +184,7 @@ public final class CameraObject {
         return 0.5 * (1.0 - clip.y / clip.w) * height;
     }
 
-    /** What the picture shows of the world. */
+    /** What the image shows of the world. */
     public Outline.Pyramid outline() {
         return new Outline.Pyramid(forward, right, up, 0.5 * width / focalLength, 0.5 * height / focalLength);
     }
@@ -197,7 +199,7 @@ public final class CameraObject {
         return width;
     }
 
-    /** Rows of the picture. */
+    /** Rows of the image. */
     public int height() {
         return height;
     }

@@ -8,7 +8,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import javax.imageio.ImageIO;
 
-/** A camera's picture as distances in metres, infinity for the sky, and the pixels that show drones. Immutable. */
+/** A camera's image as distances in metres, infinity for the sky, and the pixels that show drones. Immutable. */
 public final class DepthImage {
     private static final int SKY = 0xfff6e8;
     private static final int HIT = 0xff6a00;
@@ -24,9 +24,9 @@ public final class DepthImage {
     private final boolean[] hits;
 
     /**
-     * A picture from its pixels, row by row from the top; copies them.
+     * An image from its pixels, row by row from the top; copies them.
      *
-     * @throws IllegalArgumentException when the arrays do not have width times height elements
+     * @throws IllegalArgumentException if the arrays do not have width times height elements
      */
     public DepthImage(int width, int height, float[] distances, boolean[] hits) {
         if (width <= 0 || height <= 0 || distances.length != width * height || hits.length != distances.length) {
@@ -46,7 +46,7 @@ public final class DepthImage {
         this.hits = hits;
     }
 
-    /** A camera's picture from arrays that nobody changes any more. */
+    /** A camera's image from arrays that are no longer modified. */
     static DepthImage over(CameraObject camera, float[] distances, boolean[] hits) {
         return new DepthImage(camera, distances, hits);
     }
@@ -80,7 +80,7 @@ public final class DepthImage {
         return count;
     }
 
-    /** The picture in blues, darker where nearer, on a logarithmic scale; the sky pale, drones orange. */
+    /** The image in blues, darker where nearer, on a logarithmic scale; the sky pale, drones orange. */
     public BufferedImage toImage() {
         double nearest = Double.POSITIVE_INFINITY;
         double farthest = 0.0;
@@ -114,7 +114,7 @@ public final class DepthImage {
         return rgb;
     }
 
-    /** Writes the picture as PNG. */
+    /** Writes the image as PNG. */
     public void writePng(OutputStream target) throws IOException {
         ImageIO.write(toImage(), "png", target);
     }

@@ -6,8 +6,8 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
 /**
- * What a camera that stands still sees of a world and of the drones in it. Keeps the static view of the world it saw last,
- * and scratch memory for the drones before it: one thread at a time.
+ * What a camera that stands still sees of a world and of the drones in it. Keeps the static view of the world it saw
+ * last, and scratch memory for the drones before it: one thread at a time.
  */
 public final class DronePicture {
     private final CameraObject camera;
@@ -44,7 +44,7 @@ public final class DronePicture {
         return dynamicView.pixels(number);
     }
 
-    /** How many pixels would show a drone if it were alone and nothing stood in the way; keeps what was drawn. */
+    /** How many pixels would show a drone if it were alone and nothing obstructed it; keeps what was drawn. */
     public int pixelsInTheOpen(Drone drone) {
         if (openView == null) {
             openView = new DynamicView(camera);
@@ -53,7 +53,7 @@ public final class DronePicture {
         return openView.pixels(0);
     }
 
-    /** The whole picture with its drones: a distance for each pixel, and whether it shows a drone. */
+    /** The whole image with its drones: a distance for each pixel, and whether it shows a drone. */
     public DepthImage depthImage(World world, List<Drone> drones) {
         draw(world, drones);
         float[] distances = staticView.all();

@@ -32,17 +32,17 @@ public final class DronePixels {
         return drone;
     }
 
-    /** The picture's column of the first significant pixels. */
+    /** The image's column of the first significant pixels. */
     public int left() {
         return left;
     }
 
-    /** The picture's row of the first significant pixels. */
+    /** The image's row of the first significant pixels. */
     public int top() {
         return top;
     }
 
-    /** How many columns may show it; 0 when it is out of the picture. */
+    /** How many columns may show it; 0 when it is outside the image. */
     public int columns() {
         return columns;
     }
@@ -52,7 +52,7 @@ public final class DronePixels {
         return rows;
     }
 
-    /** Whether a pixel of the picture shows it. */
+    /** Whether a pixel of the image shows it. */
     public boolean isHit(int column, int row) {
         return distance(column, row) < Float.POSITIVE_INFINITY;
     }

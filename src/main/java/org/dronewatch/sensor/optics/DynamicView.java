@@ -127,7 +127,7 @@ final class DynamicView {
         return new DronePixels(id, silhouettes[number]);
     }
 
-    /** Puts the drones over a picture's distances and marks their pixels. */
+    /** Draws the drones over an image's distances and marks their pixels. */
     void overlay(float[] distances, boolean[] hits) {
         for (Silhouette silhouette : silhouettes) {
             PixelRectangle rectangle = silhouette.rectangle();

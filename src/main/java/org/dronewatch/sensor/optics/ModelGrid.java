@@ -5,8 +5,8 @@ import org.dronewatch.raster.TileTracer;
 import org.jogamp.vecmath.Matrix4d;
 
 /**
- * The rays of a camera's pixels in the space of a model that stands somewhere in the world. Lengths along them stay those
- * of the world. Reused from model to model; one per thread.
+ * The rays of a camera's pixels in the space of a model that stands somewhere in the world. Lengths along them stay
+ * those of the world. Reused from model to model; one per thread.
  */
 public final class ModelGrid {
     private final double[][] grid;
@@ -21,7 +21,7 @@ public final class ModelGrid {
     }
 
     /**
-     * Sets a traversal of a model's tree to the camera's picture.
+     * Sets a traversal of a model's tree to the camera's image.
      *
      * @param m from the world to the model's space
      */

@@ -21,7 +21,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Settings of a sensor that takes pictures: its field of view is a frustum, a picture gives directions, and a positioner
+ * Settings of an imaging sensor: its field of view is a frustum, an image gives directions, and a positioner
  * may turn it about its aim.
  *
  * @param <S> the sensor that they create
@@ -46,13 +46,15 @@ public interface PictureSensorSettings<S extends Sensor>
         return positioner().map(mount -> mount.turnedTo(position(), target, fov()));
     }
 
-    /** How many pixels of a drone let its positioner follow it although it is not detected; infinite on a fixed mount. */
+    /**
+     * How many pixels of a drone let its positioner follow it although it is not detected; infinite on a fixed mount.
+     */
     default double lockPixels() {
         return positioner().map(PositionerSettings::lockPixels).orElse(Double.POSITIVE_INFINITY);
     }
 
     /**
-     * Where a picture shows a drone: the direction, to a pixel or better, but no range.
+     * Where an image shows a drone: the direction, to a pixel or better, but no range.
      *
      * @param drone its position, m
      */
@@ -66,11 +68,11 @@ public interface PictureSensorSettings<S extends Sensor>
         return SettingsForm.with(camera, Map.of("aim", aim, "fov", pointing.fov(), "positioner", Optional.empty()));
     }
 
-    /** The most pixels of a picture: 8192 x 8192. */
+    /** Maximum number of pixels of an image: 8192 x 8192. */
     int MOST_PIXELS = 1 << 26;
 
     /**
-     * Checks that a picture is not larger than {@link #MOST_PIXELS}.
+     * Checks that an image is not larger than {@link #MOST_PIXELS}.
      *
      * @throws IllegalArgumentException when it is
      */

@@ -5,7 +5,7 @@ import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.Imaging;
 
-/** Where a camera of any kind stands, where it points, and how many pixels its picture has. */
+/** Where a camera of any kind stands, where it points, and how many pixels its image has. */
 public interface PictureSettings extends Aimed, Imaging {
 
     /** Where its centre of projection is, m. */
@@ -18,7 +18,7 @@ public interface PictureSettings extends Aimed, Imaging {
     /** Pixels in a row. */
     int width();
 
-    /** Rows of the picture. */
+    /** Rows of the image. */
     int height();
 
     @Override

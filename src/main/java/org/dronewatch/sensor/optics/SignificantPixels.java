@@ -5,8 +5,9 @@ import org.dronewatch.geometry.AABB;
 import org.jogamp.vecmath.Matrix4d;
 
 /**
- * The pixels that can show a drone: those inside the projection of its bounding box. Corners behind the camera would flip
- * through the projection's divide, so the box's edges are cut at the near plane first. Allocates nothing. One per thread.
+ * The pixels that can show a drone: those inside the projection of its bounding box. Corners behind the camera would
+ * flip through the projection's divide, so the box's edges are cut at the near plane first. Allocates nothing. One per
+ * thread.
  */
 final class SignificantPixels {
     /** Rounding of the projection, in pixels: a rectangle a little too large costs nothing. */
@@ -30,7 +31,7 @@ final class SignificantPixels {
         this.camera = camera;
     }
 
-    /** Finds the rectangle of pixels around a drone, within the picture. */
+    /** Finds the rectangle of pixels around a drone, within the image. */
     void find(Drone drone, PixelRectangle target) {
         target.clear();
         drone.modelMatrix(model);

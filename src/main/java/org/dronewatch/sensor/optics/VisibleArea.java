@@ -10,14 +10,15 @@ import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
 
 /**
- * How much of a camera's picture a drone covers, in pixels and parts of pixels: for what is smaller than a pixel, and for
- * heat, of which a pixel gathers what falls on any part of it. The drone is looked at by rays as close together as its size
- * asks for, so that the area is right to some percent however far away it is. Drones do not hide each other. One thread.
+ * How much of a camera's image a drone covers, in pixels and parts of pixels: for what is smaller than a pixel, and for
+ * heat, of which a pixel gathers what falls on any part of it. The drone is looked at by rays as close together as its
+ * size asks for, so that the area is right to some percent however far away it is. Drones do not hide each other. One
+ * thread.
  */
 public final class VisibleArea {
     /**
-     * So many rays over the square about a drone, as a Fibonacci lattice: no edge of a drone runs along its rows, as edges run
-     * along those of a grid.
+     * Number of rays over the square about a drone, as a Fibonacci lattice: no edge of a drone runs along its rows, as
+     * edges run along those of a grid.
      */
     private static final int RAYS = 987;
 
@@ -28,7 +29,7 @@ public final class VisibleArea {
     private final Outline.Pyramid outline;
     private final Matrix4d toModel = new Matrix4d();
 
-    /** For the picture of a camera in a world. */
+    /** For the image of a camera in a world. */
     public VisibleArea(CameraObject camera, World world) {
         this.camera = camera;
         this.visibility = new Visibility(world);
@@ -40,12 +41,12 @@ public final class VisibleArea {
         return visibility.world();
     }
 
-    /** The area of a drone that is in the picture and that nothing of the site hides, in pixels. */
+    /** The area of a drone that is in the image and that nothing of the site hides, in pixels. */
     public double of(Drone drone) {
         return of(drone, false);
     }
 
-    /** The area of a drone that would be in the picture if nothing stood in the way, in pixels. */
+    /** The area of a drone that would be in the image without obstructions, in pixels. */
     public double inTheOpen(Drone drone) {
         return of(drone, true);
     }
@@ -67,7 +68,7 @@ public final class VisibleArea {
         Position top = Math.abs(ahead.z()) < 0.9 ? new Position(0, 0, 1) : new Position(0, 1, 0);
         Position aside = ahead.cross(top).unit();
         Position above = aside.cross(ahead);
-        // What a ball of the drone's reach covers at 1 m before the camera.
+        // What the drone's bounding sphere covers 1 m in front of the camera.
         double half = reach / Math.sqrt(range * range - reach * reach);
         double share = 4.0 * half * half / RAYS;
         drone.worldToModel(toModel);
@@ -100,9 +101,10 @@ public final class VisibleArea {
     }
 
     /**
-     * How many pixels a ray of the bundle stands for; none outside the picture.
+     * How many pixels a ray of the bundle stands for; none outside the image.
      *
-     * @param share of the plane across the way to the drone, 1 m before the camera, m2
+     * @param share area of the ray's cell in the plane across the direction to the drone, 1 m in front of the camera,
+     *     m2
      */
     private double pixels(double rayX, double rayY, double rayZ, double share) {
         double ahead = along(outline.forward(), rayX, rayY, rayZ);

@@ -4,9 +4,10 @@ import java.util.function.DoubleUnaryOperator;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
 
 /**
- * How reliably an echo is distinguished from noise by a square-law detector: one look exactly, several pulses summed without their
- * phases by the approximations of Albersheim (IEEE Proceedings 69, 1981) for steady targets and Shnidman (IEEE Transactions
- * on Aerospace and Electronic Systems 38, 2002) for fluctuating ones. Signal-to-noise ratios are those of a single pulse.
+ * How reliably an echo is distinguished from noise by a square-law detector: exact for a single pulse; for several
+ * non-coherently integrated pulses by the approximations of Albersheim (IEEE Proceedings 69, 1981) for steady targets
+ * and Shnidman (IEEE Transactions on Aerospace and Electronic Systems 38, 2002) for fluctuating ones. Signal-to-noise
+ * ratios are those of a single pulse.
  */
 public final class Detectability {
     /** Above this ratio a detection is certain for every threshold that is used here; smaller ones do not overflow. */
@@ -60,8 +61,9 @@ public final class Detectability {
     }
 
     /**
-     * Signal-to-noise ratio that each of several pulses needs, dB. Beyond the probabilities for which the approximations
-     * hold (0.1 to 0.9 for steady targets, to 0.99 for others), summing is taken to help as much as at their end.
+     * Signal-to-noise ratio that each of several pulses needs, dB. Beyond the probabilities for which the
+     * approximations hold (0.1 to 0.9 for steady targets, to 0.99 for others), summing is taken to help as much as at
+     * their end.
      *
      * @param pulses how many are summed, 1 or more
      */
@@ -79,8 +81,8 @@ public final class Detectability {
     }
 
     /**
-     * Albersheim's equation: ratio for a steady target, dB. Within 0.2 dB for probabilities of detection from 0.1 to 0.9,
-     * of false alarm from 1e-7 to 1e-3, up to 8096 pulses.
+     * Albersheim's equation: ratio for a steady target, dB. Within 0.2 dB for probabilities of detection from 0.1 to
+     * 0.9, of false alarm from 1e-7 to 1e-3, up to 8096 pulses.
      */
     public static double albersheim(double probability, double falseAlarm, int pulses) {
         double a = Math.log(0.62 / falseAlarm);
@@ -90,8 +92,8 @@ public final class Detectability {
     }
 
     /**
-     * Shnidman's equation: ratio for a target of any fluctuation, dB. Within 0.5 dB for probabilities of detection from 0.1
-     * to 0.99, of false alarm from 1e-9 to 1e-3, up to 100 pulses.
+     * Shnidman's equation: ratio for a target of any fluctuation, dB. Within 0.5 dB for probabilities of detection from
+     * 0.1 to 0.99, of false alarm from 1e-9 to 1e-3, up to 100 pulses.
      */
     public static double shnidman(double probability, double falseAlarm, Fluctuation fluctuation, int pulses) {
         double degrees =
@@ -115,9 +117,9 @@ public final class Detectability {
     }
 
     /**
-     * Marcum's Q function of order one, {@code Q1(sqrt(2 S), sqrt(2 T))}: the chance that signal and noise together exceed
-     * a threshold. As the noncentral chi-square distribution: a Poisson mixture, mean S, of the chances that a Poisson
-     * variable of mean T stays at or below each count; all terms are positive.
+     * Marcum's Q function of order one, {@code Q1(sqrt(2 S), sqrt(2 T))}: the chance that signal and noise together
+     * exceed a threshold. As the noncentral chi-square distribution: a Poisson mixture, mean S, of the chances that a
+     * Poisson variable of mean T stays at or below each count; all terms are positive.
      */
     private static double marcum(double ratio, double threshold) {
         if (ratio > CERTAIN) {

@@ -7,7 +7,7 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
-/** How strong an echo is over the noise: from what the radar is built of, or from what its maker promises. */
+/** How strong an echo is over the noise: from the parameters of its hardware, or from its manufacturer's data sheet. */
 public sealed interface LinkBudget {
     /** Speed of light, m/s. */
     double LIGHT = 299_792_458.0;
@@ -27,9 +27,9 @@ public sealed interface LinkBudget {
     }
 
     /**
-     * The radar equation: {@code SNR = P G^2 lambda^2 sigma / ((4 pi)^3 r^4 k T0 B F L)} with T0 = 290 K (Skolnik, Radar
-     * Handbook). B is the noise bandwidth after coherent processing, one over the integration time, not that of the
-     * sweep. A radar with a known system temperature T instead of a noise figure has the figure 10 lg(T / 290 K).
+     * The radar equation: {@code SNR = P G^2 lambda^2 sigma / ((4 pi)^3 r^4 k T0 B F L)} with T0 = 290 K (Skolnik,
+     * Radar Handbook). B is the noise bandwidth after coherent processing, one over the integration time, not that of
+     * the sweep. A radar with a known system temperature T instead of a noise figure has the figure 10 lg(T / 290 K).
      *
      * @param power transmitted power, 1e-9 to 1e9 W
      * @param gain gain of the antenna, the same for transmission and reception, -20 to 80 dBi
@@ -54,7 +54,7 @@ public sealed interface LinkBudget {
             Limits.check(Hardware.class, power, gain, integrationTime, sweepBandwidth, noiseFigure, losses);
         }
 
-        /** Hardware without noise of its own or losses, and a sweep of 10 MHz. */
+        /** Hardware without added noise or losses, and a sweep of 10 MHz. */
         @Defaults({"power", "gain", "integrationTime"})
         public static Hardware of(double power, double gain, double integrationTime) {
             return new Hardware(power, gain, integrationTime, 10e6, 0.0, 0.0);
@@ -100,7 +100,7 @@ public sealed interface LinkBudget {
             Limits.check(DataSheet.class, range, crossSection, probability, falseAlarm, fluctuation);
         }
 
-        /** A promise of 90 % for a steady target, with one false alarm in a million. */
+        /** A stated probability of 90 % for a steady target, with one false alarm in a million. */
         @Defaults({"range", "crossSection"})
         public static DataSheet of(double range, double crossSection) {
             return new DataSheet(range, crossSection, 0.9, 1e-6, Fluctuation.STEADY);

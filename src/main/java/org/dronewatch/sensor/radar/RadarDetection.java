@@ -7,7 +7,7 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
-/** From which signal-to-noise ratio on an echo counts. */
+/** Decides from the signal-to-noise ratio whether an echo is detected. */
 public sealed interface RadarDetection {
     /**
      * What an echo must reach in one look, dB.
@@ -18,14 +18,15 @@ public sealed interface RadarDetection {
     double threshold(Fluctuation fluctuation, RandomGenerator random);
 
     /**
-     * What an echo must reach to count in every other look at least, dB: for a fixed threshold that threshold.
+     * The signal-to-noise ratio at which the probability of detection is 0.5, dB: for a fixed threshold, that
+     * threshold.
      *
      * @param fluctuation of the target
      */
     double evenThreshold(Fluctuation fluctuation);
 
     /**
-     * How likely an echo is to count in one look, 0 to 1.
+     * The probability that one look detects an echo, 0 to 1.
      *
      * @param signalToNoise dB
      * @param fluctuation of the target
@@ -65,8 +66,9 @@ public sealed interface RadarDetection {
     }
 
     /**
-     * By chance: noise and the target's fluctuation make some looks succeed and others fail. A number between 0 and 1 is
-     * drawn, and the ratio for which the probability of detection is that number is what this look's echo must reach.
+     * Probabilistic: noise and the target's fluctuation make some looks succeed and others fail. A number between 0 and
+     * 1 is drawn, and the ratio for which the probability of detection is that number is what this look's echo must
+     * reach.
      *
      * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01; to 0.001 with several pulses
      * @param pulses number of pulses per look that are integrated non-coherently, 1 to 1000; the signal-to-noise ratio

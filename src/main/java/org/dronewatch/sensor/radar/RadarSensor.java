@@ -22,9 +22,9 @@ import org.dronewatch.sensor.Signal;
 import org.dronewatch.world.World;
 
 /**
- * A radar. Its value is the signal-to-noise ratio of the drone's echo; minus infinity for a drone that it does not look for,
- * because of where the drone is or how fast it comes, and for one that is wholly hidden. A drone that is hidden in part
- * counts for the part that shows.
+ * A radar. Its value is the signal-to-noise ratio of the drone's echo; minus infinity for a drone that it does not look
+ * for, because of where the drone is or how fast it comes, and for one that is wholly hidden. A drone that is hidden in
+ * part counts for the part that shows.
  */
 public final class RadarSensor implements AssessableSensor {
     private static final String UNIT = "dB";
@@ -81,7 +81,10 @@ public final class RadarSensor implements AssessableSensor {
         return Signal.of(probability, echo, UNIT, threshold(drone));
     }
 
-    /** What an echo must reach to count in every other look, dB; kept, as it takes long to find for one that decides by chance. */
+    /**
+     * The signal-to-noise ratio at which the probability of detection is 0.5, dB; kept, as it takes long to find for a
+     * probabilistic detection.
+     */
     private double threshold(Drone drone) {
         return thresholds.computeIfAbsent(drone.settings().radar().fluctuation(), settings.detection()::evenThreshold);
     }

@@ -54,7 +54,7 @@ public record RadarSettings(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public RadarSettings {
         Limits.check(
@@ -84,9 +84,9 @@ public record RadarSettings(
     }
 
     /**
-     * A radar that looks all round, 20 degrees high, level, once a second, at 10 GHz with horizontal polarisation, from 20 m
-     * to 10 km, for radial speeds from 1 to 200 m/s, and detects from 15 dB on;
-     * it measures where a drone is to 5 m and a degree.
+     * A radar that looks all round, 20 degrees high, level, once a second, at 10 GHz with horizontal polarisation, from
+     * 20 m to 10 km, for radial speeds from 1 to 200 m/s, and detects from 15 dB on; it measures where a drone is to 5
+     * m and a degree.
      */
     @Defaults({"position", "budget"})
     public static RadarSettings at(Position position, LinkBudget budget) {
@@ -174,7 +174,7 @@ public record RadarSettings(
     public SensorDescription description() {
         return SensorDescription.measuring("signal-to-noise ratio")
                 .withWeakness("its echo too weak")
-                .withLeavesOut("Radars are modelled without clutter, birds and rotor Doppler.");
+                .withLeavesOut("Clutter, birds and rotor micro-Doppler of radars are not modelled.");
     }
 
     @Override

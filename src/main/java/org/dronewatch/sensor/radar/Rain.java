@@ -3,7 +3,7 @@ package org.dronewatch.sensor.radar;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
-/** What rain takes from a wave: Recommendation ITU-R P.838-3 (2005). */
+/** Attenuation of a wave by rain: Recommendation ITU-R P.838-3 (2005). */
 public final class Rain {
     private static final double LEAST_FREQUENCY = 1e9;
     private static final double MOST_FREQUENCY = 1000e9;
@@ -35,13 +35,13 @@ public final class Rain {
 
     private Rain() {}
 
-    /** How the wave swings. */
+    /** Polarisation of the wave. */
     public enum Polarisation {
-        /** Level with the horizon. */
+        /** Horizontal. */
         HORIZONTAL(0.0),
-        /** Upright. */
+        /** Vertical. */
         VERTICAL(0.5 * Math.PI),
-        /** In a circle. */
+        /** Circular. */
         CIRCULAR(0.25 * Math.PI);
 
         private final double tilt;

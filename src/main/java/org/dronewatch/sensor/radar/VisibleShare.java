@@ -7,8 +7,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * How much of a drone is visible from a position: the fraction of nine points of its box, the middle and half-way to each corner, to
- * which nothing of the world stands in the way.
+ * How much of a drone is visible from a position: the fraction of nine points of its box, the middle and half-way to
+ * each corner, to which nothing of the world obstructs the line of sight.
  */
 final class VisibleShare {
     private static final int POINTS = 9;
@@ -22,7 +22,7 @@ final class VisibleShare {
         this.visibility = new Visibility(world);
     }
 
-    /** The share, 0 to 1. */
+    /** The fraction, 0 to 1. */
     double of(Drone drone) {
         AABB box = drone.modelBounds();
         int visible = 0;

@@ -7,8 +7,8 @@ import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
 /**
- * What a radio wave loses between two positions in a site: the spreading in free space, and at the one edge that stands most in
- * its way. Edges are those of the site as seen from above: ground, trees and roofs. One per thread.
+ * The path loss of a radio wave between two positions in a site: free-space loss, and diffraction at the one edge that
+ * obstructs it most. Edges are those of the site as seen from above: ground, trees and roofs. One per thread.
  */
 public final class RadioPath {
     private static final double LIGHT = 299_792_458.0;

@@ -21,8 +21,9 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * A radio receiver. Its value is the signal-to-noise ratio of the stronger of a drone's own emission and its pilot's; minus
- * infinity for a drone that is silent, and for a carrier that it does not hear. Keeps scratch memory: one thread at a time.
+ * A radio receiver. Its value is the signal-to-noise ratio of the stronger of a drone's own emission and its pilot's;
+ * minus infinity for a drone that is silent, and for a carrier that it does not hear. Keeps scratch memory: one thread
+ * at a time.
  */
 public final class RfSensor implements AssessableSensor {
     private static final String UNIT = "dB";
@@ -118,7 +119,7 @@ public final class RfSensor implements AssessableSensor {
         return power + settings.gain() - loss - settings.noise();
     }
 
-    /** What an emission loses if nothing stands in its way, dB. */
+    /** The path loss of an emission without obstructions, dB. */
     private double spreading(RadioLink link, Position from) {
         return RadioPath.freeSpaceLoss(distance(from), link.frequency()) + settings.clutter();
     }

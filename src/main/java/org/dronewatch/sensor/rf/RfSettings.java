@@ -22,7 +22,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param gain gain of its antenna, -50 to 60 dBi
  * @param bandwidth noise bandwidth, 1 to 1e10 Hz
  * @param noiseFigure noise figure of its electronics, 0 to 50 dB
- * @param clutter average loss by ground and buildings beyond that of the highest edge, plus local noise, 0 to 100 dB
+ * @param clutter excess path loss from ground and buildings beyond that of the highest edge, plus local noise, 0 to 100
+ *     dB
  * @param threshold signal-to-noise ratio at and above which a signal is detected, -50 to 100 dB
  */
 public record RfSettings(
@@ -42,7 +43,7 @@ public record RfSettings(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public RfSettings {
         Limits.check(
@@ -108,8 +109,8 @@ public record RfSettings(
         return SensorDescription.measuring("signal-to-noise ratio")
                 .withWeakness("its signal too weak")
                 .withLeavesOut(
-                        "Radio waves propagate in free space and over one edge of the site, without interference and"
-                                + " reflections.");
+                        "Radio propagation: free-space loss plus knife-edge diffraction at one edge of the site; interference and"
+                                + " reflections are not modelled.");
     }
 
     @Override

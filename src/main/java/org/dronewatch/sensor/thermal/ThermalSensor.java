@@ -23,10 +23,10 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.World;
 
 /**
- * A thermal camera. Its signal is the drone's difference of temperature, less by the air and by the part of a pixel that the
- * drone does not fill, over the noise: {@code SNR = |dT| t^R f / NETD}, t per kilometre, R in kilometres. The line pairs that
- * it resolves are half the square root of the drone's pixels, fewer the weaker the signal:
- * {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}. One thread at a time.
+ * A thermal camera. Its signal is the drone's apparent temperature difference, attenuated by the air and scaled by the
+ * fraction of a pixel that the drone fills, divided by the noise (NETD): {@code SNR = |dT| t^R f / NETD}, t per
+ * kilometre, R in kilometres. The line pairs that it resolves are half the square root of the drone's pixels, fewer the
+ * weaker the signal: {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}. One thread at a time.
  */
 public final class ThermalSensor implements AssessableSensor {
     private static final double KILOMETRE = 1000.0;

@@ -23,7 +23,7 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param position where its centre of projection is, m
  * @param aim where its axis points, without roll
- * @param width pixels per row, 1 to 16384; at most 67,108,864 in the picture
+ * @param width pixels per row, 1 to 16384; at most 67,108,864 in the image
  * @param height rows of pixels, 1 to 16384
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the axis of the image along which the field of view is measured
@@ -56,7 +56,7 @@ public record ThermalSettings(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public ThermalSettings {
         Limits.check(
@@ -81,8 +81,8 @@ public record ThermalSettings(
     }
 
     /**
-     * 640 x 512 pixels over 24 degrees, 25 frames a second, 50 mK, 85 % left by a kilometre of air, twice the noise needed;
-     * detection at one half.
+     * 640 x 512 pixels over 24 degrees, 25 frames a second, 50 mK, 85 % left by a kilometre of air, twice the noise
+     * needed; detection at one half.
      */
     @Defaults("position")
     public static ThermalSettings at(Position position) {

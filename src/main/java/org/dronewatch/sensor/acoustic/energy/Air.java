@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.OctaveBands;
 
-/** What the energy model takes of the air. */
+/** The properties of the air that the energy model uses. */
 final class Air {
     private final double[] exponents = new double[OctaveBands.COUNT];
     private final double soundSpeed;
@@ -17,7 +17,7 @@ final class Air {
         this.soundSpeed = atmosphere.speedOfSound();
     }
 
-    /** The share of energy in a band that is left after a distance, m. */
+    /** The fraction of the energy in a band that is left after a distance, m. */
     double left(int band, double distance) {
         return Math.exp(-exponents[band] * distance);
     }

@@ -13,9 +13,9 @@ import org.dronewatch.world.World;
 
 /**
  * One ray traced backward from the sensor. A surface absorbs part of its energy; the rest goes on as one ray, reflected
- * specularly, scattered by Lambert's law or transmitted through the wall, drawn at random so that the mean is right. Where
- * the ray is scattered, it is connected to the source; where it passes the source after a specular reflection, it is counted
- * in a sphere about the source, unless its path is one of those that are computed exactly. One per thread.
+ * specularly, scattered by Lambert's law or transmitted through the wall, drawn at random so that the mean is right.
+ * Where the ray is scattered, it is connected to the source; where it passes the source after a specular reflection, it
+ * is counted in a sphere about the source, unless its path is one of those that are computed exactly. One per thread.
  */
 final class BackwardRay {
     private static final double STAND_OFF = 1e-9;
@@ -26,7 +26,7 @@ final class BackwardRay {
     /** How far rays that meet nothing are drawn, m. */
     private static final double DRAWN = 1000.0;
 
-    /** Stands for the number of mirrors of a path that was turned by something else, too. */
+    /** Instead of the number of specular reflections: marks a path that is not purely specular. */
     private static final int NOT_EXACT = -1;
 
     private final EnergyModel model;
@@ -46,20 +46,20 @@ final class BackwardRay {
     private RayRecorder recorder;
     private int traced;
 
-    /** Whether the last thing that turned the ray was a mirror: such rays cannot be joined to a point. */
+    /** Whether the last interaction was a specular reflection: such rays cannot be connected to a point source. */
     private boolean fromMirror;
 
-    /** How many mirrors the ray has met, if it met nothing else. */
+    /** The number of specular reflections of the ray, if it is purely specular. */
     private int mirrors;
 
-    /** Whether all mirrors so far were large walls. */
+    /** Whether all specular reflections so far were in large walls. */
     private boolean largeWallsOnly;
 
     /**
-     * Journeys from one sensor.
+     * Rays from one sensor.
      *
      * @param radius of the sphere about the source, m
-     * @param tally is given what rays bring
+     * @param tally accumulates what rays contribute
      * @param ledger records where their energy goes
      */
     BackwardRay(
@@ -88,7 +88,7 @@ final class BackwardRay {
         receiver.surround(next.position(), traversal);
     }
 
-    /** Follows one ray to its end, looking for the source that is sought; gives how many pieces were traced. */
+    /** Follows one ray to its end, looking for the source that is sought; returns the number of segments traced. */
     int follow(SoundSource from, RandomGenerator chance, RayRecorder told) {
         source = from;
         random = chance;
@@ -165,7 +165,7 @@ final class BackwardRay {
         }
     }
 
-    /** The level of a piece is that of the share of the source's power which it carries. */
+    /** The level of a segment is that of the fraction of the source's power which it carries. */
     private void record(double toX, double toY, double toZ, boolean received) {
         double level = Levels.ofRatio(energy.all() * source.emitted() / model.rays());
         recorder.record(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, level, ray.order, received);
@@ -179,7 +179,7 @@ final class BackwardRay {
         ray.originZ += distance * ray.directionZ;
         ray.order++;
         if (ray.medium == material) {
-            // Out of a solid: its loss was taken on the way in.
+            // Out of a solid: its loss was taken on entry.
             ray.medium = AcousticRay.AIR;
             mirrors = NOT_EXACT;
             standOff(-1.0);

@@ -5,7 +5,7 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterial.Wall;
 
-/** What the energy model takes of a world's surfaces: shares by material and band, in flat arrays. */
+/** The surface properties that the energy model uses: fractions by material and band, in flat arrays. */
 final class BandSurfaces {
     private static final int BANDS = OctaveBands.COUNT;
 
@@ -40,17 +40,17 @@ final class BandSurfaces {
         return reflected[BANDS * material + band];
     }
 
-    /** The share that passes on the way in; what is inside a solid leaves it without more loss. */
+    /** The fraction transmitted on entry; what is inside a solid leaves it without further loss. */
     double transmitted(int material, int band) {
         return transmitted[BANDS * material + band];
     }
 
-    /** The share that goes on as from a mirror. */
+    /** The fraction that is reflected specularly. */
     double mirrored(int material, int band) {
         return reflected(material, band) * (1.0 - scattered(material, band));
     }
 
-    /** Whether anything goes on as from a mirror. */
+    /** Whether anything is reflected specularly. */
     boolean mirrors(int material) {
         for (int band = 0; band < BANDS; band++) {
             if (mirrored(material, band) > 0.0) {

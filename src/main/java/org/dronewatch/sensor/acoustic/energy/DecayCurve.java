@@ -37,7 +37,7 @@ public final class DecayCurve {
         Arrays.fill(received, 0.0);
     }
 
-    /** A curve of its own with all energies times a factor. */
+    /** A new curve with all energies scaled by a factor. */
     DecayCurve scaled(double factor) {
         DecayCurve scaled = new DecayCurve();
         for (int bin = 0; bin < BINS; bin++) {
@@ -47,8 +47,8 @@ public final class DecayCurve {
     }
 
     /**
-     * Levels of what is still to come at the beginning of each bin, dB re all; minus infinity after the last arrival and
-     * for silence.
+     * Remaining (backward-integrated) energy at the start of each bin, dB re the total; minus infinity after the last
+     * arrival and for silence.
      */
     public double[] levels() {
         double[] levels = new double[BINS];
@@ -64,8 +64,8 @@ public final class DecayCurve {
     }
 
     /**
-     * Reverberation time T30, s: twice the time that the regression line from -5 to -35 dB takes (ISO 3382-1); empty when
-     * the curve does not reach so far down.
+     * Reverberation time T30, s: twice the time that the regression line from -5 to -35 dB takes (ISO 3382-1); empty
+     * when the curve does not reach so far down.
      */
     public OptionalDouble t30() {
         double[] levels = levels();

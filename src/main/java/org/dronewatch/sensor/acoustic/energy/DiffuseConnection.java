@@ -6,8 +6,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Joins a point of a surface that scatters sound to the source, through what stands between: next-event estimation. What
- * is joined here must not be counted in the sphere again. One per thread.
+ * Connects a point of a surface that scatters sound to the source, through the walls in between: next-event estimation.
+ * What is connected here must not be counted in the sphere again. One per thread.
  */
 final class DiffuseConnection {
     private static final int BANDS = OctaveBands.COUNT;

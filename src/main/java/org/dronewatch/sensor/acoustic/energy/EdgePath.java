@@ -5,9 +5,10 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The path round the nearest edge of what hides a source. In each of several half-planes through source and sensor, the
- * lowest free rays from either end meet above the edge, or above the highest of several (Bullington, Proceedings of the
- * IRE 35, 1947, for radio over hills); of all half-planes the one with the least detour counts. One per thread.
+ * The diffraction path round the nearest edge of an obstruction of a source. In each of several half-planes through
+ * source and sensor, the lowest free rays from either end meet above the edge, or above the highest of several
+ * (Bullington, Proceedings of the IRE 35, 1947, for radio over hills); the half-plane with the smallest path difference
+ * counts. One per thread.
  */
 final class EdgePath {
     private static final int HALF_PLANES = 24;
@@ -55,7 +56,7 @@ final class EdgePath {
         return Double.isFinite(pathDifference);
     }
 
-    /** How much longer the last path found is than the straight one, m. */
+    /** Path difference of the last path found: how much longer it is than the straight one, m. */
     double pathDifference() {
         return pathDifference;
     }
@@ -65,7 +66,9 @@ final class EdgePath {
         return rise;
     }
 
-    /** Slope against the straight path of the lowest ray that passes all that is in it; infinity where none does. */
+    /**
+     * Slope, relative to the straight path, of the lowest ray that clears all obstructions; infinity where none does.
+     */
     private double lowestFree(Position from, Position vector, Position side) {
         double blocked = 0.0;
         double free = FIRST_SLOPE;
@@ -98,7 +101,7 @@ final class EdgePath {
                 1.0);
     }
 
-    /** A level direction across, so that the first half-plane stands upright; any for a vertical path. */
+    /** A horizontal direction across, so that the first half-plane is vertical; any for a vertical path. */
     private static Position across(Position ahead) {
         Position across = new Position(ahead.y(), -ahead.x(), 0.0);
         double length = across.length();

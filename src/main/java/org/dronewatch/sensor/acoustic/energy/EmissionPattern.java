@@ -7,8 +7,8 @@ import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * A directivity as a table that rays can afford to read: energy factors over the sine of the elevation, with straight
- * lines between. Steps are fine enough for 0.01 dB.
+ * A directivity as a table that is cheap to read for each ray: energy factors as a function of the sine of the
+ * elevation, interpolated linearly. Steps are fine enough for 0.01 dB.
  */
 final class EmissionPattern {
     private static final int BANDS = OctaveBands.COUNT;

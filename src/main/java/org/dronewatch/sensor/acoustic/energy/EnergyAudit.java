@@ -1,21 +1,21 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 /**
- * Where the energy of the rays went, as shares of what was emitted: what chance added and what was emitted must be what
- * was lost.
+ * The energy balance of the rays, as fractions of the emitted energy: emitted + gained = absorbed + air + escaped +
+ * lost + residual.
  *
- * @param emitted what left the source: 1 for each band with sound in it, all bands together 1
- * @param gained what surviving rays were given by the roulette and by the choice among branches
- * @param absorbed what stayed in surfaces
- * @param air what stayed in the air
- * @param escaped what left the site
- * @param lost what ended by the roulette and by the choice among branches
- * @param residual what was given up at the largest order
+ * @param emitted emitted by the source: 1 for each band with sound in it, all bands together 1
+ * @param gained added to surviving rays by Russian roulette and branch selection
+ * @param absorbed absorbed in surfaces
+ * @param air absorbed in the air
+ * @param escaped left the site
+ * @param lost of rays terminated by Russian roulette and branch selection
+ * @param residual of rays truncated at the maximum order
  */
 public record EnergyAudit(
         double emitted, double gained, double absorbed, double air, double escaped, double lost, double residual) {
 
-    /** What is unaccounted for: 0 but for rounding. */
+    /** The imbalance: 0 except for rounding. */
     public double imbalance() {
         return emitted + gained - absorbed - air - escaped - lost - residual;
     }

@@ -16,19 +16,19 @@ import org.dronewatch.sound.BandLevels;
 import org.dronewatch.world.World;
 
 /**
- * Hears by the energy model: the A-weighted sound pressure level, or the signal-to-noise ratio of the best band. One thread at a
- * time.
+ * Hears by the energy model: the A-weighted sound pressure level, or the signal-to-noise ratio of the best band. One
+ * thread at a time.
  */
 public final class EnergyHearing implements SoundTracer {
     private static final String UNIT = "dB";
 
-    /** Share of its first energy down to which a ray is followed for sure when a decay curve is drawn. */
+    /** Fraction of its initial energy down to which every ray is followed when a decay curve is computed. */
     private static final double PATIENCE = 1e-4;
 
     /** As many rays as a decay curve needs: its reverberation time scatters by 2 % with them. */
     private static final int DECAY_RAYS = 4_000;
 
-    /** Where more than this share of the sound leaves the site, it has no reverberation to speak of. */
+    /** Where more than this fraction of the sound leaves the site, it has no appreciable reverberation. */
     private static final double OPEN = 0.5;
 
     /** Below this level, dB, a decay curve is the end of the estimate and not of the sound. */
@@ -51,7 +51,7 @@ public final class EnergyHearing implements SoundTracer {
     /**
      * One look: levels in octave bands.
      *
-     * @param recorder receives every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
+     * @param recorder receives every ray segment; {@link RayRecorder#NONE} to record nothing
      */
     public EnergyReading read(Drone drone, RandomGenerator random, RayRecorder recorder) {
         return tracer.trace(sound(drone), random, recorder);
@@ -94,7 +94,7 @@ public final class EnergyHearing implements SoundTracer {
     /** In a space that keeps at least half of the sound: how it dies away. */
     @Override
     public List<Curve> curves(Drone drone, RandomGenerator random) {
-        // Late sound is faint: rays must be followed for long, where levels need them only for a short while.
+        // Late sound is faint: rays must be followed for longer than levels need.
         EnergyModel patient = model.withRays(Math.min(model.rays(), DECAY_RAYS))
                 .withRoulette(Math.min(model.roulette(), PATIENCE))
                 .withAccuracy(0.0);

@@ -1,6 +1,6 @@
 package org.dronewatch.sensor.acoustic.energy;
 
-/** Keeps account of where the energy of rays goes. One per thread. */
+/** Records where the energy of rays goes. One per thread. */
 final class EnergyLedger {
     private double gained;
     private double absorbed;
@@ -55,7 +55,7 @@ final class EnergyLedger {
     }
 
     /**
-     * The shares of what was emitted.
+     * The fractions of the emitted energy.
      *
      * @param emitted by all rays together
      */

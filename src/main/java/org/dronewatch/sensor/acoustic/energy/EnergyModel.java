@@ -17,7 +17,7 @@ import org.dronewatch.world.World;
  * reality. The straight path, specular reflections of low order and the path round an edge are computed exactly; what
  * comes later is estimated by rays, with its standard error.
  *
- * @param rays the most rays that one look traces, 1 to 10,000,000
+ * @param rays maximum number of rays that one look traces, 1 to 10,000,000
  * @param accuracy tracing stops once the standard error of the level is below this, 0 to 10 dB; with 0 all rays are
  *     traced
  * @param roulette fraction of its initial energy below which a ray survives by chance only (Russian roulette), above 0
@@ -39,9 +39,9 @@ public record EnergyModel(
         implements Propagation {
 
     /**
-     * 8,000 rays, chance below one half, 1,000 orders: less than 0.5 dB of standard error in a church, for half a second
-     * of tracing. In the open 0.2 dB is reached by fewer. Late chance is cheap for levels; for reverberation times a
-     * thousandth is better.
+     * 8,000 rays, roulette threshold 0.5, maximum order 1,000: a standard error below 0.5 dB in a church in half a
+     * second of tracing; 0.2 dB in the open with fewer rays. For reverberation times a roulette threshold of 0.001 is
+     * better.
      */
     @Defaults
     public static final EnergyModel DEFAULT =
@@ -58,7 +58,7 @@ public record EnergyModel(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public EnergyModel {
         Limits.check(EnergyModel.class, rays, accuracy, roulette, maxOrder, imageSourceOrder, diffraction, criterion);
@@ -74,7 +74,7 @@ public record EnergyModel(
         return SettingsForm.with(this, "accuracy", decibels);
     }
 
-    /** This model with another share of energy below which rays go on by chance only. */
+    /** This model with another fraction of energy below which rays survive by Russian roulette only. */
     public EnergyModel withRoulette(double share) {
         return SettingsForm.with(this, "roulette", share);
     }
@@ -111,7 +111,7 @@ public record EnergyModel(
                 : "A-weighted sound level";
     }
 
-    /** Sound takes its time. */
+    /** The speed of sound in the scene's air. */
     @Override
     public double signalSpeed(World world) {
         return world.atmosphere().speedOfSound();

@@ -4,8 +4,8 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * The energy that a ray carries in each band, and what air, surfaces and chance do to it. Chance chooses one branch for all
- * bands, by the energy of all of them; each band is then weighted so that its mean is right. One per thread.
+ * The energy that a ray carries in each band, and how air, surfaces and random choices change it. One branch is drawn
+ * for all bands, according to their total energy; each band is then weighted so that its mean is right. One per thread.
  */
 final class EnergyPacket {
     private static final int BANDS = OctaveBands.COUNT;

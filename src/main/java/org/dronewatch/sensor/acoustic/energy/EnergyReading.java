@@ -9,17 +9,17 @@ import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * What one look of an acoustic sensor gave for one drone, in the energy model. Energies are per octave band and relative
- * to a sound pressure of 20 uPa squared, so that {@code 10 lg} of them are sound pressure levels.
+ * The result of one look of an acoustic sensor at one drone, in the energy model. Energies are per octave band and
+ * relative to a sound pressure of 20 uPa squared, so that {@code 10 lg} of them are sound pressure levels.
  *
  * @param direct by the straight path, through walls that let sound pass; exact
- * @param diffracted round the nearest edge of what hides the drone
- * @param mirrored by mirror reflections of low order, exact
+ * @param diffracted round the nearest edge of what obstructs the drone
+ * @param mirrored by specular reflections of low order, exact
  * @param reverberant by all that comes later, estimated
  * @param traced how many ray segments were traced
  * @param standardError of the level of all together, dB, from the scatter among rays
  * @param audit where the rays' energy went
- * @param decay how the sound dies away
+ * @param decay how the sound decays
  */
 public record EnergyReading(
         List<Double> direct,

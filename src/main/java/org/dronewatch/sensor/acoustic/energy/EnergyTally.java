@@ -5,7 +5,7 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * Sums what rays bring, as intensity over the source's power, and keeps account of how it scatters from ray to ray. One
+ * Accumulates the contributions of rays, as intensity over the source's power, and their variance from ray to ray. One
  * per thread.
  */
 final class EnergyTally {
@@ -49,7 +49,7 @@ final class EnergyTally {
         decay.add((ray.travelled + onward) / air.soundSpeed(), brought);
     }
 
-    /** Adds what other rays, which have all ended, have brought. */
+    /** Adds the contributions of other rays, which have all ended. */
     void add(EnergyTally others) {
         for (int band = 0; band < BANDS; band++) {
             received[band] += others.received[band];
@@ -60,7 +60,7 @@ final class EnergyTally {
         rays += others.rays;
     }
 
-    /** Notes that a ray has come to its end: rays are what scatters independently. */
+    /** Records that a ray has ended: rays are the independent samples. */
     void endRay() {
         sum += ofThisRay;
         squares += ofThisRay * ofThisRay;
@@ -73,12 +73,12 @@ final class EnergyTally {
         return rays;
     }
 
-    /** What a ray brings in a band in the mean, 1/m2. */
+    /** The mean contribution of a ray in a band, 1/m2. */
     double received(int band) {
         return received[band] / rays;
     }
 
-    /** What a ray brings in all bands in the mean, 1/m2. */
+    /** The mean contribution of a ray in all bands, 1/m2. */
     double received() {
         return sum / rays;
     }

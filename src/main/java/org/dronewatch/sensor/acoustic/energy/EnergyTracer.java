@@ -17,14 +17,14 @@ import org.dronewatch.world.Clearance;
 import org.dronewatch.world.World;
 
 /**
- * The energy model. {@link ExactPaths} finds what needs no chance. The rest is found by rays that run backward, from the
- * sensor: what they meet is what the sensor can hear, however far away the source is, and by reciprocity the share of the
- * energy that they bring to the source is the share that the source would have sent to the sensor. What is scattered once
- * only is looked for from the source, too.
+ * The energy model. Deterministic paths come from {@link ExactPaths}. The rest is found by tracing rays backward from
+ * the sensor: they reach what the sensor can hear, however far away the source is, and by reciprocity the fraction of
+ * their energy that reaches the source is the fraction that the source would have sent to the sensor. Singly scattered
+ * paths are also sampled from the source.
  *
- * <p>Rays are traced in batches, on the {@link Workers} that call. Each batch has random numbers of its own, and batches
- * count in their order up to the one that makes the reading accurate: the same reading for any number of threads. Used by
- * one caller at a time.
+ * <p>Rays are traced in batches, on the calling {@link Workers}. Each batch has a separate random stream, and batches
+ * count in their order up to the one that makes the reading accurate: the reading is the same for any number of
+ * threads. Used by one caller at a time.
  */
 public final class EnergyTracer {
     /** Rays before the first look at the standard error, which a few may deceive. */
@@ -49,7 +49,7 @@ public final class EnergyTracer {
      * A tracer to one sensor.
      *
      * @param sensor where it is, m; just before a surface that it lies on
-     * @param radius of the ball about the source in which rays from mirrors are counted, m
+     * @param radius of the sphere about the source in which specularly reflected rays are counted, m
      */
     public EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {
         BandSurfaces surfaces = new BandSurfaces(world.surfaces());
@@ -68,7 +68,7 @@ public final class EnergyTracer {
      *
      * @param drone the drone's sound
      * @param random the random numbers of the rays
-     * @param recorder receives every piece of every ray that counts, from the sensor on
+     * @param recorder receives every segment of every ray that counts, from the sensor on
      */
     public EnergyReading trace(SoundSource drone, RandomGenerator random, RayRecorder recorder) {
         SoundSource source = drone.at(clearance.of(drone.position()));
@@ -76,7 +76,7 @@ public final class EnergyTracer {
         tally.clear();
         exact.find(source, sensor);
         long seed = random.nextLong();
-        // A recorder takes one piece at a time.
+        // A recorder takes one segment at a time.
         int atOnce = recorder == RayRecorder.NONE ? Workers.available() : 1;
         while (team.size() < atOnce) {
             team.add(batches.get());
@@ -103,7 +103,7 @@ public final class EnergyTracer {
     }
 
     /**
-     * What would be heard if nothing stood in the way and nothing reflected: spreading and air alone. Exact.
+     * What would be heard in the free field, without obstructions and reflections: spreading and air alone. Exact.
      *
      * @param drone the drone's sound
      */
@@ -116,7 +116,7 @@ public final class EnergyTracer {
                 energies(source, band -> heard[band]), nothing, nothing, nothing, 0, 0.0, unsent, new DecayCurve());
     }
 
-    /** As long as no ray has brought anything, nothing is known of what they might bring. */
+    /** As long as no ray has contributed anything, the contribution of further rays is unknown. */
     private boolean isAccurate(int rays) {
         return rays >= FEWEST && tally.received() > 0.0 && errorLevel() < model.accuracy();
     }

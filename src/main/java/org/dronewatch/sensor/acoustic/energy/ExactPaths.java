@@ -9,9 +9,9 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The paths that need no chance: straight from source to sensor, through what lets sound pass; round the nearest edge of
- * what hides the source; and over mirror reflections. Every triangle mirrors the source once; the path counts when it
- * crosses that triangle and nothing stands in its two legs. One per thread.
+ * The deterministic paths: straight from source to sensor, through walls that transmit sound; round the nearest edge of
+ * what obstructs the source; and over specular reflections. Every triangle gives one first-order image source; its path
+ * counts if it crosses that triangle and nothing obstructs its two legs. One per thread.
  */
 final class ExactPaths {
     private static final int BANDS = OctaveBands.COUNT;
@@ -77,7 +77,7 @@ final class ExactPaths {
         return diffracted;
     }
 
-    /** What comes over mirror reflections. */
+    /** What arrives over specular reflections. */
     FoundPaths mirrored() {
         return mirrored;
     }
@@ -96,7 +96,7 @@ final class ExactPaths {
         direct.add(length, heard);
     }
 
-    /** What would come straight in each band if nothing stood in the way. */
+    /** What would arrive directly in each band without obstructions. */
     double[] inTheOpen(SoundSource source, Position sensor) {
         double length = Math.max(source.position().distance(sensor), OWN);
         double rise = (sensor.z() - source.position().z()) / length;
@@ -125,8 +125,8 @@ final class ExactPaths {
         for (int band = 0; band < BANDS; band++) {
             double wavelength = air.soundSpeed() / OctaveBands.midband(band);
             double loss = model.diffraction().attenuation(edges.pathDifference(), wavelength);
-            // The edge's loss is over what would arrive by the straight path; only the air takes its share on the
-            // longer.
+            // The edge's loss is relative to what would arrive by the straight path; only the air attenuates over the
+            // longer one.
             heard[band] = Math.pow(10.0, -0.1 * loss)
                     * source.share(band)
                     * source.factor(band, edges.rise())

@@ -12,10 +12,11 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Paths from the source over one surface that scatters to the sensor, found from the source. Rays from the sensor find the
- * same paths; each kind alone almost never meets what is near the far end, where a drone flies low or a microphone stands
- * on the ground, and its standard error would not tell. Together, each path counts by the share of the chance with which
- * its own kind finds it (Veach and Guibas, SIGGRAPH 1995, the balance heuristic), and no path is rare. One per thread.
+ * Paths from the source over one surface that scatters to the sensor, found from the source. Rays from the sensor find
+ * the same paths; each kind alone almost never meets what is near the far end, where a drone flies low or a microphone
+ * stands on the ground, and its standard error would not show it. Together, each path is weighted by the fraction of
+ * the probability with which its own kind finds it (Veach and Guibas, SIGGRAPH 1995, the balance heuristic), and no
+ * path is rare. One per thread.
  */
 final class FirstScattering {
     private static final int BANDS = OctaveBands.COUNT;
@@ -53,7 +54,7 @@ final class FirstScattering {
     /**
      * Follows one ray from the source to the first surface and on to the sensor.
      *
-     * @return how many pieces were traced
+     * @return the number of segments traced
      */
     int add(SoundSource source, Position sensor, RandomGenerator random) {
         Position position = source.position();

@@ -8,9 +8,9 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Paths over two or more mirror reflections by the largest walls, exact: the source is mirrored from wall to wall, and the
- * path back from the sensor must meet every wall where it should, with nothing between (Allen and Berkley, JASA 65, 1979;
- * Borish, JASA 75, 1984, for rooms of any shape). One per thread.
+ * Paths over two or more specular reflections in the largest walls, exact: the source is mirrored from wall to wall,
+ * and the path back from the sensor must meet every wall where it should, with nothing between (Allen and Berkley, JASA
+ * 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). One per thread.
  */
 final class ImageSources {
     private static final int BANDS = OctaveBands.COUNT;
@@ -133,8 +133,8 @@ final class ImageSources {
     }
 
     /**
-     * Looks for what a leg of a path meets first. The wall that it comes from is flat and hides nothing of what lies before it,
-     * though rounding may have put the leg's beginning behind one of its triangles.
+     * Looks for what a leg of a path meets first. The wall that it comes from is flat and hides nothing of what lies
+     * before it, though rounding may have put the leg's beginning behind one of its triangles.
      *
      * @param end which multiple of the leg's vector leads to its end; infinite where it ends at the next wall
      * @param wall where the leg begins, or {@link WallPlanes#NONE}

@@ -30,7 +30,7 @@ final class RayBatch {
         this.firstScattering = new FirstScattering(world, surfaces, air, tally);
     }
 
-    /** Traces a number of rays; forgets those before. */
+    /** Traces a number of rays; discards the results of the previous ones. */
     void trace(SoundSource source, int rays, RandomGenerator random, RayRecorder recorder) {
         tally.clear();
         ledger.clear();
@@ -44,7 +44,7 @@ final class RayBatch {
         }
     }
 
-    /** What the rays brought. */
+    /** What the rays contributed. */
     EnergyTally tally() {
         return tally;
     }
@@ -54,7 +54,7 @@ final class RayBatch {
         return ledger;
     }
 
-    /** How many ray segments were traced. */
+    /** The number of ray segments traced. */
     long traced() {
         return traced;
     }

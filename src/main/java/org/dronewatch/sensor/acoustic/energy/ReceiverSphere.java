@@ -7,13 +7,13 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * A sphere in which passing rays are counted: each contributes its energy times the length of its chord, and the sum divided
- * by the sphere's volume is the mean intensity in it. One per thread.
+ * A sphere in which passing rays are counted: each contributes its energy times the length of its chord, and the sum
+ * divided by the sphere's volume is the mean intensity in it. One per thread.
  */
 final class ReceiverSphere {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** Directions in which is looked how much of the ball is free: its volume is right within about 1 %. */
+    /** Number of directions sampled to estimate the unobstructed volume of the sphere; accurate to about 1 %. */
     private static final int LOOKS = 100;
 
     private static final double GOLDEN_ANGLE = Math.PI * (3.0 - Math.sqrt(5.0));
@@ -31,8 +31,8 @@ final class ReceiverSphere {
     }
 
     /**
-     * Puts the ball about a point. What a surface cuts off brings nothing, and does not count in the volume either: a drone
-     * just above a floor has half a ball.
+     * Centres the sphere at a point. What a surface cuts off contributes nothing, and does not count in the volume
+     * either: a drone just above a floor has half a sphere.
      *
      * @return its volume, m3
      */
@@ -53,7 +53,8 @@ final class ReceiverSphere {
     }
 
     /**
-     * Counts what a ray brings to the ball about a source on its way to {@code end} metres from its origin, if it comes by.
+     * Counts the contribution of a ray to the sphere about a source, up to {@code end} metres from the ray's origin, if
+     * it crosses the sphere.
      */
     void count(AcousticRay ray, double[] energy, double end, SoundSource source) {
         Position centre = source.position();

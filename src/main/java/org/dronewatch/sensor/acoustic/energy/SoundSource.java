@@ -5,7 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.Levels;
 
-/** What a drone gives to the air: where, how much in each band, and how that depends on the elevation. */
+/** The sound that a drone emits: where, how much in each band, and how that depends on the elevation. */
 public final class SoundSource {
     private final Position position;
     private final double[] power;

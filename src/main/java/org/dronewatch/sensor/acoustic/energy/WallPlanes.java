@@ -9,11 +9,11 @@ import java.util.Map;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * The planes of a mesh: one for each triangle, and the largest walls, each of them all triangles in one plane. Mirror
- * reflections of higher order are looked for between the largest walls only. Immutable.
+ * The planes of a mesh: one for each triangle, and the largest walls, each of them all triangles in one plane. Specular
+ * reflections of higher order are sought between the largest walls only. Immutable.
  */
 final class WallPlanes {
-    /** Enough for the walls of a few buildings; what smaller planes mirror twice, the rays find. */
+    /** Enough for the walls of a few buildings; second-order reflections in smaller planes are found by the rays. */
     static final int LARGEST = 24;
 
     /** The number of a triangle that is in none of the largest walls. */
@@ -74,7 +74,7 @@ final class WallPlanes {
         double ny = normal[1];
         double nz = normal[2];
         double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        // One sign for both sides of a wall, so that triangles wound either way share its plane.
+        // One sign for both sides of a wall, so that triangles of either winding have the same plane.
         double largest = Math.abs(nx) > Math.abs(ny) ? nx : ny;
         double sign = Math.abs(largest) > Math.abs(nz) ? largest : nz;
         double scale = (sign < 0.0 ? -1.0 : 1.0) / length;

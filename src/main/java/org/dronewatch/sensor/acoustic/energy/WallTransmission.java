@@ -8,8 +8,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Transmission along straight lines: a sheet takes its transmission loss, a solid takes it once, where the line enters;
- * opaque surfaces let nothing pass. One per thread.
+ * Transmission along straight lines: a sheet attenuates by its transmission loss, a solid once, where the line enters;
+ * opaque surfaces transmit nothing. One per thread.
  */
 final class WallTransmission {
     private static final int BANDS = OctaveBands.COUNT;
@@ -27,9 +27,9 @@ final class WallTransmission {
     }
 
     /**
-     * Follows the straight line from one point to another through all that stands in it.
+     * Follows the straight line from one point to another through all that obstructs it.
      *
-     * @param medium number of the material in which the way begins, or {@link AcousticRay#AIR}
+     * @param medium number of the material in which the path begins, or {@link AcousticRay#AIR}
      * @return whether any of the sound arrives; {@link #isFree} and {@link #passed} then describe this line
      */
     boolean trace(double fromX, double fromY, double fromZ, double toX, double toY, double toZ, int medium) {
@@ -64,7 +64,7 @@ final class WallTransmission {
         return true;
     }
 
-    /** Whether nothing stood in the last line. */
+    /** Whether nothing obstructed the last line. */
     boolean isFree() {
         return free;
     }

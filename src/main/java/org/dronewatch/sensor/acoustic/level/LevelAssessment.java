@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.random.RandomGenerator;
 import org.dronewatch.sensor.Signal;
 
-/** What a microphone by the level model has of a drone before chance decides. */
+/** The signal that a microphone receives from a drone in the level model, before any random decision. */
 final class LevelAssessment {
     /** How many times a look is repeated where it depends on its rays. */
     private static final int TRACES = 32;
@@ -20,10 +20,10 @@ final class LevelAssessment {
     }
 
     /**
-     * The signal by the level model: certain where the straight ray is loud enough, which is traced first, and where even
-     * that would be too quiet; estimated from some looks otherwise. The first of these is the look of a run with the same
-     * random numbers. The quantity of an estimate is the median of the best levels, the upper of the two in the middle, so
-     * that it reaches the threshold when half of the looks do.
+     * The signal by the level model: certain where the straight ray is loud enough, which is traced first, and where
+     * even that would be too quiet; estimated from some looks otherwise. The first of these is the look of a run with
+     * the same random numbers. The quantity of an estimate is the median of the best levels, the upper of the two in
+     * the middle, so that it reaches the threshold when half of the looks do.
      */
     static Signal signal(double straightLevel, double threshold, RandomGenerator rays, Look look) {
         if (straightLevel < threshold) {

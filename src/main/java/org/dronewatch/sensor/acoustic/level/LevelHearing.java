@@ -10,7 +10,7 @@ import org.dronewatch.sensor.acoustic.propagation.Microphone;
 import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.world.World;
 
-/** Hears by the level model: the best undivided level received. One thread at a time. */
+/** Hears by the level model: the highest level received, which is not divided among branches. One thread at a time. */
 public final class LevelHearing implements SoundTracer {
     private final LevelModel model;
     private final Position microphone;
@@ -28,7 +28,7 @@ public final class LevelHearing implements SoundTracer {
      * One look.
      *
      * @param fully whether to go on after the first ray that is loud enough
-     * @param recorder receives every piece of every ray; {@link RayRecorder#NONE} when nobody wants to know
+     * @param recorder receives every ray segment; {@link RayRecorder#NONE} to record nothing
      */
     public LevelReading listen(Drone drone, RandomGenerator random, boolean fully, RayRecorder recorder) {
         return tracer.trace(drone.origin(), drone.soundLevel(), random, fully, recorder);
@@ -54,7 +54,7 @@ public final class LevelHearing implements SoundTracer {
         return straightLevel(drone) >= threshold;
     }
 
-    /** The level that comes straight from a drone if nothing stands in the way, dB. */
+    /** The level that would arrive directly from a drone without obstructions, dB. */
     private double straightLevel(Drone drone) {
         return drone.soundLevel() - model.attenuation() * drone.origin().distance(microphone);
     }

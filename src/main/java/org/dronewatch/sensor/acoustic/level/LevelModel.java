@@ -31,14 +31,14 @@ public record LevelModel(
         @In(value = Quantity.NUMBER, from = 1, to = 50_000_000) int rayBudget)
         implements Propagation {
 
-    /** 10 initial rays, 10 reflections a hit, 0.05 dB/m, three orders, 200,000 pieces. */
+    /** 10 initial rays, 10 reflections per hit, 0.05 dB/m, three orders, 200,000 ray segments. */
     @Defaults
     public static final LevelModel DEFAULT = new LevelModel(10, 10, 0.05, 3, 200_000);
 
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when one does not hold
+     * @throws IllegalArgumentException if a value is out of range
      */
     public LevelModel {
         Limits.check(LevelModel.class, initialRays, reflectionsPerHit, attenuation, maxOrder, rayBudget);

@@ -5,12 +5,12 @@ import java.util.Map;
 import java.util.OptionalInt;
 
 /**
- * What one look of an acoustic sensor gave for one drone, in the level model.
+ * The result of one look of an acoustic sensor at one drone, in the level model.
  *
  * @param bestLevel the highest undivided level received, dB; minus infinity when nothing was received
  * @param detected whether the best level reaches the threshold
- * @param energy the received share of the emitted energy, summed over all rays: reported only, as the forced rays make
- *     it no physical quantity
+ * @param energy the received fraction of the emitted energy, summed over all rays: for information only, as the forced
+ *     rays make it unphysical
  * @param received how many rays reached the sensor
  * @param traced how many ray segments were traced
  * @param cutByOrder how many branches were not followed because of the largest order

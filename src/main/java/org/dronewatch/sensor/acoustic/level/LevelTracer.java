@@ -15,11 +15,11 @@ import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.world.World;
 
 /**
- * The level model: follows rays breadth first, in a fixed order, from a drone to one sensor. Rays end below the level of
- * detection, at the largest order and with the ray budget; what was cut is counted.
+ * The level model: follows rays breadth first, in a fixed order, from a drone to one sensor. Rays end below the level
+ * of detection, at the maximum order and when the ray budget is spent; what was cut is counted.
  *
- * <p>Rays wait in a queue and are traced in stretches of it, on the {@link Workers} that call. Each stretch has random
- * numbers of its own, and what it finds counts in the queue's order: the same for any number of threads. Used by one
+ * <p>Rays are queued and traced in chunks of the queue, on the calling {@link Workers}. Each chunk has a separate
+ * random stream, and its results count in the queue's order: they are the same for any number of threads. Used by one
  * caller at a time.
  */
 public final class LevelTracer {
@@ -73,7 +73,7 @@ public final class LevelTracer {
         reset();
         emit(source, sourceLevel, random);
         long seed = random.nextLong();
-        // A recorder takes one piece at a time.
+        // A recorder takes one segment at a time.
         int threads = recorder == RayRecorder.NONE ? Workers.available() : 1;
         int atOnce = threads == 1 ? 1 : STRETCHES_PER_THREAD * threads;
         while (team.size() < atOnce) {
@@ -82,7 +82,7 @@ public final class LevelTracer {
         int next = 0;
         boolean enough = false;
         while (next < queue.added() && !enough) {
-            // Only whole stretches go together: where they begin must not depend on how many there are.
+            // Only whole chunks are combined: where they begin must not depend on their number.
             int first = next;
             int wave = Math.max(1, Math.min(atOnce, (queue.added() - first) / STRETCH));
             Workers.forEach(wave, i -> {

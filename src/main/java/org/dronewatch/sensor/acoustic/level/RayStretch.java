@@ -8,7 +8,10 @@ import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.world.World;
 
-/** Traces a stretch of the waiting rays: what they bring to the sensor, and the rays that leave what they meet. One per thread. */
+/**
+ * Traces a chunk of the queued rays: what they contribute at the sensor, and the rays that leave the surfaces that they
+ * hit. One per thread.
+ */
 final class RayStretch {
     /** How far rays that meet nothing are drawn, m. */
     private static final double DRAWN = 1000.0;
@@ -150,7 +153,7 @@ final class RayStretch {
         return bestLevel;
     }
 
-    /** Share of the emitted energy that reached the sensor. */
+    /** Fraction of the emitted energy that reached the sensor. */
     double energy() {
         return energy;
     }

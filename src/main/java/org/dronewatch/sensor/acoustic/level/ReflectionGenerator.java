@@ -13,7 +13,10 @@ import org.dronewatch.sensor.acoustic.propagation.Normals;
  * per thread.
  */
 final class ReflectionGenerator {
-    /** How far origins stand off the surface, as a share of their coordinates: above rounding, below everything else. */
+    /**
+     * How far origins are moved off the surface, as a fraction of their coordinates: above rounding, negligible
+     * otherwise.
+     */
     private static final double STAND_OFF = 1e-9;
 
     private final TriangleMesh mesh;
@@ -100,7 +103,9 @@ final class ReflectionGenerator {
         hitZ = ray.originZ + distance * ray.directionZ;
     }
 
-    /** Puts the branch's origin a little before (1) or behind (-1) the surface, so that rounding cannot move it over. */
+    /**
+     * Puts the branch's origin a little before (1) or behind (-1) the surface, so that rounding cannot move it over.
+     */
     private void standOff(double side) {
         double far = 1.0 + Math.abs(hitX) + Math.abs(hitY) + Math.abs(hitZ);
         double step = side * STAND_OFF * far;

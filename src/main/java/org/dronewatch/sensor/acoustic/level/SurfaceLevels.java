@@ -8,7 +8,7 @@ import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterial.Wall;
 import org.dronewatch.world.World;
 
-/** What the level model, which knows no bands, takes of a world's surfaces: their figures at 1 kHz, in flat arrays. */
+/** The surface properties that the level model uses: as it has no bands, the figures at 1 kHz, in flat arrays. */
 final class SurfaceLevels {
     /** Speed of sound in the open, m/s, at 20 degrees Celsius. */
     private static final double AIR_SPEED = 343.2;
@@ -75,7 +75,9 @@ final class SurfaceLevels {
         return medium == AcousticRay.AIR ? AIR_SPEED : speed[medium];
     }
 
-    /** Speed of sound behind a surface of a solid wall: inside it for a ray from the open, outside for one from inside. */
+    /**
+     * Speed of sound behind a surface of a solid wall: inside it for a ray from the open, outside for one from inside.
+     */
     double speedBehind(int medium, int material) {
         return medium == AcousticRay.AIR ? speed[material] : AIR_SPEED;
     }

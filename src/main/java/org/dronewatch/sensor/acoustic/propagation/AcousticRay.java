@@ -1,8 +1,8 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
 /**
- * One straight piece of a sound ray. It carries two quantities: a level that decides and is not divided among branches,
- * and an energy that is. A reused carrier of numbers, for one thread.
+ * One straight segment of a sound ray. It carries two quantities: a level, which is used for detection and copied to
+ * every branch, and an energy, which is divided among branches. A mutable, reused object, for one thread.
  */
 public final class AcousticRay {
     /** The medium of rays in the open. */
@@ -29,10 +29,10 @@ public final class AcousticRay {
     /** Undivided level at the origin, dB. */
     public double level;
 
-    /** Share of the drone's emitted energy at the origin. */
+    /** Fraction of the drone's emitted energy at the origin. */
     public double energy;
 
-    /** Way from the drone to the origin, m. */
+    /** Path length from the drone to the origin, m. */
     public double travelled;
 
     /** How many surfaces it has met. */

@@ -3,11 +3,11 @@ package org.dronewatch.sensor.acoustic.propagation;
 import org.dronewatch.sound.Barrier;
 
 /**
- * How sound bends round an edge into a shadow. Both are approximations for a single edge, applied in the shadow only: at
- * its border they step from 0 to 5 dB.
+ * How sound bends round an edge into a shadow. Both are approximations for a single edge, applied in the shadow only:
+ * at its border they step from 0 to 5 dB.
  */
 public enum Diffraction {
-    /** A shadow is as dark as its walls are tight. */
+    /** No diffraction: only transmission through walls reaches the shadow zone. */
     OFF {
         @Override
         public double attenuation(double pathDifference, double wavelength) {
@@ -30,7 +30,7 @@ public enum Diffraction {
     };
 
     /**
-     * What the edge takes of the sound that would arrive without the obstacle.
+     * The attenuation by the edge of the sound that would arrive without the obstacle.
      *
      * @param pathDifference how much longer the path over the edge is than the straight one, 0 or more, m
      * @param wavelength above 0, m

@@ -21,10 +21,13 @@ public interface SoundTracer {
     /** What there is of a drone before chance decides; draws from the same random numbers as a look. */
     Signal signal(Drone drone, RandomGenerator random);
 
-    /** Whether a drone would be heard if nothing stood in the way. */
+    /** Whether a drone would be heard without obstructions. */
     boolean isHeardInTheOpen(Drone drone);
 
-    /** Traces the rays of one look to their ends and tells the recorder every piece; nothing where there are no rays. */
+    /**
+     * Traces the rays of one look to their ends and reports every segment to the recorder; does nothing where there are
+     * no rays.
+     */
     default void traceRays(Drone drone, RandomGenerator random, RayRecorder recorder) {}
 
     /** Curves about the sound of a drone; none unless a model has some. */
