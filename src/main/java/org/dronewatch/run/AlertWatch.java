@@ -57,7 +57,7 @@ public final class AlertWatch {
             if (!observation.isFalse() && !firstSights.containsKey(observation.drone())) {
                 SensorSettings<?> sensor = settings.sensors().get(observation.sensor());
                 Position position = drones.get(observation.drone()).origin();
-                if (Sightline.looks(sensor) && sightline.isPossible(sensor, position)) {
+                if (Sightline.hasFieldOfView(sensor) && sightline.isPossible(sensor, position)) {
                     firstSights.put(observation.drone(), frame.time());
                 }
             }

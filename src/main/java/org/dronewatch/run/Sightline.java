@@ -22,7 +22,7 @@ public final class Sightline {
     }
 
     /** Whether a sensor has a field of view at all; microphones have none. */
-    public static boolean looks(SensorSettings<?> sensor) {
+    public static boolean hasFieldOfView(SensorSettings<?> sensor) {
         return Outlined.fieldOfView(sensor, Optional.empty()).isPresent();
     }
 

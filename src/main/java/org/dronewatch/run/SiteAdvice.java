@@ -58,7 +58,7 @@ record SiteAdvice(SceneSettings settings, World world) {
         if (world.isInsideWall(at)) {
             target.accept(where
                     + " seems to be inside a wall or under the ground: most surfaces around it face away from it");
-        } else if (sensor.as(SoundTracing.class).isEmpty() && clearance.isMissing(at)) {
+        } else if (sensor.as(SoundTracing.class).isEmpty() && clearance.isOnSurface(at)) {
             target.accept(where + " lies on a surface, which may hide everything from it: move it a millimetre away");
         }
     }

@@ -5,17 +5,17 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 
 /**
- * Moves positions off surfaces that they lie on. A microphone on the ground hears what it would hear a hair's breadth above:
- * the path over the ground to it would have no length, and no side to come from. One per thread.
+ * Moves positions that lie on a surface slightly off it. A microphone on the ground is treated as lying just above it;
+ * otherwise the path along the ground would have zero length and no defined side of incidence. One per thread.
  */
 public final class Clearance {
     /**
-     * How far from a surface a position is moved, m: nothing to a wave, and above {@link Visibility#MARGIN}, so that the surface
-     * still hides what is behind it.
+     * How far from a surface a position is moved, m: negligible for a sound wave, and above {@link Visibility#MARGIN},
+     * so that the surface still hides what is behind it.
      */
     public static final double GAP = 1e-4;
 
-    /** A position may lie on the walls of a corner. */
+    /** A position in a corner lies on up to three walls. */
     private static final int MOST_WALLS = 3;
 
     private static final double[][] AXES = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -31,11 +31,14 @@ public final class Clearance {
     }
 
     /** Whether a position lies on a surface. */
-    public boolean isMissing(Position position) {
+    public boolean isOnSurface(Position position) {
         return touched(position) >= 0;
     }
 
-    /** A position, or one before the surfaces that it lies on: on the side from which their corners run counter-clockwise. */
+    /**
+     * The position itself, or one just in front of the surfaces that it lies on: on the side from which their corners
+     * run counter-clockwise.
+     */
     public Position of(Position position) {
         Position clear = position;
         for (int wall = 0; wall < MOST_WALLS; wall++) {

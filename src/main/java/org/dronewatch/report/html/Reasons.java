@@ -65,7 +65,7 @@ final class Reasons {
         boolean measured =
                 fractions.weak() > 0 && best.filter(Reasons::isReading).isPresent();
         String distance = measured ? "" : format("; the closest approach was %.0f m", fractions.nearest());
-        boolean quiet = !Sightline.looks(missing) && fractions.weak() > 0 && fractions.gliding() > 0;
+        boolean quiet = !Sightline.hasFieldOfView(missing) && fractions.weak() > 0 && fractions.gliding() > 0;
         return fractions.inWords()
                 + distance
                 + (quiet ? "; motors off " + percent(fractions.gliding(), fractions.all()) + " of the time" : "");
