@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.optics.CameraObject;
 
-/** The site alone, painted from one viewpoint: what stays the same while time goes on. Immutable to whoever holds it. */
+/** The static site without sensors and drones, painted from one viewpoint. Immutable. */
 public final class Backdrop {
     private final Orbit orbit;
     private final int width;
@@ -31,17 +31,17 @@ public final class Backdrop {
         this.canvas = canvas;
     }
 
-    /** From where it is seen. */
+    /** The viewpoint. */
     public Orbit orbit() {
         return orbit;
     }
 
-    /** Columns of its pictures. */
+    /** Columns of its images. */
     public int width() {
         return width;
     }
 
-    /** Rows of its pictures. */
+    /** Rows of its images. */
     public int height() {
         return height;
     }
@@ -56,7 +56,7 @@ public final class Backdrop {
         return fineness;
     }
 
-    /** The point of the world that a pixel of the picture shows; empty for the sky. */
+    /** The point of the world shown by a pixel; empty for the sky. */
     public Optional<Position> placeAt(int column, int row) {
         if (column < 0 || row < 0 || column >= width || row >= height) {
             return Optional.empty();

@@ -31,9 +31,9 @@ public final class CameraView {
      * The view of a camera.
      *
      * @param id of the camera in its scene
-     * @param sensor settings of a sensor that takes pictures
+     * @param sensor settings of an imaging sensor
      * @param history of the run, at least up to the times that are drawn
-     * @throws IllegalArgumentException when the sensor takes no pictures
+     * @throws IllegalArgumentException if it is not an imaging sensor
      */
     public CameraView(String id, SensorSettings<?> sensor, Stage stage, RunHistory history) {
         this(id, sensor, stage, time -> history.pointing(id, time));
@@ -43,9 +43,9 @@ public final class CameraView {
      * The view of a camera.
      *
      * @param id of the camera in its scene
-     * @param sensor settings of a sensor that takes pictures
+     * @param sensor settings of an imaging sensor
      * @param pointings where its positioner pointed at a time; empty for a camera on a fixed mount
-     * @throws IllegalArgumentException when the sensor takes no pictures
+     * @throws IllegalArgumentException if it is not an imaging sensor
      */
     public CameraView(String id, SensorSettings<?> sensor, Stage stage, DoubleFunction<Optional<Pointing>> pointings) {
         PictureSettings picture = sensor.as(PictureSettings.class)
@@ -56,7 +56,7 @@ public final class CameraView {
         this.picture = new DronePicture(new CameraObject(picture));
     }
 
-    /** The names of those sensors that take pictures which can be drawn, in their order. */
+    /** The names of the imaging sensors whose images can be drawn, in their order. */
     public static List<String> cameras(Map<String, SensorSettings<?>> sensors) {
         return sensors.keySet().stream()
                 .filter(id -> sensors.get(id).as(PictureSettings.class).isPresent())
@@ -73,7 +73,7 @@ public final class CameraView {
     }
 
     /**
-     * What the camera sees with the drones as they are at a time.
+     * The camera's view with the drones at a time.
      *
      * @param time seconds since the start of the run; for the picture that the run had, a {@link #lookTime}
      */

@@ -4,7 +4,7 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.Arrays;
 
-/** A picture in the making: for each pixel a colour, how far it sees, and which triangle. For one painter at a time. */
+/** An unfinished image: colour, depth and triangle of each pixel. For one painter at a time. */
 final class Canvas {
     /** What a pixel shows where it shows no triangle of the world. */
     static final int NOTHING = -1;
@@ -44,12 +44,12 @@ final class Canvas {
         this.triangle = other.triangle;
     }
 
-    /** Mixes a colour into a pixel, by a share from 0 to 1. */
+    /** Mixes a colour into a pixel, by a fraction from 0 to 1. */
     void blend(int pixel, int colour, double share) {
         rgb[pixel] = mix(rgb[pixel], colour, share);
     }
 
-    /** A colour between two, nearer to the second the larger the share. */
+    /** A colour between two, closer to the second the larger the fraction. */
     static int mix(int below, int above, double share) {
         int weight = (int) (share * 256.0 + 0.5);
         int r = (below >> 16 & 255) * (256 - weight) + (above >> 16 & 255) * weight >> 8;

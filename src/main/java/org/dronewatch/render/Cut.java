@@ -3,20 +3,19 @@ package org.dronewatch.render;
 import org.dronewatch.geometry.Position;
 
 /**
- * A plane that cuts a part of the site away, so that one sees inside: what lies beyond it, where its normal points, is not
- * shown.
+ * A clipping plane that opens the site to view: everything on the side to which its normal points is hidden.
  *
  * @param normal unit vector towards what is cut away
  * @param offset where the plane is: its points have this product with the normal, m
  */
 public record Cut(Position normal, double offset) {
 
-    /** Takes away all above a height, m. */
+    /** Clips everything above a height, m. */
     public static Cut above(double height) {
         return new Cut(new Position(0, 0, 1), height);
     }
 
-    /** Takes away all that lies beyond a point in a direction, of any length but 0. */
+    /** Clips everything beyond a point in a direction of any nonzero length. */
     public static Cut from(Position point, Position direction) {
         Position normal = direction.unit();
         return new Cut(normal, dot(normal, point));
@@ -26,7 +25,7 @@ public record Cut(Position normal, double offset) {
         return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
     }
 
-    /** How far a point lies in what is cut away; negative for what is kept, m. */
+    /** Distance of a point beyond the plane; negative on the visible side, m. */
     double depth(double x, double y, double z) {
         return normal.x() * x + normal.y() * y + normal.z() * z - offset;
     }

@@ -1,6 +1,6 @@
 package org.dronewatch.render;
 
-/** How surfaces and the sky look by day: the sun in the south-west, light from all of the sky, and some from the eye. */
+/** Daylight shading of surfaces and sky: the sun in the south-west, light from all of the sky, and some from the eye. */
 final class Daylight {
     /** Unit vector to the sun. */
     static final double SUN_X = -0.46;
@@ -44,7 +44,7 @@ final class Daylight {
         return nx * SUN_X + ny * SUN_Y + nz * SUN_Z > 0.0 == front;
     }
 
-    /** A colour with so much of its light. */
+    /** A colour scaled by a fraction of its light. */
     static int scaled(int colour, double light) {
         int weight = (int) (256.0 * light);
         int r = Math.min(255, (colour >> 16 & 255) * weight >> 8);

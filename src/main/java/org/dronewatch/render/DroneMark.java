@@ -5,7 +5,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 
 /**
- * A drone as a picture shows it.
+ * A drone as drawn in a view.
  *
  * @param drone as it is now
  * @param flown where it has been, up to now

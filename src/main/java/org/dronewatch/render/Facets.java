@@ -3,7 +3,7 @@ package org.dronewatch.render;
 import java.util.Map;
 import org.dronewatch.geometry.TriangleMesh;
 
-/** What a mesh's triangles look like: their unit normals and their colours. Immutable. */
+/** The appearance of a mesh's triangles: their unit normals and colours. Immutable. */
 final class Facets {
     /** Of materials that name no colour: a pale stone. */
     private static final int UNNAMED = 0xb9b4aa;

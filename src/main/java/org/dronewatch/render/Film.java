@@ -3,21 +3,21 @@ package org.dronewatch.render;
 import java.util.Locale;
 
 /**
- * Which times of a run a film shows.
+ * The times of a run shown in a video.
  *
  * @param from simulated time of its first frame, 0 or more, s
  * @param to simulated time that it does not pass, from {@code from} on, s
  * @param fps frames a second, {@value #LEAST_FPS} to {@value #MOST_FPS}
- * @param speed how many times as fast as real time the run goes by, 0.01 to 1000
+ * @param speed playback speed as a multiple of real time, 0.01 to 1000
  */
 public record Film(double from, double to, int fps, double speed) {
-    /** The fewest frames a second. */
+    /** Minimum number of frames per second. */
     public static final int LEAST_FPS = 1;
 
-    /** The most frames a second. */
+    /** Maximum number of frames per second. */
     public static final int MOST_FPS = 60;
 
-    /** The most frames of a film: 24 minutes at 25 frames a second. */
+    /** Maximum number of frames of a video: 24 minutes at 25 frames per second. */
     public static final int MOST_FRAMES = 36_000;
 
     /** The longest side of a frame, pixels: what players decode. */

@@ -28,10 +28,10 @@ import org.jcodec.scale.AWTUtil;
 import org.jcodec.scale.RgbToYuv420p;
 
 /**
- * Encodes pictures as an MP4 film, H.264 at a constant quality. The same pictures give the same bytes. One thread at a time.
+ * Encodes images as an MP4 video, H.264 at constant quality. The same images give the same bytes. One thread at a time.
  */
 final class FilmEncoder {
-    /** A whole frame this often, in frames, so that players can jump. */
+    /** Interval between key frames, in frames, so that players can seek. */
     private static final int KEY_INTERVAL = 25;
 
     private final MP4Muxer muxer;

@@ -11,7 +11,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.DoubleFunction;
 import java.util.function.IntConsumer;
 
-/** Makes films of runs: MP4 files with H.264, which browsers and slides play. */
+/** Makes videos of runs: MP4 files with H.264, playable in browsers and presentations. */
 public final class FilmMaker {
     private final Film film;
     private final DoubleFunction<BufferedImage> pictures;
@@ -19,7 +19,7 @@ public final class FilmMaker {
     /**
      * Of pictures, all of one size.
      *
-     * @param pictures gives the picture at a simulated time, s; asked once for each frame, in order of time
+     * @param pictures returns the image at a simulated time, s; called once for each frame, in order of time
      */
     public FilmMaker(Film film, DoubleFunction<BufferedImage> pictures) {
         this.film = film;
@@ -35,11 +35,11 @@ public final class FilmMaker {
      * Writes the film into a file. The same pictures give the same bytes.
      *
      * @param file an empty file
-     * @param progress is given how many frames are written
-     * @param cancelled asked before each frame
+     * @param progress receives the number of frames written
+     * @param cancelled queried before each frame
      * @throws CancellationException once {@code cancelled} is true or the thread is interrupted; the file is then incomplete
      * @throws IllegalArgumentException when a picture is too large for a film
-     * @throws IOException when the disk refuses
+     * @throws IOException if writing fails
      */
     public void write(Path file, IntConsumer progress, BooleanSupplier cancelled) throws IOException {
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ, StandardOpenOption.WRITE)) {

@@ -2,13 +2,13 @@ package org.dronewatch.render;
 
 /** How finely a site is painted: less while it moves, more at rest. */
 public enum Fineness {
-    /** A ray for sixteen pixels, and not all rays of sound. */
+    /** One ray per sixteen pixels, and not all sound rays. */
     COARSE(1, 4, false, 10_000),
-    /** A ray for four pixels, and not all rays of sound. */
+    /** One ray per four pixels, and not all sound rays. */
     DRAFT(1, 2, false, 20_000),
     /** Every pixel. */
     PLAIN(1, 1, false, Integer.MAX_VALUE),
-    /** Four rays a pixel, with the sun's shadows. */
+    /** Four rays per pixel, with shadows of the sun. */
     FINE(2, 1, true, Integer.MAX_VALUE);
 
     /** Rays along a side of a block of pixels. */
@@ -17,7 +17,7 @@ public enum Fineness {
     final int pixels;
 
     final boolean shadows;
-    /** The most segments of sound rays that are drawn. */
+    /** Maximum number of sound-ray segments drawn. */
     final int pieces;
 
     Fineness(int rays, int pixels, boolean shadows, int pieces) {

@@ -16,16 +16,16 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.dronewatch.geometry.Position;
 
-/** What stands at the edges of a picture: title, legend, scale bar, north arrow, levels of rays. */
+/** Annotations around a view: title, legend, scale bar, north arrow, levels of rays. */
 final class Furniture {
     private static final Color PAPER = new Color(255, 255, 255, 222);
     private static final Color INK = new Color(0x20262e);
     private static final Color FAINT = new Color(0x6a737d);
 
-    /** Of what no longer belongs to the time of the picture. */
+    /** Colour of out-of-date annotations. */
     private static final Color STALE = new Color(0xb3261e);
 
-    /** A scale bar of about this share of the picture's width. */
+    /** Length of the scale bar as a fraction of the view's width, approximately. */
     private static final double BAR = 0.16;
 
     private final Graphics2D g;
@@ -43,7 +43,7 @@ final class Furniture {
         this.margin = px(12);
     }
 
-    /** Where it stands: nothing else should. */
+    /** The area covered by the legend, to be kept free. */
     List<Rectangle> occupied() {
         return occupied;
     }
@@ -231,7 +231,7 @@ final class Furniture {
         }
     }
 
-    /** A position in words for people, such as (12.0, 8.5, 143.2) m. */
+    /** A position as text, such as (12.0, 8.5, 143.2) m. */
     static String text(Position position) {
         return String.format(Locale.ROOT, "(%.1f, %.1f, %.1f) m", position.x(), position.y(), position.z());
     }

@@ -1,10 +1,10 @@
 package org.dronewatch.render;
 
 /**
- * Colours for levels, from violet for faint to red for loud: each change of level is seen, also by those who do not tell
- * red from green, since it goes with a change of lightness at both ends.
+ * Colours for levels, from violet for faint to red for loud: every change of level is visible, also to colour-blind
+ * readers, because lightness varies at both ends.
  *
- * @param low the faintest level that has a colour of its own, dB
+ * @param low the lowest level with a separate colour, dB
  * @param high the loudest, dB
  */
 public record LevelScale(double low, double high) {
@@ -32,7 +32,7 @@ public record LevelScale(double low, double high) {
             return new LevelScale(0.0, 60.0);
         }
         double top = 5.0 * Math.ceil(high / 5.0);
-        // Fainter than 60 dB below the loudest is all the same to the eye.
+        // Levels more than 60 dB below the loudest are not distinguished.
         double bottom = Math.max(top - 60.0, 5.0 * Math.floor(low / 5.0));
         return new LevelScale(Math.min(bottom, top - 5.0), top);
     }

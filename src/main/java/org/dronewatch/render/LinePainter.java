@@ -4,14 +4,14 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.optics.CameraObject;
 
 /**
- * Draws straight lines of the world into a canvas, with soft edges, and only where nothing stands before them. Fast enough
- * for a hundred thousand rays of sound in a picture that moves.
+ * Draws straight lines of the world into a canvas, with soft edges, and only where nothing hides them. Fast enough
+ * for a hundred thousand sound rays in a moving view.
  */
 final class LinePainter {
     /** Nearer parts of a line are cut off, m. */
     private static final double NEAR = 0.02;
 
-    /** A line may lie on a surface: a depth difference of this many pixels is forgiven. */
+    /** Depth bias, in pixels, because a line may lie on a surface. */
     private static final double FORGIVEN = 2.5;
 
     private final CameraObject camera;
@@ -25,7 +25,7 @@ final class LinePainter {
     /**
      * A painter of one picture.
      *
-     * @param cut what is cut away, or null for nothing
+     * @param cut clipping plane, or null for none
      */
     LinePainter(CameraObject camera, Cut cut, Canvas canvas) {
         this.camera = camera;

@@ -5,7 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.optics.CameraObject;
 
 /**
- * Where the picture of a site is taken from: on a sphere about what it shows. Immutable.
+ * The viewpoint of a site view, on a sphere about its target. Immutable.
  *
  * @param target the point in the middle of the picture, m
  * @param bearing where the eye stands as seen from the target, clockwise from north, rad
@@ -14,10 +14,10 @@ import org.dronewatch.sensor.optics.CameraObject;
  * @param fov vertical field of view, rad
  */
 public record Orbit(Position target, double bearing, double elevation, double distance, double fov) {
-    /** What a person would call neither wide nor narrow, rad. */
+    /** Default vertical field of view, rad. */
     private static final double NATURAL = Math.toRadians(38.0);
 
-    /** So narrow that parallel lines stay parallel to the eye: plans and side views are taken from far away, rad. */
+    /** Near-orthographic field of view for plans and side views, which are rendered from far away, rad. */
     private static final double NARROW = Math.toRadians(2.0);
 
     /** Straight up or down, a horizon has no bearing: the orbit ends shortly before, rad. */
@@ -26,7 +26,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
     private static final double NEAREST = 0.05;
     private static final double FARTHEST = 1e7;
 
-    /** Room about what is to be seen, as a factor. */
+    /** Margin around the framed box, as a factor. */
     private static final double MARGIN = 1.2;
 
     /** Checks the limits. */
@@ -83,12 +83,12 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return new Orbit(point, bearing, elevation, distance, fov);
     }
 
-    /** This orbit so near that its picture has a given height at its target, m. */
+    /** This orbit at the distance at which the view has a given height at its target, m. */
     public Orbit showing(double high) {
         return new Orbit(target, bearing, elevation, 0.5 * high / Math.tan(0.5 * fov), fov);
     }
 
-    /** This orbit displaced in the plane of the picture, m. */
+    /** This orbit moved in the plane of the view, m. */
     public Orbit panned(double right, double up) {
         double level = Math.sin(elevation);
         Position aside = new Position(-Math.cos(bearing), Math.sin(bearing), 0.0).times(right);
@@ -97,7 +97,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return at(target.plus(aside).plus(above));
     }
 
-    /** This orbit displaced level: ahead, and to the right, m. */
+    /** This orbit moved horizontally: ahead, and to the right, m. */
     public Orbit walked(double ahead, double right) {
         double x = -Math.sin(bearing) * ahead - Math.cos(bearing) * right;
         double y = -Math.cos(bearing) * ahead + Math.sin(bearing) * right;

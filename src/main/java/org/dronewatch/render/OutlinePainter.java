@@ -4,7 +4,7 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
 
-/** Draws what sensors look into as lines in the world: pyramids, sectors and balls. */
+/** Draws the sensors' fields of view as lines in the world: pyramids, sectors and spheres. */
 final class OutlinePainter {
     /** The number of straight lines with which a full turn is drawn. */
     private static final int STEPS = 72;
@@ -22,7 +22,7 @@ final class OutlinePainter {
         this.length = length;
     }
 
-    /** Draws what one sensor looks into. */
+    /** Draws one sensor's field of view. */
     void draw(Position at, Outline outline, double width, int colour, double share) {
         if (outline instanceof Outline.Pyramid pyramid) {
             drawPyramid(at, pyramid, width, colour, share);

@@ -5,11 +5,11 @@ import java.util.BitSet;
 import org.dronewatch.sensor.RayRecorder;
 
 /**
- * Collects the straight pieces of the rays of sound that one sensor follows from one drone. Beyond {@link #MOST} pieces,
+ * Collects the segments of the sound rays that one sensor traces from one drone. Beyond the {@linkplain #MOST maximum number} of segments,
  * more are only counted. For one thread.
  */
 public final class RayCollector implements RayRecorder {
-    /** So many pieces are kept: 30 MB. */
+    /** Maximum number of segments kept (30 MB). */
     public static final int MOST = 1_000_000;
 
     private static final int FIRST = 1024;
@@ -69,7 +69,7 @@ public final class RayCollector implements RayRecorder {
         count++;
     }
 
-    /** What has been collected. */
+    /** The collected segments. */
     public RecordedRays toRays() {
         return new RecordedRays(
                 sensor,

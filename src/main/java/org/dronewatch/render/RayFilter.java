@@ -6,20 +6,20 @@ import java.util.stream.IntStream;
  * Which segments of rays are drawn.
  *
  * @param fewest surfaces that their ray has met before, from this on
- * @param most surfaces that their ray has met before, up to this
+ * @param most maximum reflection order
  * @param heardOnly only paths that reached the sensor
  */
 public record RayFilter(int fewest, int most, boolean heardOnly) {
     /** All of them. */
     public static final RayFilter ALL = new RayFilter(0, Integer.MAX_VALUE, false);
 
-    /** Whether a piece is drawn. */
+    /** Whether a segment is drawn. */
     public boolean shows(RecordedRays rays, int piece) {
         int order = rays.order(piece);
         return order >= fewest && order <= most && (!heardOnly || rays.isHeard(piece));
     }
 
-    /** The numbers of the pieces that are drawn; where those are more than a number, evenly chosen ones. */
+    /** The indices of the segments to draw; evenly thinned out if there are more than a maximum number. */
     int[] pieces(RecordedRays rays, int most) {
         int[] all = IntStream.range(0, rays.count())
                 .filter(piece -> shows(rays, piece))
@@ -32,7 +32,7 @@ public record RayFilter(int fewest, int most, boolean heardOnly) {
                 .toArray();
     }
 
-    /** How many pieces are drawn. */
+    /** Number of segments drawn. */
     public int count(RecordedRays rays) {
         int shown = 0;
         for (int i = 0; i < rays.count(); i++) {

@@ -6,9 +6,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The straight pieces of the rays of sound that one sensor followed from one drone. Immutable. */
+/** The segments of the sound rays that one sensor traced from one drone. Immutable. */
 public final class RecordedRays {
-    /** Coordinates of the two ends of a piece. */
+    /** Coordinates of the two ends of a segment. */
     static final int ENDS = 6;
 
     /** Pieces that meet at a point differ there by rounding, m. */
@@ -62,32 +62,32 @@ public final class RecordedRays {
         return time;
     }
 
-    /** How many pieces are kept. */
+    /** Number of segments kept. */
     public int count() {
         return levels.length;
     }
 
-    /** How many pieces were too many to keep. */
+    /** Number of segments discarded because there were too many. */
     public long leftOut() {
         return leftOut;
     }
 
     /**
-     * One coordinate of an end of a piece, m.
+     * One coordinate of an end of a segment, m.
      *
-     * @param piece its number
+     * @param piece index of the segment
      * @param which 0 to 2 for x, y, z where it begins, 3 to 5 for where it ends
      */
     public float end(int piece, int which) {
         return ends[ENDS * piece + which];
     }
 
-    /** The level of a piece where it ends, dB. */
+    /** The level at the end of a segment, dB. */
     public float level(int piece) {
         return levels[piece];
     }
 
-    /** How many surfaces a piece's ray had met before it. */
+    /** Number of surfaces that the ray had met before this segment. */
     public int order(int piece) {
         return orders[piece];
     }
@@ -102,12 +102,12 @@ public final class RecordedRays {
         return scale;
     }
 
-    /** Whether a piece is part of a path that reached the sensor: its end, or what led there. */
+    /** Whether a segment is part of a path that reached the sensor. */
     public boolean isHeard(int piece) {
         return heard.get(piece);
     }
 
-    /** Goes back from each piece that reached the sensor: what led there ends where it begins. */
+    /** Traces back from each segment that reached the sensor: its predecessor ends where it begins. */
     private BitSet findHeard(BitSet received) {
         Map<List<Long>, Integer> endingAt = new HashMap<>();
         for (int i = 0; i < count(); i++) {

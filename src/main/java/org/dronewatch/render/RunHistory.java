@@ -11,7 +11,7 @@ import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.Stage;
 
 /**
- * What pictures need to know of one run: its site, where positioners pointed and which sensor detected which drone, at any
+ * The history of one run for rendering: its site, where positioners pointed and which sensor detected which drone, at any
  * time so far. It listens to a single run. One thread at a time.
  */
 public final class RunHistory implements SceneListener {

@@ -5,12 +5,12 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
 
 /**
- * A sensor as a picture shows it.
+ * A sensor as drawn in a view.
  *
  * @param id its name
  * @param kind its kind
  * @param position where it is, m
- * @param outline what it looks into
+ * @param outline its field of view
  * @param detecting whether it detects a drone now
  */
 public record SensorMark(String id, String kind, Position position, Optional<Outline> outline, boolean detecting) {}

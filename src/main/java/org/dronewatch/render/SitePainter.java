@@ -26,10 +26,10 @@ final class SitePainter {
     /** How far off a surface the ray to the sun begins, as a fraction of the distance of the surface. */
     private static final double OFF = 2e-5;
 
-    /** The most backs of walls through which one looks. */
+    /** Maximum number of back faces skipped. */
     private static final int MOST_BACKS = 8;
 
-    /** A side of the blocks of pixels that share a look at the sun. */
+    /** Block size for shared shadow tests, pixels. */
     private static final int BLOCK = 2;
 
     private final KDTree tree;
@@ -41,7 +41,7 @@ final class SitePainter {
         this.facets = new Facets(tree.mesh(), colours);
     }
 
-    /** What one thread paints with. */
+    /** The buffers of one painting thread. */
     private final class Brush {
         private final TileTracer tiles = new TileTracer(tree);
         private final RayTracer single = new StackTraversal(tree);
@@ -60,7 +60,7 @@ final class SitePainter {
     /**
      * Paints the world and the sky.
      *
-     * @param cut what is cut away, or null for nothing
+     * @param cut clipping plane, or null for none
      * @param shadows whether surfaces are to be asked for the sun: about as much work again as single rays
      * @param abandoned asked before each tile: once it says true, the rest stays unpainted
      */
@@ -125,7 +125,7 @@ final class SitePainter {
         return true;
     }
 
-    /** Traces a ray through what the cut keeps. */
+    /** Traces a ray through the unclipped part of the site. */
     private boolean trace(Shot shot, Brush brush, int pixel) {
         double[] eye = shot.eye();
         double[] d = brush.direction;

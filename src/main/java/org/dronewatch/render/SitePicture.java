@@ -36,10 +36,10 @@ public final class SitePicture {
     private static final int WAY = 0x5a1a14;
     private static final int PLUMB = 0x20262e;
 
-    /** What must not be reached. */
+    /** The protected zone. */
     static final Color ZONE = new Color(0xc0392b);
 
-    /** How far pyramids of cameras are drawn, as a share of the box that matters. */
+    /** How far pyramids of cameras are drawn, as a fraction of the framed box. */
     private static final double OUTLINE = 0.16;
 
     private final SitePainter painter;
@@ -66,12 +66,12 @@ public final class SitePicture {
     }
 
     /**
-     * What is in the site at a time.
+     * The state of the site at a time.
      *
      * @param title of the picture
      * @param time seconds since the start of the run
      * @param detects whether a sensor of a name detects a drone of a name then
-     * @param pointing where the positioner of a sensor of a name points then; empty for one that stands still
+     * @param pointing where the positioner of a sensor of a name points then; empty for a fixed one
      * @param selected the sensor or drone that matters most
      * @param rays rays of sound
      */
@@ -172,7 +172,7 @@ public final class SitePicture {
         return new Backdrop(orbit, width, height, cut, fineness, camera, canvas);
     }
 
-    /** Draws what is there at one time over a backdrop, which stays as it is. */
+    /** Draws the state at one time over a backdrop, which remains unchanged. */
     public BufferedImage draw(Backdrop backdrop, SiteState state, SiteStyle style) {
         Cut cut = backdrop.cut().orElse(null);
         CameraObject camera = backdrop.camera();

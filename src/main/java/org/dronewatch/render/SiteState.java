@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What is in the site at one time, for a picture.
+ * The state of the site at one time, for a view.
  *
  * @param title of the picture
  * @param time seconds since the start of the run
  * @param sensors the sensors
  * @param drones the drones
- * @param selected the sensor or drone that matters most now
+ * @param selected the selected sensor or drone
  * @param rays rays of sound
  */
 public record SiteState(

@@ -3,11 +3,11 @@ package org.dronewatch.render;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * What of a site's state is drawn, and how large.
+ * Which parts of a site's state are drawn, and how large.
  *
  * @param scale pixels of the picture for one of a screen of normal density: 2 on a screen of twice the density
  * @param labels whether sensors and drones are named
- * @param outlines whether it shows what sensors look into
+ * @param outlines whether it shows fields of view
  * @param flights whether the paths of drones are drawn
  * @param filter which rays of sound are drawn
  */
@@ -25,7 +25,7 @@ public record SiteStyle(double scale, boolean labels, boolean outlines, boolean 
         return SettingsForm.with(this, "labels", shown);
     }
 
-    /** This style with or without what sensors look into. */
+    /** This style with or without fields of view. */
     public SiteStyle withOutlines(boolean shown) {
         return SettingsForm.with(this, "outlines", shown);
     }

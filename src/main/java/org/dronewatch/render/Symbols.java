@@ -19,7 +19,7 @@ import org.dronewatch.sensor.optics.CameraObject;
 
 /**
  * Draws the symbols of sensors and drones over a picture, and their names where there is room: cameras as cameras whose
- * lens opens to where they look, radars as diamonds, what hears all round as discs, drones as rings. What stands behind something
+ * lens opens to where they look, radars as diamonds, omnidirectional sensors as discs, drones as rings. What stands behind something
  * is drawn pale.
  */
 final class Symbols {
@@ -32,10 +32,10 @@ final class Symbols {
     /** How large a sensor may be that the model of the site already shows, m. */
     private static final double SENSOR = 0.1;
 
-    /** Sensors nearer to each other than this share a name, in pixels of a normal screen. */
+    /** Sensors closer together than this share a label, in pixels of a normal screen. */
     private static final double TOGETHER = 9.0;
 
-    /** The most names of sensors at one position that are written. */
+    /** Maximum number of sensor names in one label. */
     private static final int MOST_NAMES = 4;
 
     private final Graphics2D g;

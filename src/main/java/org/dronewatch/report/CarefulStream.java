@@ -4,7 +4,7 @@ import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/** Remembers that a disk refused: some libraries swallow what their stream throws, or make something else of it. */
+/** Records the first write error: some libraries swallow the exceptions of their stream, or replace them. */
 final class CarefulStream extends FilterOutputStream {
     private IOException refusal;
 
@@ -31,7 +31,7 @@ final class CarefulStream extends FilterOutputStream {
     /**
      * Checks that nothing was lost.
      *
-     * @throws IOException the first refusal
+     * @throws IOException the first write error
      */
     void check() throws IOException {
         if (refusal != null) {

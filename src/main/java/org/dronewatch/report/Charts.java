@@ -20,7 +20,7 @@ import org.knowm.xchart.style.Styler.LegendLayout;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** The look that all plots share. */
+/** The common style of all plots. */
 final class Charts {
     private static final int WIDTH = 1200;
     private static final int HEIGHT = 640;
@@ -67,12 +67,12 @@ final class Charts {
         return chart;
     }
 
-    /** The colour of the series of a number, from 0 on; after some they come again. */
+    /** The colour of the series of a number, from 0 on; colours repeat after the last. */
     static Color colour(int number) {
         return SERIES[number % SERIES.length];
     }
 
-    /** Draws a series as a thin grey dashed line without markers: a law or a threshold, not a result. */
+    /** Draws a series as a thin grey dashed line without markers: an analytic model or a threshold, not a result. */
     static void asReference(XYSeries series) {
         asReference(series, Color.GRAY);
     }

@@ -16,10 +16,10 @@ public final class CostReport {
     private CostReport() {}
 
     /**
-     * Writes a CSV file and a PNG picture for each.
+     * Writes a CSV file and a PNG image for each.
      *
-     * @param directory where to; made if it is not there, and it gets all files or none
-     * @param study is done once it is known that the directory can be written
+     * @param directory target; created if missing; it receives all files or none
+     * @param study runs once the directory is known to be writable
      */
     public static void write(Path directory, Supplier<List<CostCurves>> study) {
         try (OutputDirectory target = new OutputDirectory(directory)) {

@@ -22,7 +22,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.render.KindColours;
 import org.dronewatch.world.World;
 
-/** A plan of a site, north up: shaded ground, what the sensors of each kind reach, the sensors themselves. */
+/** A plan of a site, north up: shaded ground, the area covered by the sensors of each kind, the sensors themselves. */
 public final class CoveragePicture {
     private static final int MAP = 1000;
     private static final int SIDE = 380;
@@ -47,7 +47,7 @@ public final class CoveragePicture {
      *
      * @param title what it shows
      * @param world for the shades of the ground
-     * @param drone in words, for the legend
+     * @param drone description of the drone for the legend
      */
     public static CoveragePicture of(String title, Coverage coverage, World world, String drone) {
         CoveragePicture picture = new CoveragePicture(coverage);
@@ -163,10 +163,10 @@ public final class CoveragePicture {
         g.drawString(title, x, y);
         g.setFont(TEXT);
         for (String line : List.of(
-                "where a drone is detected, " + plain(grid.height()) + " m above",
-                "the ground, flying towards the sensor;",
+                "detection of a drone flying " + plain(grid.height()) + " m",
+                "above ground towards the sensor;",
                 drone,
-                "one look in each cell of " + plain(grid.step()) + " m")) {
+                "one look per " + plain(grid.step()) + " m cell")) {
             y += LINE;
             g.drawString(line, x, y);
         }

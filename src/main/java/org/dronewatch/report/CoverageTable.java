@@ -9,7 +9,7 @@ import java.util.Set;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.sensor.Cause;
 
-/** The numbers of a {@link Coverage} in tables for people: areas, and why each sensor misses the drone elsewhere. */
+/** The numbers of a {@link Coverage} in readable tables: areas, and why each sensor misses the drone elsewhere. */
 public final class CoverageTable {
     private static final String NAMES = "%-24s %-10s";
     /** Fractions below this are more than nothing, but less than what a table shows, %. */

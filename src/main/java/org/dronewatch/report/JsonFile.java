@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Writes JSON that people can read: indented, lines ended by a line feed on every system. */
+/** Writes human-readable JSON: indented, lines ended by a line feed on every system. */
 final class JsonFile {
     private static final JsonMapper MAPPER = JsonMapper.builder().build();
 

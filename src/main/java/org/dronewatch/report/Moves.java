@@ -20,7 +20,7 @@ final class Moves {
         void run() throws IOException;
     }
 
-    /** Moves a file to where there is none, or replaces one, which is kept elsewhere. */
+    /** Moves a file to its target; an existing file there is kept elsewhere. */
     void move(Path file, Path target, Path kept) throws IOException {
         makeDirectories(target.getParent());
         if (Files.exists(target, LinkOption.NOFOLLOW_LINKS)) {
@@ -31,7 +31,7 @@ final class Moves {
         rename(file, target);
     }
 
-    /** Takes a file away. */
+    /** Removes a file. */
     void setAside(Path file, Path kept) throws IOException {
         if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
             throw new FileSystemException(file.toString(), null, file.getFileName() + " in it is a directory");
@@ -41,7 +41,7 @@ final class Moves {
         done.push(() -> rename(kept, file));
     }
 
-    /** Makes a directory and those above it, as far as there are none. */
+    /** Creates a directory and its missing parents. */
     void makeDirectories(Path directory) throws IOException {
         if (directory != null && !Files.isDirectory(directory)) {
             makeDirectories(directory.getParent());
@@ -59,7 +59,7 @@ final class Moves {
         }
     }
 
-    /** Takes all back, the last first; what cannot be is noted in the problem. */
+    /** Undoes all moves, the last first; moves that cannot be undone are noted in the exception. */
     void takeBack(Exception problem) {
         while (!done.isEmpty()) {
             try {

@@ -21,7 +21,7 @@ final class OutputDirectory implements AutoCloseable {
     private final Path fresh;
     private final Path replaced;
 
-    /** Something that writes into the directory. */
+    /** Work that writes into the directory. */
     @FunctionalInterface
     interface Work {
         /** Writes. */
@@ -54,7 +54,7 @@ final class OutputDirectory implements AutoCloseable {
             Path staging = stagingPlace();
             this.lock = StagingLock.acquire(staging)
                     .orElseThrow(() -> new InputException(
-                            asked + " is in use by another run: wait for its end, or use another directory"));
+                            asked + " is in use by another run: wait until it finishes, or use another directory"));
             this.fresh = staging.resolve("new");
             this.replaced = staging.resolve("old");
         } catch (IOException e) {
@@ -73,9 +73,9 @@ final class OutputDirectory implements AutoCloseable {
     }
 
     /**
-     * Does something that writes into the directory.
+     * Performs work that writes into the directory.
      *
-     * @throws InputException when the disk refuses
+     * @throws InputException if writing fails
      */
     void write(Work work) {
         try {
@@ -85,7 +85,7 @@ final class OutputDirectory implements AutoCloseable {
         }
     }
 
-    /** A problem of writing as the user is to see it. */
+    /** A write error as shown to the user. */
     RuntimeException refusal(Exception problem) {
         return Refusal.of(asked, problem);
     }
@@ -104,7 +104,7 @@ final class OutputDirectory implements AutoCloseable {
     }
 
     /**
-     * Moves all that was written into place; if one file cannot be, none is.
+     * Moves all written files into place; if one cannot be moved, none is.
      *
      * @param obsolete files of an earlier run that must not stay if they were not written anew
      */
@@ -133,7 +133,7 @@ final class OutputDirectory implements AutoCloseable {
         }
     }
 
-    /** Removes what was not published. */
+    /** Removes unpublished files. */
     @Override
     public void close() {
         lock.close();

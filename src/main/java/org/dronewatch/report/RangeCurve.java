@@ -9,9 +9,9 @@ import java.util.OptionalDouble;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.setting.Quantity;
 
-/** What one sensor measured of one drone over the range, and against which threshold, in the runs where it is the same. */
+/** The measured values of one sensor for one drone versus range, with their thresholds, for the runs in which they are the same. */
 final class RangeCurve {
-    /** Above this multiple of the threshold the drone is certain, and the plot would only lose its scale. */
+    /** Values are clipped at this multiple of the threshold, where detection is certain, to keep the plot readable. */
     private static final double TOP = 10.0;
 
     private final String drone;
@@ -75,12 +75,12 @@ final class RangeCurve {
         return Collections.unmodifiableMap(thresholds);
     }
 
-    /** Whether values were cut at the {@linkplain #top top}. */
+    /** Whether values were clipped at the {@linkplain #top top}. */
     boolean isCut() {
         return cut;
     }
 
-    /** What values are cut at. Levels are logarithms: they need no top. */
+    /** The value at which the plot is clipped; levels are logarithmic and are not clipped. */
     double top() {
         if (unit.equals(Quantity.LEVEL.unit())) {
             return Double.POSITIVE_INFINITY;

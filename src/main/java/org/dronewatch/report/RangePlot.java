@@ -16,7 +16,7 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** What one sensor measured over the range. */
+/** A plot of one sensor's measured values versus range. */
 final class RangePlot {
     private static final double TEN = 10.0;
 
@@ -51,7 +51,7 @@ final class RangePlot {
 
     XYChart chart() {
         XYChart chart = Charts.chart(
-                result.scene() + ": values measured by '" + sensor + "' over range", "range [m]", valueAxis());
+                result.scene() + ": values measured by '" + sensor + "' vs range", "range [m]", valueAxis());
         for (int i = 0; i < curves.size(); i++) {
             RangeCurve curve = curves.get(i);
             XYSeries series = chart.addSeries(unique(chart, nameOf(curve)), curve.ranges(), curve.values());
@@ -83,7 +83,7 @@ final class RangePlot {
         return chart;
     }
 
-    /** Zero is no end of a scale of decibels: from one ten to another, with the thresholds that are drawn. */
+    /** A decibel axis does not start at zero: it spans multiples of ten that include the thresholds. */
     private void showDecibels(XYChart chart) {
         double least = thresholds.keySet().stream()
                 .mapToDouble(Double::doubleValue)
@@ -108,10 +108,10 @@ final class RangePlot {
         String measured = settings(run).sensors().get(sensor).description().measures();
         String what = any.unit().isEmpty() ? measured : measured + " [" + any.unit() + "]";
         boolean cut = curves.stream().anyMatch(RangeCurve::isCut);
-        return cut ? what + ", cut at " + Quantity.NUMBER.inBrief(any.top()) : what;
+        return cut ? what + ", clipped at " + Quantity.NUMBER.inBrief(any.top()) : what;
     }
 
-    /** The plotting library refuses a second series of a name. */
+    /** The plotting library rejects duplicate series names. */
     private static String unique(XYChart chart, String name) {
         Set<String> taken =
                 chart.getSeriesCollection().stream().map(XYSeries::getName).collect(Collectors.toSet());
@@ -139,7 +139,7 @@ final class RangePlot {
         return thresholds.size() > 1 && runs.size() <= NAMED_RUNS ? name + swept(runs) : name;
     }
 
-    /** The values of what is swept in some runs, after a comma; nothing when nothing is swept. */
+    /** The values of what is swept in some runs, after a comma; empty without a sweep. */
     private String swept(Collection<Integer> runs) {
         String values = runs.stream()
                 .map(this::settings)

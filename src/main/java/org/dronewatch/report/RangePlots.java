@@ -10,9 +10,9 @@ import org.dronewatch.run.Frame;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.sensor.Observation;
 
-/** For each sensor, what it measured over the range, with its threshold: shows how close each decision was. */
+/** Plots of each sensor's measured values versus range, with its threshold: they show the margin of each decision. */
 final class RangePlots {
-    /** More points than a plot can show; what comes later is left out. */
+    /** Maximum number of points of a plot; later ones are omitted. */
     private static final int MAX_POINTS = 200_000;
 
     private final Map<String, Map<Subject, RangeCurve>> sensors = new LinkedHashMap<>();

@@ -16,11 +16,11 @@ import org.dronewatch.sensor.RayRecorder;
 
 /**
  * Recorded rays as lines of an OBJ file, in the frame of the packaged models (metres, y up, north is -z), so that they can
- * be looked at beside the model. A group holds the pieces of one sensor, drone and order; those that end at the sensor
- * have groups of their own.
+ * be viewed together with the model. A group holds the segments of one sensor, drone and order; those that end at the
+ * sensor are in separate groups.
  */
 public final class RayPaths {
-    /** A straight piece in the world's frame, and its level. */
+    /** A ray segment in the world's frame, and its level. */
     private record Piece(double[] ends, double level) {}
 
     /** The same file on every system. */
@@ -29,7 +29,7 @@ public final class RayPaths {
     private final Map<String, List<Piece>> groups = new LinkedHashMap<>();
     private int pieces;
 
-    /** What records the rays of a sensor and a drone of these names. */
+    /** The recorder for the rays of a sensor and a drone of these names. */
     public RayRecorder recorder(String sensor, String drone) {
         return (fromX, fromY, fromZ, toX, toY, toZ, level, order, received) -> {
             String group = sensor + "_" + drone + "_order_" + order + (received ? "_received" : "");
@@ -39,7 +39,7 @@ public final class RayPaths {
         };
     }
 
-    /** How many pieces were recorded. */
+    /** Number of recorded segments. */
     public int pieces() {
         return pieces;
     }

@@ -14,7 +14,7 @@ final class Refusal {
     private Refusal() {}
 
     /**
-     * A problem as the user is to see it: one line if the disk is behind it, however the libraries in between wrapped it.
+     * A problem as shown to the user: one line for a write error, however libraries wrapped it.
      *
      * @param what the option and its value, or the directory
      */

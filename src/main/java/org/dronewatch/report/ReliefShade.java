@@ -5,7 +5,7 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.world.World;
 
-/** The ground as seen from straight above, lit from the north-west. */
+/** The ground seen from directly above, lit from the north-west. */
 final class ReliefShade {
     private static final Color NOTHING = new Color(0xeeeeee);
     private static final double[] LIGHT = {-0.48, 0.48, 0.734};

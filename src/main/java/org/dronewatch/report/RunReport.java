@@ -55,7 +55,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     /**
      * Opens the report.
      *
-     * @param scene what will be run
+     * @param scene the scene to be run
      * @param target the directory in which the files will appear
      * @param withObservations whether to write every single observation too
      * @throws org.dronewatch.setting.InputException when the directory cannot be written
@@ -103,13 +103,13 @@ public final class RunReport implements SceneListener, AutoCloseable {
         }
     }
 
-    /** Lets go of a table that nobody will have. */
+    /** Discards a table of an aborted report. */
     private static void close(Table table) {
         if (table != null) {
             try {
                 table.close();
             } catch (UncheckedIOException e) {
-                // Another file has been refused already.
+                // Another write error has already been reported.
                 return;
             }
         }
@@ -160,7 +160,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
                 .collect(Collectors.joining(" "));
     }
 
-    /** @throws org.dronewatch.setting.InputException when the disk refuses the row */
+    /** @throws org.dronewatch.setting.InputException if the row cannot be written */
     @Override
     public void detectionChanged(DetectionEvent event) {
         directory.write(() -> writeRow(event));
@@ -201,9 +201,9 @@ public final class RunReport implements SceneListener, AutoCloseable {
     }
 
     /**
-     * Writes summary, plots, maps and the report for people, and moves everything into place.
+     * Writes summary, plots, maps and the HTML report, and moves everything into place.
      *
-     * @throws org.dronewatch.setting.InputException when the disk refuses; the directory is then as it was
+     * @throws org.dronewatch.setting.InputException if writing fails; the directory is then as it was
      */
     public void finish(SceneResult result) {
         directory.write(() -> writeAll(result));
@@ -256,7 +256,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     private static String valueCaption(SceneResult result, String sensor) {
         SensorSettings<?> settings = result.runs().get(0).settings().sensors().get(sensor);
         return "What '" + sensor + "' (" + settings.kind()
-                + ") measured as a function of the drone's distance, and the threshold that it had to reach.";
+                + ") measured versus the drone's range, and its detection threshold.";
     }
 
     private Path plotFile(String name, String caption) {

@@ -26,7 +26,7 @@ import org.dronewatch.run.Stage;
 
 /** The site of a run at its first alert or detection: all of it, from above, and close up what is to be protected. */
 final class SitePictures {
-    /** A close-up of nearly all that the whole picture shows would add nothing. */
+    /** A close-up that covers nearly the whole site is omitted. */
     private static final double CLOSE = 0.6;
 
     /** About the protected zone, or about the sensors of a site without one, m. */
@@ -77,15 +77,13 @@ final class SitePictures {
         double aspect = (double) width / height;
         List<Figure> figures = new ArrayList<>();
         figures.add(figure(
-                Orbit.about(picture.frame(), aspect),
-                state,
-                "The site " + when + ". Fields of view are not drawn to their full length."));
-        figures.add(figure(Orbit.top(picture.frame(), aspect), state, "The same from above, north up."));
+                Orbit.about(picture.frame(), aspect), state, "The site " + when + ". Fields of view are truncated."));
+        figures.add(figure(Orbit.top(picture.frame(), aspect), state, "The same seen from above, north up."));
         AABB near = near();
         if (near.diagonal() < CLOSE * picture.frame().diagonal()) {
             boolean zone = run.settings().alert().protect().isPresent();
             figures.add(figure(
-                    Orbit.about(near, aspect), state, (zone ? "The protected zone" : "The sensors") + " close up."));
+                    Orbit.about(near, aspect), state, (zone ? "The protected zone" : "The sensors") + " in close-up."));
         }
         return figures;
     }

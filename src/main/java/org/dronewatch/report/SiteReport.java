@@ -27,13 +27,13 @@ final class SiteReport {
 
     private static final int WIDTH = 1000;
 
-    /** Of the pictures of one run among many, so that the file can still be sent. */
+    /** Image width for one of many runs, which keeps the file small. */
     private static final int WIDTH_OF_MANY = 640;
 
-    /** From this number of runs on pictures are smaller. */
+    /** Images are smaller from this number of runs on. */
     private static final int MANY_RUNS = 4;
 
-    /** Of a great site the plots of the first sensors are in it. */
+    /** Maximum number of sensors whose plots are included. */
     private static final int MOST_PLOTS = 20;
 
     private final SceneResult result;
@@ -43,7 +43,7 @@ final class SiteReport {
     /**
      * A report of a finished run.
      *
-     * @param looks what listened to all its runs
+     * @param looks the looks recorded in all runs
      * @param captions what each plot shows, by the name of its file
      */
     SiteReport(SceneResult result, Looks looks, Map<String, String> captions) {

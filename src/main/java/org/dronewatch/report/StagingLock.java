@@ -12,8 +12,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 
 /**
- * A directory for files in the making that one run at a time may have. A file in it is locked as long as the run goes on; the
- * lock ends with the process, however that ends, and who comes next removes what was left behind.
+ * A directory for unfinished files, used by one run at a time. A file in it is locked as long as the run goes on; the
+ * lock ends with the process, however that ends, and the next process removes stale files.
  */
 final class StagingLock implements AutoCloseable {
     private static final String LOCK = "lock";
@@ -107,7 +107,7 @@ final class StagingLock implements AutoCloseable {
         }
     }
 
-    /** Removes the directory with all that is in it, and lets others have it. */
+    /** Removes the directory and its contents, and releases the lock. */
     @Override
     public void close() {
         Path name = directory.resolve(LOCK);

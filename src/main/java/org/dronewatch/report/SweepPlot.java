@@ -16,7 +16,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsPath;
 import org.knowm.xchart.XYChart;
 
-/** First-detection range over the value of a sweep, with the law that the scene expects. */
+/** First-detection range versus the swept value, with the analytic model of the scene if there is one. */
 final class SweepPlot {
     private final Scene scene;
     private final SceneResult result;
@@ -35,9 +35,9 @@ final class SweepPlot {
         return numbers ? Optional.of(new SweepPlot(scene, result, points.get(0).parameter())) : Optional.empty();
     }
 
-    /** What it shows, in a sentence. */
+    /** The caption. */
     String caption() {
-        return "At which distance each sensor first detects a drone, over '" + parameter + "'.";
+        return "Range at which each sensor first detects a drone, as a function of '" + parameter + "'.";
     }
 
     /** The parameter as part of a file name. */

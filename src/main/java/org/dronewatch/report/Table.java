@@ -35,7 +35,7 @@ final class Table implements AutoCloseable {
         writer.writeRecord(values);
     }
 
-    /** Closes the file; twice is no harm. */
+    /** Closes the file; idempotent. */
     @Override
     public void close() {
         if (closed) {

@@ -20,14 +20,14 @@ public final class WholeFile {
     private final Path file;
     private final Path directory;
 
-    /** Writes what the file is to hold. */
+    /** Writes the file's contents. */
     @FunctionalInterface
     public interface Content {
         /** Writes all of it; closing the stream is not its business. */
         void writeTo(OutputStream stream) throws IOException;
     }
 
-    /** Writes what the file is to hold, where a library needs a file rather than a stream. */
+    /** Writes the file's contents, where a library needs a file rather than a stream. */
     @FunctionalInterface
     public interface FileContent {
         /** Writes all of it into a new, empty file. */
@@ -68,7 +68,7 @@ public final class WholeFile {
     /**
      * Writes the file; an older one is replaced.
      *
-     * @throws InputException when the disk refuses; the older file is then as it was
+     * @throws InputException if writing fails; the older file is then as it was
      */
     public void write(Content content) {
         writeFile(partial -> writeTo(partial, content));
@@ -88,7 +88,7 @@ public final class WholeFile {
     /**
      * Writes the file; an older one is replaced. Whatever the content throws, the older file stays as it was.
      *
-     * @throws InputException when the disk refuses; the older file is then as it was
+     * @throws InputException if writing fails; the older file is then as it was
      */
     public void writeFile(FileContent content) {
         // Not a temporary file of the library, which nobody else may read.

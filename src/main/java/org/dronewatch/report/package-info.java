@@ -1,2 +1,2 @@
-/** Writes what a run gave: tables, a summary and plots, whole or not at all. */
+/** Writes the results of a run: tables, a summary and plots, either completely or not at all. */
 package org.dronewatch.report;

@@ -17,7 +17,7 @@ import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.sensor.optics.PictureSettings;
 import org.dronewatch.world.World;
 
-/** One camera of a run, for looking through at any time. For one thread at a time, except {@link #tell}. */
+/** The view through one camera of a run at any time. For one thread at a time, except {@link #tell}. */
 final class CameraEye {
     private final String id;
     private final SensorSettings<?> sensor;
@@ -32,8 +32,8 @@ final class CameraEye {
     /**
      * A camera's eye.
      *
-     * @param sensor settings of a sensor that takes pictures
-     * @param pointings where its positioner points at a time; empty for a camera that stands still
+     * @param sensor settings of an imaging sensor
+     * @param pointings where its positioner points at a time; empty for a fixed camera
      */
     CameraEye(String id, SensorSettings<?> sensor, Stage stage, DoubleFunction<Optional<Pointing>> pointings) {
         this.id = id;
@@ -58,7 +58,7 @@ final class CameraEye {
         return CameraView.lookTime(sensor, time);
     }
 
-    /** Its last frame up to a time, the background in at most a number of pixels. */
+    /** Its last frame up to a time, with a limited number of pixels of background. */
     CameraShot look(double time, int width, int height) {
         double frame = frameTime(time);
         turn(pointings.apply(frame + 1e-9));
@@ -86,7 +86,7 @@ final class CameraEye {
         }
     }
 
-    /** What a pixel shows, in words: how far it is, and what. */
+    /** A description of what a pixel shows, and its distance. */
     String tell(CameraShot shot, int column, int row) {
         for (DronePixels drone : shot.drones()) {
             if (drone.isHit(column, row)) {

@@ -29,7 +29,7 @@ final class CameraPanel extends JPanel {
     private transient CameraVisual enlarged;
     private double time;
 
-    /** Whether a scene is shown: before, nobody knows how many cameras there are. */
+    /** Whether a scene is displayed; before that, the number of cameras is unknown. */
     private boolean known;
 
     /**
@@ -113,7 +113,7 @@ final class CameraPanel extends JPanel {
         repaint();
     }
 
-    /** So many columns that the pictures become as large as they can. */
+    /** The number of columns that makes the images as large as possible. */
     private int columns() {
         int best = 1;
         double largest = 0.0;
@@ -162,7 +162,7 @@ final class CameraPanel extends JPanel {
     /**
      * Shows what each camera last measured, and which one is selected.
      *
-     * @param told gives what a camera of a name measured of each drone
+     * @param told returns what the camera with a given name measured of each drone
      */
     void mark(Function<String, Map<String, PairReading>> told, String selected) {
         for (CameraVisual visual : visuals) {

@@ -7,11 +7,11 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.optics.DronePixels;
 
 /**
- * What a camera shows at one time. Nobody changes it any more.
+ * A camera's view at one time; its arrays are no longer modified.
  *
  * @param background the site in blues, at no more pixels than the panel has
  * @param time seconds since the start of the run
  * @param drones the pixels of each drone, at the camera's own resolution
- * @param pointing where its positioner points then; empty for a camera that stands still
+ * @param pointing where its positioner points then; empty for a fixed camera
  */
 record CameraShot(BufferedImage background, double time, List<DronePixels> drones, Optional<Pointing> pointing) {}

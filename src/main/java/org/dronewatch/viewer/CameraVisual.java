@@ -19,7 +19,7 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.optics.DronePixels;
 
 /**
- * What one camera sees: distances in blues, nearer darker, the sky pale, the drone's pixels in orange, its significant pixels
+ * The view of one camera: distances in blues, nearer darker, the sky pale, the drone's pixels in orange, its significant pixels
  * framed, and how many there are against how many it takes. A frame of a drone far away is drawn larger than it is; a large
  * view magnifies it in a corner.
  */
@@ -68,7 +68,7 @@ final class CameraVisual extends JPanel {
         return eye;
     }
 
-    /** Receives what the pixel under the pointer shows. */
+    /** Receives a description of the pixel under the pointer. */
     void onHint(Consumer<String> target) {
         hint = target;
     }
@@ -79,7 +79,7 @@ final class CameraVisual extends JPanel {
         repaint();
     }
 
-    /** Shows what the camera last measured of each drone that it had in its picture, and whether it is selected. */
+    /** Shows the camera's last measurement of each drone in its image, and whether it is selected. */
     void mark(Map<String, PairReading> told, boolean isSelected) {
         if (!readings.equals(told) || selected != isSelected) {
             readings = told;
@@ -92,7 +92,7 @@ final class CameraVisual extends JPanel {
         return readings.values().stream().anyMatch(PairReading::isEnough);
     }
 
-    /** Where the picture lies in this panel: as large as fits, its sides in the camera's proportion. */
+    /** The position of the image in this panel: as large as possible with the camera's aspect ratio. */
     Rectangle frame() {
         double aspect = eye.settings().width() / (double) eye.settings().height();
         int width = Math.max(1, Math.min(getWidth(), (int) Math.round(getHeight() * aspect)));
@@ -203,7 +203,7 @@ final class CameraVisual extends JPanel {
         g.drawString(text, left + 4, top + 1 + metrics.getAscent());
     }
 
-    /** The camera's name; of one on a positioner also what that does, and how narrow the view is. */
+    /** The camera's name; for one on a positioner also the positioner's state and the field of view. */
     String name() {
         if (shot == null || shot.pointing().isEmpty()) {
             return eye.id();

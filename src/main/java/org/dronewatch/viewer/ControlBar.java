@@ -60,7 +60,7 @@ final class ControlBar extends JToolBar {
         add(speed);
         addSeparator();
         runs.setMaximumSize(Scaled.size(330, 40));
-        runs.setToolTipText("Which run of the sweep is shown");
+        runs.setToolTipText("Selects the displayed run of the sweep");
         runs.getAccessibleContext().setAccessibleName("run");
         runs.setVisible(false);
         runs.addActionListener(e -> {
@@ -87,7 +87,7 @@ final class ControlBar extends JToolBar {
         return button;
     }
 
-    /** Shows what is new. */
+    /** Updates the display. */
     void update(List<RecordedRun> known) {
         updating = true;
         if (known.size() != runs.getItemCount()) {
@@ -114,7 +114,7 @@ final class ControlBar extends JToolBar {
             state.setText(
                     run.isFinished()
                             ? ""
-                            : String.format(Locale.ROOT, "simulated to %s ...", Texts.time(run.reached())));
+                            : String.format(Locale.ROOT, "simulated up to %s ...", Texts.time(run.reached())));
         }
     }
 

@@ -20,7 +20,7 @@ import org.dronewatch.render.Fineness;
 import org.dronewatch.render.SiteStyle;
 import org.dronewatch.report.WholeFile;
 
-/** Keeps what is shown: a picture of any part of the window, or the whole run as numbered pictures. */
+/** Exports the display: an image of any part of the window, or the whole run as an image sequence. */
 final class Exports {
     private static final String RATE = "10";
 
@@ -37,7 +37,7 @@ final class Exports {
         this.failed = failed;
     }
 
-    /** Asks for a file and writes what a part of the window shows. */
+    /** Asks for a file and writes an image of a part of the window. */
     void savePicture(Component part, String name) {
         JFileChooser chooser = new JFileChooser();
         chooser.setFileFilter(new FileNameExtensionFilter("PNG pictures", "png"));
@@ -48,7 +48,7 @@ final class Exports {
         }
     }
 
-    /** Writes what a part of the window shows. */
+    /** Writes an image of a part of the window. */
     void write(Component part, String file) {
         try {
             BufferedImage image = picture(part);
@@ -58,7 +58,7 @@ final class Exports {
         }
     }
 
-    /** What a part of the window shows, at the density of its screen. */
+    /** An image of a part of the window at its screen resolution. */
     static BufferedImage picture(Component part) {
         double density = Scaled.density(part);
         BufferedImage image = new BufferedImage(
@@ -72,22 +72,22 @@ final class Exports {
         return image;
     }
 
-    /** Asks for a directory and a rate and writes the run as numbered pictures of the site, seen from where it is seen now. */
+    /** Asks for a directory and a rate and writes the run as numbered images of the site from the current viewpoint. */
     void saveRun() {
         Optional<ViewedRun> viewed = pane.viewed();
         if (viewed.isEmpty()) {
             return;
         }
         JFileChooser chooser = new JFileChooser();
-        chooser.setDialogTitle("Directory for the pictures");
+        chooser.setDialogTitle("Directory for the images");
         chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
         if (chooser.showSaveDialog(pane) != JFileChooser.APPROVE_OPTION) {
             return;
         }
         String asked = (String) JOptionPane.showInputDialog(
                 pane,
-                "Pictures per second of the run:",
-                "Run as pictures",
+                "Images per simulated second:",
+                "Export image sequence",
                 JOptionPane.PLAIN_MESSAGE,
                 null,
                 null,
@@ -102,13 +102,13 @@ final class Exports {
             }
             saveRun(viewed.get(), chooser.getSelectedFile().toPath(), rate);
         } catch (NumberFormatException e) {
-            pane.notice().tell("'" + asked + "' pictures per second: must be a number above 0, at most 1000");
+            pane.notice().tell("'" + asked + "' images per second: must be a number above 0, at most 1000");
         }
     }
 
     private void saveRun(ViewedRun viewed, Path directory, double rate) {
         FrameExport export = export(viewed, directory, rate);
-        ProgressMonitor monitor = new ProgressMonitor(pane, "Writing pictures", " ", 0, export.count());
+        ProgressMonitor monitor = new ProgressMonitor(pane, "Writing images", " ", 0, export.count());
         monitor.setMillisToPopup(300);
         Thread thread = new Thread(
                 () -> {
@@ -116,7 +116,7 @@ final class Exports {
                         int written = workers.call(() -> export.write(
                                 done -> SwingUtilities.invokeLater(() -> monitor.setProgress(done)),
                                 monitor::isCanceled));
-                        pane.note(written + " pictures written to " + directory);
+                        pane.note(written + " images written to " + directory);
                     } catch (RuntimeException e) {
                         failed.accept(e);
                     } finally {
@@ -128,12 +128,12 @@ final class Exports {
         thread.start();
     }
 
-    /** The export of a run seen from where the pane sees it now. */
+    /** The export of a run from the pane's current viewpoint. */
     FrameExport export(ViewedRun viewed, Path directory, double rate) {
         return new FrameExport(directory, viewed.run().reached(), rate, pictures(viewed));
     }
 
-    /** Pictures of a run at any time, seen from where the pane sees it now; for one thread. */
+    /** Images of a run at any time from the pane's current viewpoint; for one thread. */
     DoubleFunction<BufferedImage> pictures(ViewedRun viewed) {
         WorldPanel world = pane.world();
         double density = world.density();

@@ -24,7 +24,7 @@ import org.dronewatch.render.FilmMaker;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.sensor.SensorSettings;
 
-/** Writes films of a run: of the site as it is seen now, or of what a camera sees. */
+/** Exports videos of a run: of the site from the current viewpoint, or of a camera's view. */
 final class FilmExport implements AutoCloseable {
     private static final long PATIENCE_SECONDS = 5;
 
@@ -45,7 +45,7 @@ final class FilmExport implements AutoCloseable {
         this.failed = failed;
     }
 
-    /** Asks for times and a file and writes a film of the site, seen from where it is seen now. */
+    /** Asks for times and a file and writes a video of the site from the current viewpoint. */
     void saveSite() {
         pane.viewed().ifPresent(viewed -> ask(viewed, "site").ifPresent(film -> save(site(viewed, film), "site")));
     }
@@ -92,16 +92,16 @@ final class FilmExport implements AutoCloseable {
         row(form, "From [s]", from);
         row(form, "To [s]", to);
         row(form, "Frames per second", fps);
-        row(form, "Speed, times real time", speed);
+        row(form, "Playback speed (x real time)", speed);
         int answer = JOptionPane.showConfirmDialog(
-                pane, form, "Film of " + name, JOptionPane.OK_CANCEL_OPTION, JOptionPane.PLAIN_MESSAGE);
+                pane, form, "Video of " + name, JOptionPane.OK_CANCEL_OPTION, JOptionPane.PLAIN_MESSAGE);
         if (answer != JOptionPane.OK_OPTION) {
             return Optional.empty();
         }
         try {
             return Optional.of(film(viewed, from.getText(), to.getText(), fps.getText(), speed.getText()));
         } catch (IllegalArgumentException e) {
-            pane.notice().tell("film: " + e.getMessage());
+            pane.notice().tell("video: " + e.getMessage());
             return Optional.empty();
         }
     }
@@ -114,9 +114,9 @@ final class FilmExport implements AutoCloseable {
     }
 
     /**
-     * The film that a user describes, within what is simulated.
+     * The video that a user requests, within the simulated time.
      *
-     * @throws IllegalArgumentException when a value is no number or beyond its limit
+     * @throws IllegalArgumentException when a value is not a number or out of range
      */
     static Film film(ViewedRun viewed, String from, String to, String fps, String speed) {
         double end = Double.parseDouble(to.strip());
@@ -124,7 +124,7 @@ final class FilmExport implements AutoCloseable {
         double reached = viewed.run().reached();
         if (end > reached + 0.01) {
             throw new IllegalArgumentException(
-                    String.format(Locale.ROOT, "to %s s: the run is simulated to %.2f s only", to.strip(), reached));
+                    String.format(Locale.ROOT, "end time %s s: only %.2f s have been simulated", to.strip(), reached));
         }
         return new Film(
                 Double.parseDouble(from.strip()),
@@ -135,7 +135,7 @@ final class FilmExport implements AutoCloseable {
 
     private void save(FilmMaker maker, String name) {
         JFileChooser chooser = new JFileChooser();
-        chooser.setFileFilter(new FileNameExtensionFilter("MP4 films", "mp4"));
+        chooser.setFileFilter(new FileNameExtensionFilter("MP4 videos", "mp4"));
         chooser.setSelectedFile(new java.io.File(name + ".mp4"));
         if (chooser.showSaveDialog(pane) == JFileChooser.APPROVE_OPTION) {
             String file = chooser.getSelectedFile().getPath();
@@ -146,7 +146,7 @@ final class FilmExport implements AutoCloseable {
     /** Writes a film on a thread, one at a time, with a bar that cancels it. */
     void start(FilmMaker maker, String file) {
         if (isBusy()) {
-            pane.notice().tell("Another film is still being written: wait for it or cancel it.");
+            pane.notice().tell("Another video is still being written: wait until it finishes, or cancel it.");
             return;
         }
         ProgressMonitor monitor = new ProgressMonitor(
@@ -162,7 +162,7 @@ final class FilmExport implements AutoCloseable {
                                 () -> closed || monitor.isCanceled());
                         pane.note(maker.film().frames() + " frames written to " + file);
                     } catch (CancellationException e) {
-                        pane.note("no film is written to " + file + ": cancelled");
+                        pane.note("video export to " + file + " cancelled; no file written");
                     } catch (RuntimeException e) {
                         failed.accept(e);
                     } finally {

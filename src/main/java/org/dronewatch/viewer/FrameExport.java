@@ -9,7 +9,7 @@ import java.util.function.IntConsumer;
 import javax.imageio.ImageIO;
 import org.dronewatch.report.WholeFile;
 
-/** Writes a run as numbered pictures, which any video program makes a film of. */
+/** Writes a run as numbered images, which any video program can turn into a video. */
 final class FrameExport {
     private final Path directory;
     private final double duration;
@@ -19,10 +19,10 @@ final class FrameExport {
     /**
      * An export.
      *
-     * @param directory where the pictures go; it must be there
+     * @param directory where the images are written; it must exist
      * @param duration of the run, s
-     * @param rate pictures for a second of the run
-     * @param pictures gives the picture of a time
+     * @param rate images per simulated second
+     * @param pictures returns the image at a time
      */
     FrameExport(Path directory, double duration, double rate, DoubleFunction<BufferedImage> pictures) {
         this.directory = directory;
@@ -31,7 +31,7 @@ final class FrameExport {
         this.pictures = pictures;
     }
 
-    /** How many pictures there are. */
+    /** Number of images. */
     int count() {
         return (int) Math.floor(duration * rate + 1e-9) + 1;
     }

@@ -13,9 +13,9 @@ import javax.swing.JMenuItem;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 
-/** A page of all keys, read off the menus themselves, and of what the mouse does. */
+/** A page of all keys, taken from the menus, and of the mouse gestures. */
 final class KeysPage {
-    /** What the mouse does, in pairs of gesture and effect. */
+    /** Mouse gestures and their effects. */
     private static final String[][] GESTURES = {
         {"Drag", "turns the site"},
         {"Right-drag or Shift-drag", "moves the site"},

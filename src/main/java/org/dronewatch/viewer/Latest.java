@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import org.dronewatch.parallel.Workers;
 
 /**
- * A thread that does the latest thing that it was asked for. What it had no time for is forgotten; what it is doing is told
+ * A thread that performs only the latest request. What it had no time for is forgotten; what it is doing is told
  * that it is out of date.
  */
 final class Latest implements AutoCloseable {

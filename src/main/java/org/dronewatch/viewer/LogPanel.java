@@ -9,7 +9,7 @@ import javax.swing.JTextArea;
 import javax.swing.text.BadLocationException;
 import org.dronewatch.run.DetectionEvent;
 
-/** What has been read, what looked odd, who was gained and lost, in the order in which it happened. */
+/** The log of files read, warnings, and detections gained and lost, in chronological order. */
 final class LogPanel extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -51,7 +51,7 @@ final class LogPanel extends JPanel {
         text.setCaretPosition(text.getDocument().getLength());
     }
 
-    /** Takes over what a run has newly gained and lost. */
+    /** Appends the new detection events of a run. */
     void update(RecordedRun next) {
         if (next != run) {
             run = next;

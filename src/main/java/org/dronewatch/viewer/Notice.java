@@ -8,7 +8,7 @@ import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 
-/** A strip that says what went wrong, until the user has read it. */
+/** A strip that shows an error message until the user dismisses it. */
 final class Notice extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -39,7 +39,7 @@ final class Notice extends JPanel {
         revalidate();
     }
 
-    /** What it says. */
+    /** The message. */
     String text() {
         return text.getText();
     }

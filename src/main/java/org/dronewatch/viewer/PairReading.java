@@ -1,10 +1,10 @@
 package org.dronewatch.viewer;
 
 /**
- * What a sensor last measured of a drone at some time.
+ * A sensor's last measurement of a drone at some time.
  *
  * @param time when it did, seconds since the start of the run
- * @param value what it measured
+ * @param value measured value
  * @param threshold what the value must reach
  * @param unit of both
  * @param range distance to the drone, m

@@ -10,7 +10,7 @@ final class PairTable extends AbstractTableModel {
     private static final long serialVersionUID = 1L;
     private static final String[] COLUMNS = {"sensor", "kind", "drone", "state", "at [m]", "value", "needs"};
 
-    /** Of a great site the first are shown. */
+    /** Maximum number of pairs shown. */
     private static final int MOST = 2000;
 
     private final transient List<Row> rows = new ArrayList<>();

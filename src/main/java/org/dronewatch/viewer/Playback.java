@@ -39,7 +39,7 @@ final class Playback {
         changed();
     }
 
-    /** What is shown, or null as long as there is nothing. */
+    /** The displayed run, or null if there is none yet. */
     RecordedRun run() {
         return run;
     }
@@ -93,7 +93,7 @@ final class Playback {
         }
     }
 
-    /** Lets time go on. */
+    /** Advances the playback time. */
     void advance(double seconds) {
         if (!playing || run == null) {
             return;

@@ -22,14 +22,14 @@ import org.dronewatch.render.RecordedRays;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
-/** Shows the numbers of a microphone's rays at the time shown, and chooses which of them are drawn. */
+/** Traces the sound rays to a microphone at the displayed time, counts them, and selects those to be drawn. */
 final class RayPanel extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int HIGHEST_ORDER = 1000;
 
     private final JComboBox<String> sensors = new JComboBox<>();
     private final JComboBox<String> drones = new JComboBox<>();
-    private final JButton trace = new JButton("Trace at this time");
+    private final JButton trace = new JButton("Trace at displayed time");
     private final JButton clear = new JButton("Hide");
     private final JSpinner fewest = new JSpinner(new SpinnerNumberModel(0, 0, HIGHEST_ORDER, 1));
     private final JSpinner most = new JSpinner(new SpinnerNumberModel(HIGHEST_ORDER, 0, HIGHEST_ORDER, 1));
@@ -55,12 +55,12 @@ final class RayPanel extends JPanel {
         this.playback = playback;
         this.filtered = filtered;
         this.tracing = new Latest("dronewatch-rays", threads, failed);
-        trace.setToolTipText("Traces all rays of sound from the drone to the sensor at the time shown");
+        trace.setToolTipText("Traces all sound rays from the drone to the sensor at the displayed time");
         heardOnly.setToolTipText("Hides rays that end elsewhere");
-        fewest.setToolTipText("Least number of surfaces that the ray has met");
-        most.setToolTipText("Greatest number of surfaces that the ray has met");
+        fewest.setToolTipText("Minimum reflection order");
+        most.setToolTipText("Maximum reflection order");
         add(row(new JLabel("Sound from"), drones, new JLabel("to"), sensors, trace, clear));
-        add(row(new JLabel("Order from"), fewest, new JLabel("to"), most, heardOnly));
+        add(row(new JLabel("Reflection order: min"), fewest, new JLabel("max"), most, heardOnly));
         add(row(count));
         trace.addActionListener(e -> trace());
         clear.addActionListener(e -> take(null));
@@ -93,7 +93,7 @@ final class RayPanel extends JPanel {
         count.setText(possible ? "No rays have been traced yet." : "No sensor of the scene traces rays.");
     }
 
-    /** Traces the rays of the chosen pair at the time shown. */
+    /** Traces the rays of the selected pair at the displayed time. */
     void trace() {
         String sensor = (String) sensors.getSelectedItem();
         String drone = (String) drones.getSelectedItem();
@@ -148,7 +148,7 @@ final class RayPanel extends JPanel {
                 rays.maxOrder(),
                 more);
         boolean moved = Math.abs(playback.time() - rays.time()) >= 0.005;
-        count.setText(moved ? text + ". The time shown is now " + Texts.time(playback.time()) + "." : text);
+        count.setText(moved ? text + ". The displayed time is now " + Texts.time(playback.time()) + "." : text);
     }
 
     private RayFilter filter(int from, int to) {
@@ -161,7 +161,7 @@ final class RayPanel extends JPanel {
         filter();
     }
 
-    /** What is traced and drawn, in words. */
+    /** A description of the rays traced and drawn. */
     String count() {
         return count.getText();
     }

@@ -9,10 +9,10 @@ import java.util.List;
 
 /**
  * The scene files that the user has opened last, newest first, kept in a small file, a line for each. A file that cannot be
- * read or written is no reason to stop: the list is then empty, or not kept.
+ * read or written is not an error: the list is then empty, or not kept.
  */
 final class RecentScenes {
-    /** The most that are kept. */
+    /** Maximum number of entries. */
     static final int MOST = 10;
 
     private static final int LARGEST_FILE = 100_000;

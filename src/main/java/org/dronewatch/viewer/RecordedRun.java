@@ -76,13 +76,13 @@ final class RecordedRun {
         return number >= events.size() ? List.of() : List.copyOf(events.subList(number, events.size()));
     }
 
-    /** What a sensor last measured of a drone up to a time. */
+    /** A sensor's last measurement of a drone up to a time. */
     synchronized Optional<PairReading> reading(String sensor, String drone, double time) {
         Readings known = readings.get(List.of(sensor, drone));
         return known == null ? Optional.empty() : known.at(time);
     }
 
-    /** Where the positioner of a sensor points at a time; empty for a sensor that stands still. */
+    /** Where the positioner of a sensor points at a time; empty for a fixed sensor. */
     synchronized Optional<Pointing> pointing(String sensor, double time) {
         return history.pointing(sensor, time);
     }

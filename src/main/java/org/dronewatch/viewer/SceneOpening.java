@@ -22,8 +22,8 @@ final class SceneOpening implements AutoCloseable {
      * An opening.
      *
      * @param reader reads and checks a file; throws InputException
-     * @param chosen is given what has been read, on the thread that reads
-     * @param failed is given what is wrong with a file
+     * @param chosen receives the scene on the reading thread
+     * @param failed receives the error in a file
      */
     SceneOpening(
             RecentScenes recent,

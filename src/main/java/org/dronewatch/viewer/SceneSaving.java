@@ -43,7 +43,7 @@ final class SceneSaving {
         }
     }
 
-    /** Writes the scene of the run that is shown; what is wrong is shown in the pane. */
+    /** Writes the scene of the displayed run; errors are shown in the pane. */
     void write(String file) {
         Optional<ViewedRun> viewed = pane.viewed();
         if (viewed.isEmpty()) {

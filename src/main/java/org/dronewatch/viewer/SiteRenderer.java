@@ -13,14 +13,14 @@ import org.dronewatch.render.SiteState;
 import org.dronewatch.render.SiteStyle;
 
 /**
- * Makes the pictures of the site for a window, on threads of its own: one paints the site itself, coarse at first and fine
- * once nothing moves; the other draws over it what is there now.
+ * Renders the site for a window on separate threads: one paints the site itself, coarse at first and fine once nothing
+ * moves; the other draws the current sensors and drones over it.
  */
 final class SiteRenderer implements AutoCloseable {
-    /** A picture at every pixel that takes longer than this is too slow for a site that moves, s. */
+    /** Maximum rendering time at full resolution while the view moves, s. */
     private static final double FLUID = 0.05;
 
-    /** What is to be seen from where. */
+    /** A view of the site to be rendered. */
     record Wish(Orbit orbit, int width, int height, Optional<Cut> cut) {}
 
     private final Latest backdrops;
@@ -37,7 +37,7 @@ final class SiteRenderer implements AutoCloseable {
     /**
      * Starts the threads.
      *
-     * @param target is given each finished picture, on any thread
+     * @param target receives each finished image, on any thread
      * @param failed receives what went wrong
      */
     SiteRenderer(int threads, Consumer<BufferedImage> target, Consumer<Throwable> failed) {
@@ -85,7 +85,7 @@ final class SiteRenderer implements AutoCloseable {
         }
     }
 
-    /** The finest that is fast enough, by what the last picture took. */
+    /** The finest level that is fast enough, judging by the last rendering time. */
     private Fineness fluid() {
         if (plainSeconds < FLUID) {
             return Fineness.PLAIN;

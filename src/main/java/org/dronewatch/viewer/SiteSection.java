@@ -11,7 +11,7 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.render.Cut;
 import org.dronewatch.render.Orbit;
 
-/** The site with the bar that says from where it is seen and how it is cut open. */
+/** The site view with the bar that selects viewpoint and cut. */
 final class SiteSection extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -39,7 +39,7 @@ final class SiteSection extends JPanel {
         add(world, BorderLayout.CENTER);
     }
 
-    /** Is asked to look at what is selected. */
+    /** Called to look at the selection. */
     void onFocus(Runnable target) {
         focus = target;
     }
@@ -73,7 +73,7 @@ final class SiteSection extends JPanel {
         });
     }
 
-    /** Shows another run's site; the first from a distance, others from where the last was seen. */
+    /** Shows another run's site; the first from the default viewpoint, others from the current one. */
     void show(ViewedRun next, Optional<Cut> cut) {
         Orbit from = viewed == null ? Orbit.about(next.picture().frame(), world.aspect()) : world.orbit();
         viewed = next;

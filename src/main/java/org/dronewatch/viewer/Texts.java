@@ -3,7 +3,7 @@ package org.dronewatch.viewer;
 import java.util.Locale;
 import org.dronewatch.geometry.Position;
 
-/** Numbers as people read them. */
+/** Number formats of the viewer. */
 final class Texts {
     private Texts() {}
 

@@ -27,7 +27,7 @@ import org.dronewatch.run.DetectionIntervals.Interval;
 
 /**
  * A run from its start to its end: a row for each sensor, with its name on the left, a bar while it detects a drone, a
- * triangle where it gains one and a stroke where it loses it; what has not been simulated yet is paler. A click jumps to a
+ * triangle where it gains one and a stroke where it loses it; the part not simulated yet is paler. A click jumps to a
  * time. Rows keep a legible height: where there are too many, they scroll.
  */
 final class TimeLine extends JPanel implements Scrollable {
@@ -144,7 +144,7 @@ final class TimeLine extends JPanel implements Scrollable {
         }
     }
 
-    /** Takes over what is new. */
+    /** Appends new events. */
     void update() {
         if (playback.run() != run) {
             run = playback.run();
@@ -228,7 +228,7 @@ final class TimeLine extends JPanel implements Scrollable {
         return UIManager.getColor("TextField.background");
     }
 
-    /** The lower edge of what is in sight, or of all of it in a picture. */
+    /** The lower edge of the visible part, or of the whole in an image. */
     private int bottom() {
         boolean scrolled = getParent() instanceof JViewport && !isPaintingForPrint();
         Rectangle visible = getVisibleRect();

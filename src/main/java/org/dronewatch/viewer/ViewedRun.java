@@ -42,7 +42,7 @@ final class ViewedRun {
         return picture;
     }
 
-    /** What is in the site at a time. */
+    /** The state of the site at a time. */
     SiteState state(double time, Optional<String> selected, Optional<RecordedRays> rays) {
         return picture.state(
                 title,
@@ -58,7 +58,7 @@ final class ViewedRun {
         return drones.stream().anyMatch(drone -> run.isDetected(sensor, drone, time));
     }
 
-    /** What a sensor last measured of each drone. */
+    /** A sensor's last measurement of each drone. */
     Map<String, PairReading> readings(String sensor, double time) {
         Map<String, PairReading> told = new HashMap<>();
         for (String drone : drones) {

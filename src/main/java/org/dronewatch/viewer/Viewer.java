@@ -47,7 +47,7 @@ public final class Viewer implements AutoCloseable {
      * A scene to be looked at.
      *
      * @param scene it
-     * @param runner the one that will run it; it also gives what the pictures show
+     * @param runner the one that will run it; it also provides the settings and the stage of the view
      * @param file the file that describes it, which a window then offers again; empty when there is none
      */
     public record Subject(Scene scene, SceneRunner runner, Optional<Path> file) {}
@@ -65,7 +65,7 @@ public final class Viewer implements AutoCloseable {
             Toolkit.getDefaultToolkit().getScreenSize();
             return Optional.empty();
         } catch (AWTError | LinkageError e) {
-            return Optional.of("there is a display, but no window can be opened on it: "
+            return Optional.of("cannot open a window on this display: "
                     + String.valueOf(e.getMessage()).replaceFirst("\\.$", ""));
         }
     }
@@ -74,8 +74,8 @@ public final class Viewer implements AutoCloseable {
      * Opens the window, as the user left it the last time. The thread that calls is expected to run the scene: when the
      * window is closed while it is still reading models, it is interrupted.
      *
-     * @param runner the one that will run the scene; it also gives what the pictures show
-     * @param threads how many trace pictures
+     * @param runner the one that will run the scene; it also provides the settings and the stage of the view
+     * @param threads number of threads that render
      * @throws IllegalStateException when there is no display
      */
     public static Viewer open(Scene scene, SceneRunner runner, int threads) {
@@ -155,7 +155,7 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Waits until the user opens another scene or closes the window. Another scene is then shown in the place of the one
+     * Waits until the user opens another scene or closes the window. Another scene then replaces the one
      * before, whose threads have ended; it is for the caller to run.
      *
      * @return the other scene; empty when the window is closed
@@ -236,7 +236,7 @@ public final class Viewer implements AutoCloseable {
         recording.finish(complete);
     }
 
-    /** Shows in the window what went wrong. */
+    /** Shows an error in the window. */
     public void failed(Throwable problem) {
         recording.finish(false);
         pane.tell(problem);

@@ -8,7 +8,7 @@ import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.KeyStroke;
 
-/** What the user can do with a run's time, with name, key and explanation: the same in bars and menus. */
+/** The user's actions on a run's time, with name, key and explanation: the same in bars and menus. */
 final class ViewerActions {
     private final Action play;
     private final Action stepOn;
@@ -30,10 +30,10 @@ final class ViewerActions {
                 "Step forward", "Pauses and steps to the next look", key(KeyEvent.VK_PERIOD), () -> playback.step(1));
         stepBack = action(
                 "Step back", "Pauses and steps to the previous look", key(KeyEvent.VK_COMMA), () -> playback.step(-1));
-        toStart = action("To the start", "Jumps to the start", key(KeyEvent.VK_HOME), () -> playback.jump(0.0));
+        toStart = action("Go to start", "Jumps to the start", key(KeyEvent.VK_HOME), () -> playback.jump(0.0));
         toEnd = action(
-                "To the end",
-                "Jumps to the end of what has been simulated",
+                "Go to end",
+                "Jumps to the end of the simulated part",
                 key(KeyEvent.VK_END),
                 () -> playback.jump(Double.MAX_VALUE));
         faster = action("Faster", "Plays faster", key(KeyEvent.VK_PLUS), () -> change(playback, 1));

@@ -79,7 +79,7 @@ final class ViewerLayout {
         values.setProperty(key, Integer.toString(value));
     }
 
-    /** Writes the file; tells whether that was possible. */
+    /** Writes the file; returns whether it succeeded. */
     boolean save() {
         try {
             Path directory = file.toAbsolutePath().getParent();
@@ -87,7 +87,7 @@ final class ViewerLayout {
                 Files.createDirectories(directory);
             }
             try (OutputStream stream = Files.newOutputStream(file)) {
-                values.store(stream, "how the dronewatch viewer is arranged");
+                values.store(stream, "dronewatch viewer layout");
             }
             return true;
         } catch (IOException e) {

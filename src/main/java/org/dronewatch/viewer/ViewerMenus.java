@@ -14,7 +14,7 @@ import org.dronewatch.render.Orbit;
 
 /** The menus, each entry with its key. */
 final class ViewerMenus {
-    /** One key press walks by this share of the distance to what is looked at. */
+    /** One key press moves by this fraction of the distance to the target. */
     private static final double STRIDE = 0.06;
 
     private final ViewerPane pane;
@@ -71,43 +71,40 @@ final class ViewerMenus {
         menu.setMnemonic('F');
         opening.ifPresent(scenes -> addOpening(menu, scenes));
         menu.add(item(
-                "Save scene as ...",
-                "Writes the settings of the run that is shown as a scene file",
-                null,
-                saving::ask));
+                "Save scene as ...", "Writes the settings of the displayed run as a scene file", null, saving::ask));
         menu.add(item(
-                "Save picture of the site ...",
-                "Writes the 3D view as PNG",
+                "Save site view ...",
+                "Writes the 3D view as a PNG image",
                 ViewerActions.menuKey(KeyEvent.VK_S),
                 () -> exports.savePicture(pane.world(), "site")));
         menu.add(item(
-                "Save picture of the cameras ...",
-                "Writes the cameras as they are shown as PNG",
+                "Save camera views ...",
+                "Writes the displayed camera views as a PNG image",
                 null,
                 () -> exports.savePicture(pane.cameras(), "cameras")));
         menu.add(item(
-                "Save picture of the time line ...",
-                "Writes the time line as PNG",
+                "Save time line ...",
+                "Writes the time line as a PNG image",
                 null,
                 () -> exports.savePicture(pane.timeLine(), "time-line")));
         menu.add(item(
-                "Save picture of the window ...",
-                "Writes all of the window as PNG",
+                "Save window ...",
+                "Writes the whole window as a PNG image",
                 ViewerActions.shiftedMenuKey(KeyEvent.VK_S),
                 () -> exports.savePicture(pane, "window")));
         menu.add(item(
-                "Save run as pictures ...",
-                "Writes the whole run as numbered pictures of the site",
+                "Export image sequence ...",
+                "Exports the whole run as numbered images of the site",
                 ViewerActions.menuKey(KeyEvent.VK_E),
                 exports::saveRun));
         menu.add(item(
-                "Save film of the site ...",
-                "Writes the run as an MP4 film of the site, seen from here",
+                "Export site video ...",
+                "Exports the run as an MP4 video from the current viewpoint",
                 ViewerActions.menuKey(KeyEvent.VK_M),
                 films::saveSite));
         menu.add(item(
-                "Save film of the camera ...",
-                "Writes what the selected camera sees over the run as an MP4 film",
+                "Export camera video ...",
+                "Exports the selected camera's view of the run as an MP4 video",
                 ViewerActions.shiftedMenuKey(KeyEvent.VK_M),
                 films::saveCamera));
         menu.addSeparator();
@@ -161,8 +158,8 @@ final class ViewerMenus {
         menu.add(new QuickItem(actions.slower()));
         menu.addSeparator();
         menu.add(item(
-                "Trace rays of sound",
-                "Traces all rays of the chosen microphone at the time shown",
+                "Trace sound rays",
+                "Traces all sound rays to the selected microphone at the displayed time",
                 ViewerActions.key(KeyEvent.VK_R),
                 pane.rayPanel()::trace));
         return menu;
@@ -191,18 +188,29 @@ final class ViewerMenus {
                 shown -> world.setStyle(world.style().withFlights(shown))));
         menu.addSeparator();
         menu.add(item(
-                "Walk forward",
-                "Moves forward at the same height",
+                "Move forward",
+                "Moves the viewpoint forward at constant height",
                 ViewerActions.key(KeyEvent.VK_W),
                 () -> walk(1, 0)));
         menu.add(item(
-                "Walk back", "Moves back at the same height", ViewerActions.key(KeyEvent.VK_S), () -> walk(-1, 0)));
+                "Move back",
+                "Moves the viewpoint back at constant height",
+                ViewerActions.key(KeyEvent.VK_S),
+                () -> walk(-1, 0)));
         menu.add(item(
-                "Walk left", "Moves left at the same height", ViewerActions.key(KeyEvent.VK_A), () -> walk(0, -1)));
+                "Move left",
+                "Moves the viewpoint left at constant height",
+                ViewerActions.key(KeyEvent.VK_A),
+                () -> walk(0, -1)));
         menu.add(item(
-                "Walk right", "Moves right at the same height", ViewerActions.key(KeyEvent.VK_D), () -> walk(0, 1)));
-        menu.add(item("Nearer", "Zooms in", ViewerActions.key(KeyEvent.VK_PAGE_UP), () -> zoom(0.8)));
-        menu.add(item("Farther", "Zooms out", ViewerActions.key(KeyEvent.VK_PAGE_DOWN), () -> zoom(1.25)));
+                "Move right",
+                "Moves the viewpoint right at constant height",
+                ViewerActions.key(KeyEvent.VK_D),
+                () -> walk(0, 1)));
+        menu.add(
+                item("Zoom in", "Moves the viewpoint closer", ViewerActions.key(KeyEvent.VK_PAGE_UP), () -> zoom(0.8)));
+        menu.add(item(
+                "Zoom out", "Moves the viewpoint away", ViewerActions.key(KeyEvent.VK_PAGE_DOWN), () -> zoom(1.25)));
         menu.addSeparator();
         menu.add(item(
                 "All cameras",

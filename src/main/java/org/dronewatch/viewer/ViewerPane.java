@@ -19,12 +19,12 @@ import org.dronewatch.setting.InputException;
 
 /**
  * All that the window shows: the site, the cameras, the time line, tables, rays and log. {@link #tick} lets time go on; all
- * methods are for the event thread but those that say otherwise. It needs no window: it paints into a picture as well.
+ * methods must be called on the event thread unless stated otherwise. It needs no window: it paints into a picture as well.
  */
 final class ViewerPane extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** Tables and texts follow this often, s: more often nobody can read. */
+    /** Update interval of tables and texts, s; shorter intervals would be unreadable. */
     private static final double TABLES = 0.12;
 
     private final String title;
@@ -87,7 +87,7 @@ final class ViewerPane extends JPanel {
 
         tabs.addTab("Sensors", tables.sensors());
         tabs.addTab("Drones", tables.drones());
-        tabs.addTab("Rays of sound", rayPanel);
+        tabs.addTab("Sound rays", rayPanel);
         tabs.addTab("Log", log);
         down = new JSplitPane(JSplitPane.VERTICAL_SPLIT, cameras, tabs);
         down.setResizeWeight(0.6);
@@ -126,7 +126,7 @@ final class ViewerPane extends JPanel {
         sinceTables = TABLES;
     }
 
-    /** Advances by some seconds of real time, and shows what is new. */
+    /** Advances by some seconds of real time, and updates the display. */
     void tick(double seconds) {
         List<RecordedRun> runs = recording.runs();
         if (awaited == null && !runs.isEmpty()) {
@@ -211,19 +211,19 @@ final class ViewerPane extends JPanel {
         }
     }
 
-    /** Shows what went wrong; from any thread. */
+    /** Shows an error; callable from any thread. */
     void tell(Throwable problem) {
         String text = problem instanceof InputException
                 ? problem.getMessage()
                 : problem instanceof OutOfMemoryError
-                        ? "not enough memory for this picture"
+                        ? "not enough memory to render this view"
                         : "internal error: " + problem;
         SwingUtilities.invokeLater(() -> {
             notice.tell(text);
             log.write(text);
             if (viewed == null) {
                 progress.setVisible(false);
-                status.setText("The scene cannot be shown.");
+                status.setText("Failed to load the scene.");
             }
         });
     }
@@ -283,7 +283,7 @@ final class ViewerPane extends JPanel {
         return List.of(across, down);
     }
 
-    /** What is shown, if its site is there. */
+    /** The displayed run, if its site is loaded. */
     Optional<ViewedRun> viewed() {
         return Optional.ofNullable(viewed);
     }

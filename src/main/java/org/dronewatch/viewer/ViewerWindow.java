@@ -20,10 +20,10 @@ import org.dronewatch.scenario.SceneSettings;
 
 /** The window about a pane: menus, look, clock, and where the user left it. All methods are for the event thread. */
 final class ViewerWindow {
-    /** The pane is asked for what is new so often, ms. */
+    /** Update interval of the pane, ms. */
     private static final int TICK = 33;
 
-    /** A pause of the machine is no leap in time, s. */
+    /** Maximum time step, s, so that a pause of the machine does not skip simulated time. */
     private static final double LONGEST_TICK = 0.25;
 
     private static final Dimension FIRST = new Dimension(1280, 800);
@@ -87,7 +87,7 @@ final class ViewerWindow {
     }
 
     /**
-     * Shows another scene in the place of the one it shows.
+     * Replaces the displayed scene by another.
      *
      * @return what ends the threads of the scene before; it may wait for them, so not on the event thread
      */
@@ -163,7 +163,7 @@ final class ViewerWindow {
         return frame;
     }
 
-    /** Remembers where it was, and closes; twice is no harm. */
+    /** Saves the layout and closes; idempotent. */
     void close() {
         if (!open) {
             return;

@@ -10,7 +10,7 @@ import javax.swing.JToolBar;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.render.Cut;
 
-/** From where the site is seen, and at which height it is cut open. */
+/** Selects the viewpoint of the site and the height at which it is cut open. */
 final class WorldBar extends JToolBar {
     private static final long serialVersionUID = 1L;
     private static final int STEPS = 500;
@@ -32,7 +32,8 @@ final class WorldBar extends JToolBar {
         add(new JLabel("Hide above "));
         slider.setMaximumSize(Scaled.size(180, 40));
         slider.setPreferredSize(Scaled.size(130, 24));
-        slider.setToolTipText("Hides everything above this height, to look inside; at the right end nothing is hidden");
+        slider.setToolTipText(
+                "Hides everything above this height to reveal interiors; drag fully right to show everything");
         slider.getAccessibleContext().setAccessibleName("cut height");
         slider.addChangeListener(e -> {
             if (!updating) {

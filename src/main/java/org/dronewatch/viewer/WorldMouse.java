@@ -8,7 +8,7 @@ import javax.swing.SwingUtilities;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Orbit;
 
-/** What the mouse does with the view of the site. */
+/** Mouse control of the site view. */
 final class WorldMouse extends MouseAdapter {
     /** Dragging over the whole width turns by so much, rad. */
     private static final double TURN = Math.toRadians(240.0);

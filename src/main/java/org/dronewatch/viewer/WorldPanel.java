@@ -82,7 +82,7 @@ final class WorldPanel extends JPanel {
         selection = target;
     }
 
-    /** Receives what is under the pointer. */
+    /** Receives a description of the object under the pointer. */
     void onHint(Consumer<String> target) {
         hint = target;
     }
@@ -150,7 +150,7 @@ final class WorldPanel extends JPanel {
         return getHeight() == 0 ? 1.5 : getWidth() / (double) getHeight();
     }
 
-    /** Selects what is at a pixel of this panel. */
+    /** Selects the object at a pixel of this panel. */
     void select(int x, int y) {
         if (state == null || orbit == null) {
             return;
@@ -187,12 +187,12 @@ final class WorldPanel extends JPanel {
                 .flatMap((Backdrop behind) -> behind.placeAt((int) (x * density), (int) (y * density)));
     }
 
-    /** Reports what is under the pointer. */
+    /** Reports the object under the pointer. */
     void tell(int x, int y) {
         hint.accept(placeAt(x, y).map(Texts::place).orElse("sky"));
     }
 
-    /** The picture as it is shown, or null before the first. */
+    /** The displayed image, or null before the first. */
     BufferedImage image() {
         return image;
     }

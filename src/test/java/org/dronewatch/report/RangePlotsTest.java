@@ -79,7 +79,7 @@ class RangePlotsTest {
                 .as("the threshold is grey, and nothing else is")
                 .doesNotHaveDuplicates()
                 .endsWith(Color.GRAY);
-        assertThat(chart.getYAxisTitle()).isEqualTo("pixels of the drone [px], cut at 120");
+        assertThat(chart.getYAxisTitle()).isEqualTo("pixels of the drone [px], clipped at 120");
     }
 
     /** The plotting library refuses two series of a name, and the whole run would be lost. */

@@ -237,7 +237,7 @@ class ViewerPaneTest {
         assertThat(pane.rays().orElseThrow().time()).isEqualTo(2.0);
 
         at(8.5);
-        assertThat(pane.rayPanel().count()).startsWith("Traced at 2.00 s: ").endsWith("The time shown is now 8.50 s.");
+        assertThat(pane.rayPanel().count()).startsWith("Traced at 2.00 s: ").endsWith("The displayed time is now 8.50 s.");
         picture("rays-old");
         at(2.0);
         assertThat(pane.rayPanel().count()).doesNotContain("now");
@@ -286,7 +286,7 @@ class ViewerPaneTest {
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> FilmExport.film(viewed, "0", "9.5", "25", "1"))
-                .withMessageContaining("simulated to 9.00 s only");
+                .withMessageContaining("only 9.00 s have been simulated");
         assertThatIllegalArgumentException().isThrownBy(() -> FilmExport.film(viewed, "0", "soon", "25", "1"));
     }
 

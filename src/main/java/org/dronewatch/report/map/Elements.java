@@ -6,7 +6,7 @@ import javax.xml.stream.XMLOutputFactory;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
 
-/** Writes XML elements, each on a line of its own. */
+/** Writes XML elements, each on its own line. */
 final class Elements {
     private final XMLStreamWriter xml;
     private int depth;
@@ -30,7 +30,7 @@ final class Elements {
         depth++;
     }
 
-    /** Gives the element that was opened last an attribute. */
+    /** Adds an attribute to the element opened last. */
     void attribute(String name, String value) throws XMLStreamException {
         xml.writeAttribute(name, allowed(value));
     }

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
 
-/** The ground plan of what a sensor looks into, whatever stands in the way. */
+/** The footprint of a sensor's field of view, ignoring obstructions. */
 final class Footprint {
     /** A camera has no range of its own: one that detects nothing is drawn this far, m. */
     static final double UNKNOWN_REACH = 100.0;
@@ -14,7 +14,7 @@ final class Footprint {
     /** A radar without a practical limit of range is drawn this far, m. */
     static final double MOST = 200_000.0;
 
-    /** The number of straight lines with which a full turn is drawn. */
+    /** Number of line segments of a full circle. */
     static final int STEPS = 72;
 
     private static final double TURN = 2.0 * Math.PI;
@@ -25,7 +25,7 @@ final class Footprint {
      * Its edge, counterclockwise seen from above, and then its holes, clockwise; each ring ends where it begins.
      *
      * @param at where the sensor is, m
-     * @param outline what it looks into
+     * @param outline its field of view
      * @param detected the farthest at which it first detected a drone, m: how far a camera's is drawn
      */
     static List<List<Position>> of(Position at, Outline outline, OptionalDouble detected) {

@@ -24,7 +24,7 @@ import org.dronewatch.sensor.SensorSettings;
 
 /** What a map of a run shows: its first run, if there were several. */
 final class MapContent {
-    /** The most straight lines with which a flight is drawn, each of the same time. */
+    /** Maximum number of line segments of a flight, all of the same duration. */
     static final int STEPS = 300;
 
     private static final Color ZONE = new Color(0xc0392b);
@@ -52,11 +52,11 @@ final class MapContent {
         return result.scene();
     }
 
-    /** What the map shows, and what its heights mean. */
+    /** A description of the map and its height reference. */
     String description() {
         String which =
                 result.runs().size() > 1 ? ", in the first of " + result.runs().size() + " runs" : "";
-        return "Which sensors detect which drones where" + which + ". " + heights() + " Fields of view are"
+        return "Where each sensor detects each drone" + which + ". " + heights() + " Fields of view are"
                 + " drawn in plan, as if nothing obstructed them; that of a camera extends as far as it first"
                 + " detects a drone, or " + Math.round(Footprint.UNKNOWN_REACH) + " m if it detects none.";
     }
@@ -66,7 +66,7 @@ final class MapContent {
                 ? "Heights are metres above sea level."
                 : "Heights are metres above the level of the scene's origin, neither above sea level nor above"
                         + " the ground:"
-                        + " how high the origin lies is not known.";
+                        + " the altitude of the origin is unknown.";
     }
 
     /** Whether heights are those above the sea, so that things can be drawn where they are in the air. */
@@ -121,7 +121,7 @@ final class MapContent {
         return new MapFeature(Role.ZONE, "protected", shape, ZONE, properties);
     }
 
-    /** Where the drone was when the site was alerted to it. */
+    /** Where the drone was at its alert. */
     private MapFeature alert(String drone, Alert alert) {
         Position position = stage.placeOf(drone, alert.time());
         Properties properties = new Properties()
@@ -129,7 +129,7 @@ final class MapContent {
                 .put("time_s", alert.time())
                 .put("height_m", position.z())
                 .put("sensors", String.join(", ", alert.sensors()));
-        return new MapFeature(Role.ALERT, "alert to " + drone, point(position), ZONE, properties);
+        return new MapFeature(Role.ALERT, "alert for " + drone, point(position), ZONE, properties);
     }
 
     /** The path of a drone; a point for one that stays where it is. */
@@ -147,7 +147,7 @@ final class MapContent {
         return new MapFeature(Role.FLIGHT, "flight of " + id, shape, KindColours.DRONE, properties);
     }
 
-    /** The drone as it was when what was sensed left it. */
+    /** The drone at the time of emission. */
     private MapFeature event(DetectionEvent event) {
         Observation o = event.observation();
         Position position = stage.placeOf(o.drone(), o.time());
@@ -163,7 +163,7 @@ final class MapContent {
                 .put("value", o.value())
                 .put("threshold", o.threshold())
                 .put("unit", o.unit());
-        String name = o.sensor() + (event.gained() ? " gains " : " loses ") + o.drone();
+        String name = o.sensor() + (event.gained() ? " detects " : " loses ") + o.drone();
         return new MapFeature(
                 event.gained() ? Role.GAINED : Role.LOST, name, point(position), colour(o.sensor()), properties);
     }

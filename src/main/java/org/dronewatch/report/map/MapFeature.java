@@ -4,12 +4,12 @@ import java.awt.Color;
 import java.util.Map;
 
 /**
- * One thing on a map.
+ * A feature on a map.
  *
- * @param role what it stands for
- * @param name what people call it
+ * @param role its role
+ * @param name displayed name
  * @param shape where it is
- * @param colour what it is drawn in
+ * @param colour its colour
  * @param properties its properties, by name: text, BigDecimal or null, as {@link Properties} gives them
  */
 record MapFeature(Role role, String name, Shape shape, Color colour, Map<String, Object> properties) {

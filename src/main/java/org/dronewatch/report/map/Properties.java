@@ -17,7 +17,7 @@ final class Properties {
         return this;
     }
 
-    /** A number; one that is not finite is none, as for a sound that did not arrive. */
+    /** A number; a non-finite one is null, as for a sound that did not arrive. */
     Properties put(String name, double number) {
         values.put(name, Double.isFinite(number) ? GeoPoint.rounded(number, DECIMALS) : null);
         return this;

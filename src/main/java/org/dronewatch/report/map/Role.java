@@ -2,19 +2,19 @@ package org.dronewatch.report.map;
 
 import java.util.Locale;
 
-/** What a feature of a map stands for: its folder, and how large its marker is if it is a point. */
+/** The role of a feature on a map: it determines its folder and the size of its marker. */
 enum Role {
     /** Where a sensor is. */
     SENSOR("Sensors", Size.LARGE),
-    /** What a sensor looks into. */
+    /** The field of view of a sensor. */
     FIELD("Fields of view", Size.MEDIUM),
-    /** What must not be reached. */
+    /** The protected zone. */
     ZONE("Protected", Size.LARGE),
     /** The path of a drone. */
     FLIGHT("Flights", Size.MEDIUM),
-    /** Where a drone was when the site was alerted to it. */
+    /** Where a drone was at its alert. */
     ALERT("Alerts", Size.LARGE),
-    /** Where a drone was when a sensor gained it. */
+    /** Where a drone was when a sensor detected it. */
     GAINED("Detections", Size.MEDIUM),
     /** Where a drone was when a sensor lost it. */
     LOST("Detections", Size.SMALL);
@@ -60,7 +60,7 @@ enum Role {
             this.scale = scale;
         }
 
-        /** As a share of a map's usual marker. */
+        /** As a fraction of a map's usual marker. */
         double scale() {
             return scale;
         }

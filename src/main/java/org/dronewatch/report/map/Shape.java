@@ -3,7 +3,7 @@ package org.dronewatch.report.map;
 import java.util.List;
 import org.dronewatch.geo.GeoPoint;
 
-/** What a feature of a map looks like. */
+/** The geometry of a map feature. */
 sealed interface Shape {
 
     /** A single position. */

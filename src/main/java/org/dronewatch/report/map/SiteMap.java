@@ -8,15 +8,15 @@ import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
 
 /**
- * A map of a run, for programs that show maps: sensors, what they look into, the flights, and where each drone was when a
- * sensor gained or lost it. Longitude and latitude (WGS 84) are exact, in degrees; heights are metres above the sea,
+ * A map of a run, for programs that show maps: sensors, their fields of view, the flights, and where each drone was when a
+ * sensor detected or lost it. Longitude and latitude (WGS 84) are exact, in degrees; heights are metres above the sea,
  * or above the level of the scene's origin where its own height is not known. The same results give the same bytes.
  */
 public final class SiteMap {
-    /** The name of the file of GeoJSON (RFC 7946). */
+    /** The name of the GeoJSON file (RFC 7946). */
     public static final String GEO_JSON = "map.geojson";
 
-    /** The name of the file of KML 2.2. */
+    /** The name of the KML 2.2 file. */
     public static final String KML = "map.kml";
 
     /** The names of both files. */

@@ -1,2 +1,2 @@
-/** What a run gave as files for maps: GeoJSON and KML, from where on earth the scene's origin lies. */
+/** Map files of a run's results: GeoJSON and KML, georeferenced by the scene's origin. */
 package org.dronewatch.report.map;

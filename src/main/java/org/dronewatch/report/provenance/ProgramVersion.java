@@ -10,7 +10,7 @@ public final class ProgramVersion {
     /** The name of the program. */
     public static final String PROGRAM = "dronewatch";
 
-    /** What a build says that has not filled in the version, such as that of an editor. */
+    /** The version of a build that does not fill in the resource, such as that of an IDE. */
     static final String UNKNOWN = "development";
 
     private static final String RESOURCE = "version.properties";
@@ -30,7 +30,7 @@ public final class ProgramVersion {
         return filled(properties.getProperty("version", ""));
     }
 
-    /** A placeholder that nobody replaced is no version. */
+    /** A placeholder that the build did not replace is not a version. */
     static String filled(String version) {
         return version.isBlank() || version.contains("${") || version.contains("@") ? UNKNOWN : version.strip();
     }

@@ -45,7 +45,7 @@ public record Provenance(Instant date, List<String> command, InputFiles inputs) 
         return System.getProperty("os.arch");
     }
 
-    /** All of it for people, by what it is. */
+    /** All entries in readable form, by label. */
     public Map<String, String> inWords(SceneResult result) {
         Map<String, String> words = new LinkedHashMap<>();
         words.put("program", ProgramVersion.PROGRAM + " " + version());

@@ -150,7 +150,7 @@ class SiteMapTest {
         JsonNode zone = feature("protected");
         assertThat(zone.get("properties").get("radius_m").asDouble()).isEqualTo(25.0);
         assertThat(zone.get("geometry").get("type").asString()).isEqualTo("Polygon");
-        JsonNode alert = feature("alert to visitor").get("properties");
+        JsonNode alert = feature("alert for visitor").get("properties");
         assertThat(alert.get("time_s").asDouble())
                 .isEqualTo(result.alert("visitor").time().orElseThrow(), within(1e-6));
         assertThat(alert.get("sensors").asString())
@@ -192,7 +192,7 @@ class SiteMapTest {
 
     @Test
     void aDetectionIsWhereTheDroneWas() throws IOException {
-        JsonNode gained = feature("eye gains visitor");
+        JsonNode gained = feature("eye detects visitor");
         double time = gained.get("properties").get("time_s").asDouble();
         double way = Math.hypot(155, 26);
         assertThat(gained.get("geometry").get("coordinates").get(1).asDouble())
@@ -231,7 +231,7 @@ class SiteMapTest {
             }
         }
         assertThat(texts(document, "name")).isEqualTo(expected);
-        assertThat(texts(document, "description")).hasSize(1).first().asString().contains("origin lies is not known");
+        assertThat(texts(document, "description")).hasSize(1).first().asString().contains("altitude of the origin is unknown");
         assertThat(Files.readString(kml).replace("http://www.opengis.net/kml/2.2", ""))
                 .doesNotContain("http", "NaN", "Infinity");
         // Opacity, blue, green, red.
