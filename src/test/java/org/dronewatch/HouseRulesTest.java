@@ -155,7 +155,7 @@ class HouseRulesTest {
                             "render\\.SitePainter",
                             "report\\.ReliefShade",
                             "sensor\\.acoustic\\.energy\\.(BackwardRay|FirstScattering|ReceiverSphere)",
-                            "sensor\\.acoustic\\.level\\.RayStretch",
+                            "sensor\\.acoustic\\.level\\.RayChunk",
                             "sensor\\.optics\\.VisibleArea",
                             "sensor\\.rf\\.RadioPath",
                             "world\\.(Clearance|Surroundings|Visibility|World)")

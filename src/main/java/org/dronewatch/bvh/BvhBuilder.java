@@ -19,7 +19,7 @@ final class BvhBuilder {
     private static final float STEP = 0.5f;
 
     /** Maximum number of triangles of a leaf, where splitting does not pay. */
-    private static final int MOST_IN_LEAF = 8;
+    private static final int MAX_IN_LEAF = 8;
 
     /** Below this level, parts are halved by number: bounds the cost of degenerate input. */
     private static final int DEEPEST = 60;
@@ -115,7 +115,7 @@ final class BvhBuilder {
         }
         Bins bins = new Bins(part);
         boolean splits = level < DEEPEST && bins.find();
-        if (size <= MOST_IN_LEAF
+        if (size <= MAX_IN_LEAF
                 && (!splits || bins.bestCost + STEP * area(part.box, 0) >= area(part.box, 0) * BvhNode.blocks(size))) {
             return;
         }

@@ -37,7 +37,7 @@ final class BvhWriter {
         int index = reserve(BvhNode.NODE);
         for (int child = 0; child < BvhNode.WIDTH; child++) {
             for (int k = 0; k < 6; k++) {
-                // A box that no ray meets, where there is no child.
+                // A box that no ray hits, where there is no child.
                 float nothing = k < 3 ? Float.MAX_VALUE : -Float.MAX_VALUE;
                 float bound = child < number ? children[child].box[k] : nothing;
                 BvhNode.setBound(pool, index, k, child, bound);

@@ -31,9 +31,9 @@ import org.dronewatch.setting.file.SettingsFile;
 public final class Catalog implements Kinds.NamedSettings {
     private static final String ENDING = ".yaml";
     private static final String NAME = "[A-Za-z0-9_-]{1,64}";
-    private static final int MOST_FILES = 1000;
+    private static final int MAX_FILES = 1000;
     /** The largest file whose name is suggested; the packaged entries are about 3000 bytes long. */
-    private static final int MOST_BYTES = 1 << 16;
+    private static final int MAX_BYTES = 1 << 16;
 
     private static final List<String> PACKAGED = List.of(
             "blighter-a400",
@@ -91,7 +91,7 @@ public final class Catalog implements Kinds.NamedSettings {
         if (directory.isPresent()) {
             try (Stream<Path> files = Files.list(directory.get())) {
                 files.filter(file -> file.toString().endsWith(ENDING))
-                        .limit(MOST_FILES)
+                        .limit(MAX_FILES)
                         .filter(Catalog::looksLikeAnEntry)
                         .map(file -> String.valueOf(file.getFileName()))
                         .sorted()
@@ -107,7 +107,7 @@ public final class Catalog implements Kinds.NamedSettings {
     /** Scene files lie in the same directory; only files that may be entries are suggested. */
     private static boolean looksLikeAnEntry(Path file) {
         try {
-            String text = new String(BoundedFile.read(file, MOST_BYTES), StandardCharsets.UTF_8);
+            String text = new String(BoundedFile.read(file, MAX_BYTES), StandardCharsets.UTF_8);
             return text.lines().anyMatch(line -> line.startsWith("sensor:"));
         } catch (InputException e) {
             return false;

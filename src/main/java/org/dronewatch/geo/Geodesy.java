@@ -71,7 +71,7 @@ public final class Geodesy {
      * The point on a map of a position in the world frame; its height is z over that of the origin.
      *
      * <p>Longitudes are counted on from that of the origin: beyond the date line they go on above 180 or below -180
-     * degrees, so that lines and areas stay in one piece. At the poles every point is right, but areas about a pole are
+     * degrees, so that lines and areas are not split. At the poles every point is right, but areas about a pole are
      * not areas on a map of longitude and latitude.
      *
      * @param position position, m

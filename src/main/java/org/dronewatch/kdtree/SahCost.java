@@ -7,9 +7,9 @@ package org.dronewatch.kdtree;
 final class SahCost {
     /**
      * Cost of one traversal step. Measured, not counted: a step waits for its node and for an unpredictable
-     * branch, a triangle test is plain arithmetic; and tiles of cameras test a triangle once for many pixels. With 3 instead
-     * of 4 single rays are up to a tenth faster, tiles slower by as much, and trees take a quarter longer to build; with 6 it
-     * is the reverse.
+     * branch, a triangle test is plain arithmetic; and tiles of cameras test a triangle once for many pixels. With 3
+     * instead of 4 single rays are up to a tenth faster, tiles slower by as much, and trees take a quarter longer to
+     * build; with 6 it is the reverse.
      */
     static final double TRAVERSAL = 4.0;
     /** Cost of one triangle test. */
@@ -22,7 +22,8 @@ final class SahCost {
     /**
      * Cost of splitting a node.
      *
-     * @param leftShare surface of the left part over that of the whole: the chance that a ray through the whole meets it
+     * @param leftShare surface of the left part over that of the whole: the probability that a ray through the whole
+     *     meets it
      * @param rightShare the same for the right part
      * @param left number of triangles in the left part
      * @param right number of triangles in the right part

@@ -18,7 +18,7 @@ final class VectorRasteriser extends ScanlineRasteriser {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
     private static final int LANES = TileBuffer.LANES;
     /** Triangles that may have more columns are rasterised by lines. */
-    private static final int MOST_COLUMNS = 24;
+    private static final int MAX_COLUMNS = 24;
 
     VectorRasteriser(TileBuffer pixels) {
         super(pixels);
@@ -26,7 +26,7 @@ final class VectorRasteriser extends ScanlineRasteriser {
 
     @Override
     void rasterise(int triangle) {
-        if (toColumn - fromColumn >= MOST_COLUMNS) {
+        if (toColumn - fromColumn >= MAX_COLUMNS) {
             super.rasterise(triangle);
             return;
         }

@@ -7,8 +7,8 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.world.World;
 
 /**
- * A sensor that can state what signal it receives from a drone, and why that is not enough, before chance decides. Its
- * looks draw from the same signal: a field of assessments and a run agree exactly, unless a kind of sensor states
+ * A sensor that can state what signal it receives from a drone, and why that is not enough, before any random decision.
+ * Its looks draw from the same signal: a field of assessments and a run agree exactly, unless a kind of sensor states
  * otherwise. A drone is assessed alone: only looks take into account that other drones may hide it. All kinds that come
  * with the library are assessable; others are assessed by an {@link Assessor}.
  */
@@ -26,7 +26,8 @@ public interface AssessableSensor extends Sensor {
     Signal signal(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom);
 
     /**
-     * Why a drone is missed: the first {@link Cause} that holds. Costs no more than a few looks of a camera, whatever the kind.
+     * Why a drone is missed: the first {@link Cause} that holds. Costs no more than a few looks of a camera, whatever
+     * the kind.
      *
      * @param world the site
      * @param drone that the sensor does not detect, as it appears at the sensor

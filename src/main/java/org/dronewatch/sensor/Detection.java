@@ -8,7 +8,7 @@ package org.dronewatch.sensor;
 public record Detection(Observation observation) {
 
     /**
-     * Checks that it is one.
+     * Checks that it is a detection.
      *
      * @throws IllegalArgumentException when the value is below the threshold
      */

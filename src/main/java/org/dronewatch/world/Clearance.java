@@ -16,7 +16,7 @@ public final class Clearance {
     public static final double GAP = 1e-4;
 
     /** A position in a corner lies on up to three walls. */
-    private static final int MOST_WALLS = 3;
+    private static final int MAX_WALLS = 3;
 
     private static final double[][] AXES = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
@@ -41,7 +41,7 @@ public final class Clearance {
      */
     public Position of(Position position) {
         Position clear = position;
-        for (int wall = 0; wall < MOST_WALLS; wall++) {
+        for (int wall = 0; wall < MAX_WALLS; wall++) {
             int triangle = touched(clear);
             if (triangle < 0) {
                 return clear;

@@ -3,7 +3,7 @@ package org.dronewatch.world;
 import java.util.OptionalDouble;
 
 /**
- * What a flight knows of the site below it. {@link World#newGround()} gives that of a world; it is for one thread, while it
+ * The ground below a flight. {@link World#newGround()} gives that of a world; it is for one thread, while it
  * makes paths: finished paths do not ask any more.
  */
 @FunctionalInterface

@@ -120,7 +120,7 @@ public final class World {
     }
 
     /**
-     * This world that knows the models that it was merged from.
+     * This world with a record of the models that it was merged from.
      *
      * @param byFirstTriangle models by the number of the first triangle of each in the mesh; one begins at 0
      */

@@ -25,7 +25,7 @@ import org.dronewatch.setting.file.FileHash;
  * its materials are then names without a colour.
  */
 final class MaterialLibraries {
-    private static final int MOST_NAMES = 10;
+    private static final int MAX_NAMES = 10;
 
     /** What Java could not read as a number, in the message of its exception. */
     private static final Pattern QUOTED = Pattern.compile("\"(.*)\"");
@@ -71,8 +71,8 @@ final class MaterialLibraries {
         if (undefined.isEmpty()) {
             return;
         }
-        int more = undefined.size() - MOST_NAMES;
-        List<String> first = undefined.stream().limit(MOST_NAMES).toList();
+        int more = undefined.size() - MAX_NAMES;
+        List<String> first = undefined.stream().limit(MAX_NAMES).toList();
         warnings.add(model.name() + ": used but defined in no material library: " + String.join(", ", first)
                 + (more > 0 ? " and " + more + " more" : ""));
     }

@@ -11,7 +11,7 @@ import org.dronewatch.setting.PlainText;
  * right, or whose word the format does not have, is an {@link InputException} that names file and line.
  */
 final class ObjParser {
-    private static final int MOST_DIGITS = 9;
+    private static final int MAX_DIGITS = 9;
     private static final int LONGEST_EXCERPT = 40;
 
     private final String file;
@@ -117,8 +117,8 @@ final class ObjParser {
         if (text.length() == digits) {
             throw wrong("not a corner of a face: " + quoted(corner));
         }
-        if (text.length() - digits > MOST_DIGITS) {
-            throw wrong("index of more than " + MOST_DIGITS + " digits: " + quoted(corner));
+        if (text.length() - digits > MAX_DIGITS) {
+            throw wrong("index of more than " + MAX_DIGITS + " digits: " + quoted(corner));
         }
         return Integer.parseInt(text);
     }

@@ -6,10 +6,10 @@ package org.dronewatch.mesh.io;
  */
 final class SelfContacts {
     /** Pairs of edges that are looked at before the search is given up. */
-    private static final long MOST_PAIRS = 200_000_000;
+    private static final long MAX_PAIRS = 200_000_000;
 
     /** Contacts times corners up to which ears are clipped: bridges to holes touch, and cost a search of the polygon each. */
-    private static final long MOST_SEARCHES = 20_000_000;
+    private static final long MAX_SEARCHES = 20_000_000;
 
     private static final int EDGES_IN_A_LEAF = 4;
 
@@ -37,7 +37,7 @@ final class SelfContacts {
     }
 
     private boolean isHopeless() {
-        return crossed || pairs > MOST_PAIRS || contacts * size > MOST_SEARCHES;
+        return crossed || pairs > MAX_PAIRS || contacts * size > MAX_SEARCHES;
     }
 
     private static boolean isLeaf(int from, int to) {

@@ -119,7 +119,8 @@ final class AlertTable {
      */
     private OptionalDouble delay(AlertResult alert) {
         boolean byView = alert.sensors().stream()
-                .anyMatch(sensor -> Sightline.hasFieldOfView(run.settings().sensors().get(sensor)));
+                .anyMatch(sensor ->
+                        Sightline.hasFieldOfView(run.settings().sensors().get(sensor)));
         boolean before = alert.time().orElse(0.0) < alert.firstSight().orElse(Double.POSITIVE_INFINITY);
         return byView && !before ? alert.timeToAlert() : OptionalDouble.empty();
     }

@@ -11,7 +11,10 @@ public interface DetectionFunction {
     /** The value that is compared with the threshold. */
     double value(DroneView view);
 
-    /** The value from which on the drone counts as detected; where chance decides, that of an even chance. */
+    /**
+     * The value at and above which the drone counts as detected; for a probabilistic function, the value at which the
+     * detection probability is 0.5.
+     */
     double threshold();
 
     /**
@@ -23,7 +26,7 @@ public interface DetectionFunction {
         return threshold();
     }
 
-    /** Whether chance decides: then {@link #probability} is known. */
+    /** Whether the function is probabilistic: then {@link #probability} is known. */
     default boolean byChance() {
         return false;
     }

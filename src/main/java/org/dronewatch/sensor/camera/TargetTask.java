@@ -81,7 +81,7 @@ public record TargetTask(
         return SettingsForm.with(this, "probability", least);
     }
 
-    /** These settings, deciding by chance or not. */
+    /** These settings, probabilistic or not. */
     public TargetTask withChance(boolean drawn) {
         return SettingsForm.with(this, "byChance", drawn);
     }

@@ -61,7 +61,7 @@ public final class DepthImage {
         return height;
     }
 
-    /** Distance along a pixel's ray, m; infinity where it meets nothing. */
+    /** Distance along a pixel's ray, m; infinity where it hits nothing. */
     public float distance(int column, int row) {
         return distances[row * width + column];
     }
@@ -95,20 +95,20 @@ public final class DepthImage {
         for (int row = 0; row < height; row++) {
             for (int column = 0; column < width; column++) {
                 int pixel = row * width + column;
-                double share = Math.log(Math.max(distances[pixel], NEAREST_SHADE) / nearest) / span;
-                image.setRGB(column, row, hits[pixel] ? HIT : colour(distances[pixel], share));
+                double fraction = Math.log(Math.max(distances[pixel], NEAREST_SHADE) / nearest) / span;
+                image.setRGB(column, row, hits[pixel] ? HIT : colour(distances[pixel], fraction));
             }
         }
         return image;
     }
 
-    private static int colour(float distance, double share) {
+    private static int colour(float distance, double fraction) {
         if (distance == Float.POSITIVE_INFINITY) {
             return SKY;
         }
         int rgb = 0;
         for (int channel = 0; channel < 3; channel++) {
-            double value = NEAR_BLUE[channel] + share * (FAR_BLUE[channel] - NEAR_BLUE[channel]);
+            double value = NEAR_BLUE[channel] + fraction * (FAR_BLUE[channel] - NEAR_BLUE[channel]);
             rgb = rgb << 8 | (int) Math.round(value);
         }
         return rgb;

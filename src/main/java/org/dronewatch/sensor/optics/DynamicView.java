@@ -31,7 +31,9 @@ final class DynamicView {
     /** One for each drone of the last frame, in its order. */
     private Silhouette[] silhouettes = new Silhouette[0];
 
-    /** Those before the drone that is being drawn which may share pixels with it: few, where a swarm has many. */
+    /**
+     * Those before the drone that is being drawn which may overlap with it in the image: few, where a swarm has many.
+     */
     private Silhouette[] rivals = new Silhouette[0];
 
     private int rivalCount;

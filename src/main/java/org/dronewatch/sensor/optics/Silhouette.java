@@ -25,7 +25,7 @@ final class Silhouette {
         Arrays.fill(distances, 0, rectangle.pixels(), Float.POSITIVE_INFINITY);
     }
 
-    /** Whether two drones may share pixels. */
+    /** Whether two drones may overlap in the image. */
     boolean overlaps(Silhouette other) {
         PixelRectangle theirs = other.rectangle;
         return rectangle.left() <= theirs.right()

@@ -11,9 +11,8 @@ import org.jogamp.vecmath.Matrix4d;
 
 /**
  * How much of a camera's image a drone covers, in pixels and parts of pixels: for what is smaller than a pixel, and for
- * heat, of which a pixel gathers what falls on any part of it. The drone is looked at by rays as close together as its
- * size asks for, so that the area is right to some percent however far away it is. Drones do not hide each other. One
- * thread.
+ * heat, of which a pixel gathers what falls on any part of it. The drone is sampled by rays whose spacing adapts to its
+ * size, so that the area is accurate to a few percent at any distance. Drones do not hide each other. One thread.
  */
 public final class VisibleArea {
     /**
@@ -70,7 +69,7 @@ public final class VisibleArea {
         Position above = aside.cross(ahead);
         // What the drone's bounding sphere covers 1 m in front of the camera.
         double half = reach / Math.sqrt(range * range - reach * reach);
-        double share = 4.0 * half * half / RAYS;
+        double cellArea = 4.0 * half * half / RAYS;
         drone.worldToModel(toModel);
         RayTracer model = new StackTraversal(drone.tree());
         double area = 0.0;
@@ -80,7 +79,7 @@ public final class VisibleArea {
             double x = v * above.x() + (u * aside.x() + ahead.x());
             double y = v * above.y() + (u * aside.y() + ahead.y());
             double z = v * above.z() + (u * aside.z() + ahead.z());
-            area += seen(model, x, y, z, open) ? pixels(x, y, z, share) : 0.0;
+            area += seen(model, x, y, z, open) ? pixels(x, y, z, cellArea) : 0.0;
         }
         return area;
     }
@@ -103,10 +102,10 @@ public final class VisibleArea {
     /**
      * How many pixels a ray of the bundle stands for; none outside the image.
      *
-     * @param share area of the ray's cell in the plane across the direction to the drone, 1 m in front of the camera,
+     * @param cellArea area of the ray's cell in the plane across the direction to the drone, 1 m in front of the camera,
      *     m2
      */
-    private double pixels(double rayX, double rayY, double rayZ, double share) {
+    private double pixels(double rayX, double rayY, double rayZ, double cellArea) {
         double ahead = along(outline.forward(), rayX, rayY, rayZ);
         if (ahead <= 0.0) {
             return 0.0;
@@ -119,7 +118,7 @@ public final class VisibleArea {
         }
         // Solid angle of the ray's cell, then of a pixel there: both shrink with the cube of the length.
         double length = Math.sqrt(rayX * rayX + rayY * rayY + rayZ * rayZ);
-        double solid = share / (length * length * length);
+        double solid = cellArea / (length * length * length);
         double oblique = Math.sqrt(1.0 + x * x + y * y);
         return solid * focal * focal * oblique * oblique * oblique;
     }

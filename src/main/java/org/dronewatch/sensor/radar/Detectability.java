@@ -14,14 +14,14 @@ public final class Detectability {
     private static final double CERTAIN = 700.0;
 
     private static final double LEAST_DB = -60.0;
-    private static final double MOST_DB = 90.0;
+    private static final double MAX_DB = 90.0;
     private static final int BISECTIONS = 80;
 
     /** Within these probabilities the approximations for several pulses hold. */
     private static final double LEAST_LIKELY = 0.1;
 
-    private static final double MOST_LIKELY_STEADY = 0.9;
-    private static final double MOST_LIKELY_FLUCTUATING = 0.99;
+    private static final double MAX_PROBABILITY_STEADY = 0.9;
+    private static final double MAX_PROBABILITY_FLUCTUATING = 0.99;
 
     private Detectability() {}
 
@@ -72,7 +72,7 @@ public final class Detectability {
             return required(probability, falseAlarm, fluctuation);
         }
         boolean steady = fluctuation == Fluctuation.STEADY;
-        double most = steady ? MOST_LIKELY_STEADY : MOST_LIKELY_FLUCTUATING;
+        double most = steady ? MAX_PROBABILITY_STEADY : MAX_PROBABILITY_FLUCTUATING;
         double valid = Math.min(most, Math.max(LEAST_LIKELY, probability));
         double summed =
                 steady ? albersheim(valid, falseAlarm, pulses) : shnidman(valid, falseAlarm, fluctuation, pulses);
@@ -143,7 +143,7 @@ public final class Detectability {
     /** Where a growing function of a level in dB has a value. */
     private static double solve(DoubleUnaryOperator growing, double value) {
         double low = LEAST_DB;
-        double high = MOST_DB;
+        double high = MAX_DB;
         for (int i = 0; i < BISECTIONS; i++) {
             double middle = 0.5 * (low + high);
             if (growing.applyAsDouble(middle) < value) {

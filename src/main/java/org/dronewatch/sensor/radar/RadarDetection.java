@@ -82,7 +82,7 @@ public sealed interface RadarDetection {
         private static final double FAINTEST = -100.0;
 
         /** Up to here the approximations for several pulses hold. */
-        private static final double MOST_WITH_PULSES = 1e-3;
+        private static final double MAX_FALSE_ALARM_WITH_PULSES = 1e-3;
 
         private static final double EVEN_CHANCE = 0.5;
 
@@ -96,9 +96,9 @@ public sealed interface RadarDetection {
         /** Checks the limits. */
         public Chance {
             Limits.check(Chance.class, falseAlarm, pulses);
-            if (pulses > 1 && falseAlarm > MOST_WITH_PULSES) {
-                throw new IllegalArgumentException("falseAlarm " + falseAlarm + " must be at most " + MOST_WITH_PULSES
-                        + " where several pulses are summed, here " + pulses);
+            if (pulses > 1 && falseAlarm > MAX_FALSE_ALARM_WITH_PULSES) {
+                throw new IllegalArgumentException("falseAlarm " + falseAlarm + " must be at most "
+                        + MAX_FALSE_ALARM_WITH_PULSES + " where several pulses are summed, here " + pulses);
             }
         }
 

@@ -33,7 +33,7 @@ public final class RadarSensor implements AssessableSensor {
     private final FieldOfRegard field;
 
     private World world;
-    private VisibleShare visible;
+    private VisibleFraction visible;
     private Cover cover;
     private final Map<RadarSignature.Fluctuation, Double> thresholds = new EnumMap<>(RadarSignature.Fluctuation.class);
 
@@ -52,7 +52,7 @@ public final class RadarSensor implements AssessableSensor {
     private void enter(World site) {
         if (site != world) {
             world = site;
-            visible = new VisibleShare(site, settings.position());
+            visible = new VisibleFraction(site, settings.position());
             cover = new Cover(site, settings.position());
         }
     }
@@ -60,7 +60,7 @@ public final class RadarSensor implements AssessableSensor {
     @Override
     public Signal signal(World site, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
         enter(site);
-        return signal(drone, crossSection(drone, visibleShare(drone)));
+        return signal(drone, crossSection(drone, visibleFraction(drone)));
     }
 
     @Override
@@ -90,25 +90,25 @@ public final class RadarSensor implements AssessableSensor {
     }
 
     /** How much of a drone shows, 0 to 1; 0 for one that the radar does not look for. */
-    private double visibleShare(Drone drone) {
+    private double visibleFraction(Drone drone) {
         return field.miss(drone).isPresent() ? 0.0 : visible.of(drone);
     }
 
-    private double crossSection(Drone drone, double share) {
-        return share * drone.settings().radar().towards(aspect(drone));
+    private double crossSection(Drone drone, double fraction) {
+        return fraction * drone.settings().radar().towards(aspect(drone));
     }
 
     private Observation look(Drone drone, Look look) {
         Position position = drone.origin();
-        double share = visibleShare(drone);
-        double area = crossSection(drone, share);
+        double fraction = visibleFraction(drone);
+        double area = crossSection(drone, fraction);
         double echo = echo(drone, area);
 
         RadarSignature.Fluctuation fluctuation = drone.settings().radar().fluctuation();
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("radial_speed_m_per_s", field.radialSpeed(drone));
         figures.put("in_field", field.contains(position.minus(settings.position())) ? 1.0 : 0.0);
-        figures.put("visible_share", share);
+        figures.put("visible_share", fraction);
         figures.put("cross_section_m2", area);
         figures.put(Observation.PROBABILITY, settings.detection().probability(echo, fluctuation));
         double threshold = settings.detection().threshold(fluctuation, look.random(drone.id(), Look.DETECTION));

@@ -157,7 +157,7 @@ public record RadarSettings(
         return SettingsForm.with(this, "accuracy", other);
     }
 
-    /** The space that it looks into. */
+    /** Its field of regard. */
     @Override
     public Outline.Sector outline() {
         Position axis = aim.from(position);

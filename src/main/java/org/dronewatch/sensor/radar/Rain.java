@@ -6,7 +6,7 @@ import org.dronewatch.setting.Quantity;
 /** Attenuation of a wave by rain: Recommendation ITU-R P.838-3 (2005). */
 public final class Rain {
     private static final double LEAST_FREQUENCY = 1e9;
-    private static final double MOST_FREQUENCY = 1000e9;
+    private static final double MAX_FREQUENCY = 1000e9;
 
     private static final Fit K_HORIZONTAL = new Fit(
             new double[] {-5.33980, -0.35351, -0.23789, -0.94158},
@@ -60,7 +60,7 @@ public final class Rain {
      * @throws IllegalArgumentException when the frequency is out of its limits
      */
     public static double attenuation(double frequency, double rate, double elevation, Polarisation polarisation) {
-        Check.between("frequency", frequency, LEAST_FREQUENCY, MOST_FREQUENCY, Quantity.FREQUENCY);
+        Check.between("frequency", frequency, LEAST_FREQUENCY, MAX_FREQUENCY, Quantity.FREQUENCY);
         if (rate == 0.0) {
             return 0.0;
         }

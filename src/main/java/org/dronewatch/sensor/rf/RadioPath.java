@@ -51,7 +51,7 @@ public final class RadioPath {
         return v <= CLEAR ? 0.0 : 6.9 + 20.0 * Math.log10(Math.sqrt((v - 0.1) * (v - 0.1) + 1.0) + v - 0.1);
     }
 
-    /** What the highest edge between two positions takes from a wave, dB. */
+    /** The diffraction loss at the highest edge between two positions, dB. */
     public double obstacleLoss(Position from, Position to, double frequency) {
         double length = from.distance(to);
         if (!(length > 0.0)) {
@@ -73,38 +73,38 @@ public final class RadioPath {
         double worst = Double.NEGATIVE_INFINITY;
         double at = 0.5;
         for (int i = 1; i < STEPS; i++) {
-            double share = (double) i / STEPS;
-            double v = parameter(from, to, length, share, frequency);
+            double fraction = (double) i / STEPS;
+            double v = parameter(from, to, length, fraction, frequency);
             if (v > worst) {
                 worst = v;
-                at = share;
+                at = fraction;
             }
         }
         // Once more, finely, about the worst: edges are sharp.
         double step = 1.0 / STEPS;
         double middle = at;
         for (int i = -STEPS / 2; i <= STEPS / 2; i++) {
-            double share = middle + 2.0 * i * step / STEPS;
-            double v = share > 0.0 && share < 1.0
-                    ? parameter(from, to, length, share, frequency)
+            double fraction = middle + 2.0 * i * step / STEPS;
+            double v = fraction > 0.0 && fraction < 1.0
+                    ? parameter(from, to, length, fraction, frequency)
                     : Double.NEGATIVE_INFINITY;
             if (v > worst) {
                 worst = v;
-                at = share;
+                at = fraction;
             }
         }
         return at;
     }
 
     /** {@code v = h sqrt(2 (d1 + d2) / (wavelength d1 d2))} of the site's highest point at a fraction of the path. */
-    private double parameter(Position from, Position to, double length, double share, double frequency) {
-        double x = from.x() + share * (to.x() - from.x());
-        double y = from.y() + share * (to.y() - from.y());
+    private double parameter(Position from, Position to, double length, double fraction, double frequency) {
+        double x = from.x() + fraction * (to.x() - from.x());
+        double y = from.y() + fraction * (to.y() - from.y());
         if (!traversal.closestHit(x, y, above, 0.0, 0.0, -1.0, 0.0, Double.POSITIVE_INFINITY)) {
             return Double.NEGATIVE_INFINITY;
         }
-        double height = above - traversal.distance() - (from.z() + share * (to.z() - from.z()));
-        double one = share * length;
+        double height = above - traversal.distance() - (from.z() + fraction * (to.z() - from.z()));
+        double one = fraction * length;
         double other = length - one;
         return height * Math.sqrt(2.0 * length * frequency / (LIGHT * one * other));
     }

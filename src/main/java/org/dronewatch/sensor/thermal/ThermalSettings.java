@@ -138,7 +138,7 @@ public record ThermalSettings(
         return SettingsForm.with(this, "task", other);
     }
 
-    /** These settings, deciding by chance or not. */
+    /** These settings, probabilistic or not. */
     public ThermalSettings withChance(boolean drawn) {
         return SettingsForm.with(this, "byChance", drawn);
     }

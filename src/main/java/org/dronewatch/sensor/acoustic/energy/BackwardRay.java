@@ -20,7 +20,10 @@ import org.dronewatch.world.World;
 final class BackwardRay {
     private static final double STAND_OFF = 1e-9;
 
-    /** Up to this order every surface that scatters is joined to the source, later ones when chance scatters there. */
+    /**
+     * Up to this order every surface that scatters is connected to the source, later ones only if the ray is scattered
+     * there.
+     */
     private static final int ALWAYS_JOINED = 2;
 
     /** How far rays that meet nothing are drawn, m. */

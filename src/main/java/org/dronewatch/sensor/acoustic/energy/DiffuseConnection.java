@@ -26,7 +26,7 @@ final class DiffuseConnection {
     /**
      * Adds what a surface scatters to the source.
      *
-     * @param ray stands where it meets the surface
+     * @param ray at the point where it hits the surface
      * @param normal of the surface, on the ray's side
      * @param scattered the energy that leaves by Lambert's law, in each band
      * @return whether anything arrives

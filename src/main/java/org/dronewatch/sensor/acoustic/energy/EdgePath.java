@@ -18,7 +18,7 @@ final class EdgePath {
 
     private final Visibility visibility;
     private double pathDifference;
-    private double rise;
+    private double sinElevation;
 
     EdgePath(World world) {
         this.visibility = new Visibility(world);
@@ -43,14 +43,14 @@ final class EdgePath {
             if (!Double.isFinite(ofSensor)) {
                 continue;
             }
-            double share = ofSensor / (ofSource + ofSensor);
-            double first = share * Math.hypot(1.0, ofSource);
-            double second = (1.0 - share) * Math.hypot(1.0, ofSensor);
+            double fraction = ofSensor / (ofSource + ofSensor);
+            double first = fraction * Math.hypot(1.0, ofSource);
+            double second = (1.0 - fraction) * Math.hypot(1.0, ofSensor);
             double detour = straight * (first + second - 1.0);
             if (detour < pathDifference) {
                 pathDifference = detour;
                 Position leaving = ahead.plus(side.times(ofSource));
-                rise = leaving.z() / leaving.length();
+                sinElevation = leaving.z() / leaving.length();
             }
         }
         return Double.isFinite(pathDifference);
@@ -62,8 +62,8 @@ final class EdgePath {
     }
 
     /** Sine of the elevation at which the last path found leaves the source. */
-    double rise() {
-        return rise;
+    double sinElevation() {
+        return sinElevation;
     }
 
     /**

@@ -44,7 +44,7 @@ final class EmissionPattern {
     double factor(int band, double rise) {
         double at = Math.min(1.0, Math.abs(rise)) * STEPS;
         int step = (int) at;
-        double share = at - step;
-        return (1.0 - share) * factors[step * BANDS + band] + share * factors[(step + 1) * BANDS + band];
+        double fraction = at - step;
+        return (1.0 - fraction) * factors[step * BANDS + band] + fraction * factors[(step + 1) * BANDS + band];
     }
 }

@@ -43,7 +43,7 @@ final class EnergyLedger {
         escaped += energy;
     }
 
-    /** Is given up at the largest order. */
+    /** Is truncated at the maximum order. */
     void giveUp(double energy) {
         residual += energy;
     }

@@ -75,8 +75,8 @@ public record EnergyModel(
     }
 
     /** This model with another fraction of energy below which rays survive by Russian roulette only. */
-    public EnergyModel withRoulette(double share) {
-        return SettingsForm.with(this, "roulette", share);
+    public EnergyModel withRoulette(double fraction) {
+        return SettingsForm.with(this, "roulette", fraction);
     }
 
     /** This model with another number of surfaces that a ray may meet. */

@@ -29,7 +29,7 @@ final class EnergyPacket {
     /** Gives it all that one ray carries at first. */
     void fill(SoundSource source) {
         for (int band = 0; band < BANDS; band++) {
-            energy[band] = source.share(band);
+            energy[band] = source.fraction(band);
         }
         first = all();
     }
@@ -62,7 +62,7 @@ final class EnergyPacket {
         ledger.escape(all());
     }
 
-    /** Is given up at the largest order. */
+    /** Is truncated at the maximum order. */
     void giveUp() {
         ledger.giveUp(all());
     }
@@ -115,8 +115,8 @@ final class EnergyPacket {
         double chance = before > 0.0 ? sum / before : 0.0;
         boolean diffuse = random.nextDouble() < chance;
         for (int band = 0; band < BANDS; band++) {
-            double share = surfaces.scattered(material, band);
-            energy[band] *= diffuse ? share / chance : (1.0 - share) / (1.0 - chance);
+            double fraction = surfaces.scattered(material, band);
+            energy[band] *= diffuse ? fraction / chance : (1.0 - fraction) / (1.0 - chance);
         }
         ledger.exchange(before, all());
         return diffuse;

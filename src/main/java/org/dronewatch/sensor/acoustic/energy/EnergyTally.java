@@ -33,10 +33,10 @@ final class EnergyTally {
     }
 
     /**
-     * What a ray brings.
+     * The contribution of a ray.
      *
      * @param ray where it comes from
-     * @param inBand what it brings in each band, 1/m2
+     * @param inBand its contribution in each band, 1/m2
      * @param onward how far it still was from its last surface, m
      */
     void add(AcousticRay ray, double[] inBand, double onward) {

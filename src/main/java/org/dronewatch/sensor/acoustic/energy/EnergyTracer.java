@@ -27,10 +27,13 @@ import org.dronewatch.world.World;
  * threads. Used by one caller at a time.
  */
 public final class EnergyTracer {
-    /** Rays before the first look at the standard error, which a few may deceive. */
+    /** Rays before the first check of the standard error, which is unreliable for a few. */
     private static final int FEWEST = 1000;
 
-    /** Rays from one look at the standard error to the next: to stop at the first chance prefers low values. */
+    /**
+     * Rays from one check of the standard error to the next: stopping at the earliest opportunity would favour low
+     * values.
+     */
     private static final int BATCH = 500;
 
     private final EnergyModel model;
@@ -121,7 +124,7 @@ public final class EnergyTracer {
         return rays >= FEWEST && tally.received() > 0.0 && errorLevel() < model.accuracy();
     }
 
-    /** Standard error of the level of all that is heard so far, dB; infinity as long as that is nothing. */
+    /** Standard error of the total level so far, dB; infinity as long as nothing is heard. */
     private double errorLevel() {
         double all = exact.heard() + tally.received();
         return all > 0.0 ? Levels.ofRatio(1.0 + tally.standardError() / all) : Double.POSITIVE_INFINITY;

@@ -109,7 +109,7 @@ final class ExactPaths {
 
     /** Power in a band that leaves at an elevation, spread over the sphere after a distance. */
     private double spread(SoundSource source, int band, double rise, double length) {
-        return source.share(band)
+        return source.fraction(band)
                 * source.factor(band, rise)
                 * air.left(band, length)
                 / (4.0 * Math.PI * length * length);
@@ -128,8 +128,8 @@ final class ExactPaths {
             // The edge's loss is relative to what would arrive by the straight path; only the air attenuates over the
             // longer one.
             heard[band] = Math.pow(10.0, -0.1 * loss)
-                    * source.share(band)
-                    * source.factor(band, edges.rise())
+                    * source.fraction(band)
+                    * source.factor(band, edges.sinElevation())
                     * air.left(band, length)
                     / (4.0 * Math.PI * straight * straight);
         }
@@ -145,13 +145,13 @@ final class ExactPaths {
             return;
         }
         // The straight line from the image source to the sensor crosses the plane here.
-        double share = ofSource / (ofSource + ofSensor);
+        double fraction = ofSource / (ofSource + ofSensor);
         double imageX = position.x() - 2.0 * ofSource * planes.normalX(triangle);
         double imageY = position.y() - 2.0 * ofSource * planes.normalY(triangle);
         double imageZ = position.z() - 2.0 * ofSource * planes.normalZ(triangle);
-        double x = imageX + share * (sensor.x() - imageX);
-        double y = imageY + share * (sensor.y() - imageY);
-        double z = imageZ + share * (sensor.z() - imageZ);
+        double x = imageX + fraction * (sensor.x() - imageX);
+        double y = imageY + fraction * (sensor.y() - imageY);
+        double z = imageZ + fraction * (sensor.z() - imageZ);
         if (!isInside(triangle, x, y, z)) {
             return;
         }

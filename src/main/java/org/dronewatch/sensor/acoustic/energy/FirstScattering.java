@@ -99,7 +99,7 @@ final class FirstScattering {
 
     private void bring(SoundSource source, int material, double before, double after, double geometry) {
         for (int band = 0; band < BANDS; band++) {
-            brought[band] = source.share(band)
+            brought[band] = source.fraction(band)
                     * source.factor(band, ray.directionZ)
                     * surfaces.reflected(material, band)
                     * surfaces.scattered(material, band)

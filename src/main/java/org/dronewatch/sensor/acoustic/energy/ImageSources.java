@@ -94,10 +94,10 @@ final class ImageSources {
             if (!(here * there < 0.0)) {
                 return;
             }
-            double share = here / (here - there);
-            double dx = share * (image[0] - x);
-            double dy = share * (image[1] - y);
-            double dz = share * (image[2] - z);
+            double fraction = here / (here - there);
+            double dx = fraction * (image[0] - x);
+            double dy = fraction * (image[1] - y);
+            double dz = fraction * (image[2] - z);
             if (!planes.mayContain(walls[k], x + dx, y + dy, z + dz)
                     || !findFirst(x, y, z, dx, dy, dz, Double.POSITIVE_INFINITY, wall)
                     || planes.wallOf(visibility.triangle()) != walls[k]) {
@@ -121,7 +121,7 @@ final class ImageSources {
         double firstLeg = Math.sqrt(square(x - position[0]) + square(y - position[1]) + square(z - position[2]));
         double rise = (z - position[2]) / firstLeg;
         for (int band = 0; band < BANDS; band++) {
-            heard[band] = source.share(band)
+            heard[band] = source.fraction(band)
                     * source.factor(band, rise)
                     * air.left(band, length)
                     / (4.0 * Math.PI * length * length);
@@ -133,7 +133,7 @@ final class ImageSources {
     }
 
     /**
-     * Looks for what a leg of a path meets first. The wall that it comes from is flat and hides nothing of what lies
+     * Finds what a leg of a path hits first. The wall that it comes from is flat and hides nothing of what lies
      * before it, though rounding may have put the leg's beginning behind one of its triangles.
      *
      * @param end which multiple of the leg's vector leads to its end; infinite where it ends at the next wall

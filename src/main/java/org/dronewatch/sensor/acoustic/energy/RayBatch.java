@@ -38,7 +38,7 @@ final class RayBatch {
         ray.seek(source);
         for (int i = 0; i < rays; i++) {
             traced += ray.follow(source, random, recorder);
-            // What the source's rays find has met one surface, too.
+            // Paths found by the source's rays have hit one surface, too.
             traced += model.maxOrder() > 0 ? firstScattering.add(source, sensor, random) : 0;
             tally.endRay();
         }

@@ -37,7 +37,7 @@ final class ReceiverSphere {
      * @return its volume, m3
      */
     double surround(Position centre, RayTracer traversal) {
-        double share = 0.0;
+        double fraction = 0.0;
         for (int i = 0; i < LOOKS; i++) {
             // Spread evenly over the sphere (Fibonacci lattice).
             double z = 1.0 - (2.0 * i + 1.0) / LOOKS;
@@ -46,9 +46,9 @@ final class ReceiverSphere {
             double y = level * Math.sin(GOLDEN_ANGLE * i);
             boolean cut = traversal.closestHit(centre.x(), centre.y(), centre.z(), x, y, z, 0.0, radius);
             double free = cut ? traversal.distance() / radius : 1.0;
-            share += free * free * free / LOOKS;
+            fraction += free * free * free / LOOKS;
         }
-        volume = share * 4.0 / 3.0 * Math.PI * radius * radius * radius;
+        volume = fraction * 4.0 / 3.0 * Math.PI * radius * radius * radius;
         return volume;
     }
 

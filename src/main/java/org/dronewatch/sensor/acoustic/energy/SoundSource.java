@@ -53,7 +53,7 @@ public final class SoundSource {
     }
 
     /** Power in a band over that of all bands; 0 in all bands of silence. */
-    double share(int band) {
+    double fraction(int band) {
         return emitted > 0.0 ? power[band] / emitted : 0.0;
     }
 

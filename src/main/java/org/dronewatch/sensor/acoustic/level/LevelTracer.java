@@ -23,20 +23,20 @@ import org.dronewatch.world.World;
  * caller at a time.
  */
 public final class LevelTracer {
-    /** How many waiting rays are traced in one go. */
-    private static final int STRETCH = 256;
-    /** Threads end together better with several stretches each. */
-    private static final int STRETCHES_PER_THREAD = 8;
+    /** Number of queued rays in a chunk. */
+    private static final int CHUNK = 256;
+    /** Several chunks per thread balance the load. */
+    private static final int CHUNKS_PER_THREAD = 8;
 
     private final LevelModel model;
     private final Position sensor;
     private final double detectionLevel;
     private final RayQueue queue = new RayQueue();
     private final AcousticRay ray = new AcousticRay();
-    private final Supplier<RayStretch> stretches;
+    private final Supplier<RayChunk> chunks;
 
-    /** One for each stretch that is traced at the same time. */
-    private final List<RayStretch> team = new ArrayList<>();
+    /** One for each chunk that is traced at the same time. */
+    private final List<RayChunk> team = new ArrayList<>();
 
     private double bestLevel;
     private double energy;
@@ -58,7 +58,7 @@ public final class LevelTracer {
         this.sensor = sensor;
         this.detectionLevel = detectionLevel;
         SurfaceLevels surfaces = new SurfaceLevels(world);
-        this.stretches = () -> new RayStretch(model, sensor, radius, detectionLevel, world, surfaces);
+        this.chunks = () -> new RayChunk(model, sensor, radius, detectionLevel, world, surfaces);
     }
 
     /**
@@ -75,25 +75,25 @@ public final class LevelTracer {
         long seed = random.nextLong();
         // A recorder takes one segment at a time.
         int threads = recorder == RayRecorder.NONE ? Workers.available() : 1;
-        int atOnce = threads == 1 ? 1 : STRETCHES_PER_THREAD * threads;
+        int atOnce = threads == 1 ? 1 : CHUNKS_PER_THREAD * threads;
         while (team.size() < atOnce) {
-            team.add(stretches.get());
+            team.add(chunks.get());
         }
         int next = 0;
         boolean enough = false;
         while (next < queue.added() && !enough) {
             // Only whole chunks are combined: where they begin must not depend on their number.
             int first = next;
-            int wave = Math.max(1, Math.min(atOnce, (queue.added() - first) / STRETCH));
+            int wave = Math.max(1, Math.min(atOnce, (queue.added() - first) / CHUNK));
             Workers.forEach(wave, i -> {
-                int from = first + i * STRETCH;
-                int to = Math.min(from + STRETCH, queue.added());
+                int from = first + i * CHUNK;
+                int to = Math.min(from + CHUNK, queue.added());
                 team.get(i).trace(queue, from, to, new SplittableRandom(Draws.mix(seed, from)), fully, recorder);
             });
             int waiting = queue.added();
             for (int i = 0; i < wave && !enough; i++) {
                 add(team.get(i));
-                next = Math.min(first + (i + 1) * STRETCH, waiting);
+                next = Math.min(first + (i + 1) * CHUNK, waiting);
                 enough = !fully && bestLevel >= detectionLevel;
             }
         }
@@ -144,13 +144,13 @@ public final class LevelTracer {
         }
     }
 
-    private void add(RayStretch stretch) {
-        bestLevel = Math.max(bestLevel, stretch.bestLevel());
-        energy += stretch.energy();
-        received += stretch.received();
-        traced += stretch.traced();
-        cutByOrder += stretch.cutByOrder();
-        RayQueue branches = stretch.branches();
+    private void add(RayChunk chunk) {
+        bestLevel = Math.max(bestLevel, chunk.bestLevel());
+        energy += chunk.energy();
+        received += chunk.received();
+        traced += chunk.traced();
+        cutByOrder += chunk.cutByOrder();
+        RayQueue branches = chunk.branches();
         int kept = Math.min(branches.added(), model.rayBudget() - queue.added());
         queue.addAll(branches, kept);
         for (int i = kept; i < branches.added(); i++) {

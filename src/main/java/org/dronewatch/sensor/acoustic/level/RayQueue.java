@@ -3,7 +3,9 @@ package org.dronewatch.sensor.acoustic.level;
 import java.util.Arrays;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
-/** Rays in the order in which they were added, in flat arrays; it grows and is reused. Written by one thread at a time. */
+/**
+ * Rays in the order in which they were added, in flat arrays; it grows and is reused. Written by one thread at a time.
+ */
 final class RayQueue {
     private static final int NUMBERS = 9;
     private static final int COUNTS = 2;
@@ -50,7 +52,7 @@ final class RayQueue {
         added += count;
     }
 
-    /** How many surfaces a ray has met. */
+    /** Number of surfaces that a ray has hit. */
     int order(int index) {
         return counts[COUNTS * index];
     }

@@ -47,7 +47,7 @@ final class ReflectionGenerator {
     }
 
     /**
-     * The branches of a ray that meets a triangle.
+     * The branches of a ray that hits a triangle.
      *
      * @param ray the ray that arrives
      * @param distance from its origin to the triangle, m
@@ -68,7 +68,7 @@ final class ReflectionGenerator {
         branch.travelled = ray.travelled + distance;
 
         branch.level = arriving - surfaces.reflectionLoss(material);
-        branch.energy = ray.energy * surfaces.reflectedShare(material) / count;
+        branch.energy = ray.energy * surfaces.reflectedFraction(material) / count;
         branch.medium = ray.medium;
         standOff(1.0);
         reflectSpecular(ray);
@@ -87,7 +87,7 @@ final class ReflectionGenerator {
             standOff(-1.0);
             boolean entering = ray.medium == AcousticRay.AIR;
             branch.level = arriving - (entering ? surfaces.transmissionLoss(material) : 0.0);
-            branch.energy = ray.energy * surfaces.transmittedShare(material);
+            branch.energy = ray.energy * surfaces.transmittedFraction(material);
             branch.medium = entering && !surfaces.isSheet(material) ? material : AcousticRay.AIR;
             target.accept(branch);
         }

@@ -14,9 +14,9 @@ final class SurfaceLevels {
     private static final double AIR_SPEED = 343.2;
 
     private final double[] reflectionLoss;
-    private final double[] reflectedShare;
+    private final double[] reflectedFraction;
     private final double[] transmissionLoss;
-    private final double[] transmittedShare;
+    private final double[] transmittedFraction;
     private final double[] speed;
     private final boolean[] transmits;
     private final boolean[] sheet;
@@ -25,20 +25,20 @@ final class SurfaceLevels {
         List<SurfaceMaterial> surfaces = world.surfaces();
         int count = surfaces.size();
         this.reflectionLoss = new double[count];
-        this.reflectedShare = new double[count];
+        this.reflectedFraction = new double[count];
         this.transmissionLoss = new double[count];
-        this.transmittedShare = new double[count];
+        this.transmittedFraction = new double[count];
         this.speed = new double[count];
         this.transmits = new boolean[count];
         this.sheet = new boolean[count];
         for (int i = 0; i < count; i++) {
             SurfaceMaterial surface = surfaces.get(i);
             int band = OctaveBands.ONE_KILOHERTZ;
-            reflectedShare[i] = surface.reflected(band);
-            reflectionLoss[i] = -Levels.ofRatio(reflectedShare[i]);
+            reflectedFraction[i] = surface.reflected(band);
+            reflectionLoss[i] = -Levels.ofRatio(reflectedFraction[i]);
             transmits[i] = !surface.isOpaque();
-            transmittedShare[i] = surface.transmitted(band);
-            transmissionLoss[i] = -Levels.ofRatio(transmittedShare[i]);
+            transmittedFraction[i] = surface.transmitted(band);
+            transmissionLoss[i] = -Levels.ofRatio(transmittedFraction[i]);
             speed[i] = surface.speed().orElse(AIR_SPEED);
             sheet[i] = surface.wall() == Wall.SHEET;
         }
@@ -49,8 +49,8 @@ final class SurfaceLevels {
         return reflectionLoss[material];
     }
 
-    double reflectedShare(int material) {
-        return reflectedShare[material];
+    double reflectedFraction(int material) {
+        return reflectedFraction[material];
     }
 
     /** What a level loses in passing through the wall, dB. */
@@ -58,8 +58,8 @@ final class SurfaceLevels {
         return transmissionLoss[material];
     }
 
-    double transmittedShare(int material) {
-        return transmittedShare[material];
+    double transmittedFraction(int material) {
+        return transmittedFraction[material];
     }
 
     boolean transmits(int material) {

@@ -35,9 +35,9 @@ public final class AcousticRay {
     /** Path length from the drone to the origin, m. */
     public double travelled;
 
-    /** How many surfaces it has met. */
+    /** Number of surfaces that it has hit. */
     public int order;
 
-    /** Number of the material that it runs through, or {@link #AIR}. */
+    /** Number of the material that it propagates in, or {@link #AIR}. */
     public int medium;
 }

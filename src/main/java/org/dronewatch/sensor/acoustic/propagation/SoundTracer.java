@@ -18,7 +18,7 @@ public interface SoundTracer {
      */
     Heard hear(Drone drone, RandomGenerator random);
 
-    /** What there is of a drone before chance decides; draws from the same random numbers as a look. */
+    /** The signal received from a drone, before any random decision; draws from the same random numbers as a look. */
     Signal signal(Drone drone, RandomGenerator random);
 
     /** Whether a drone would be heard without obstructions. */

@@ -1,2 +1,2 @@
-/** How sound may be followed: settings of the two models, and what both know of rays. */
+/** Propagation of sound: settings of the two models, and the ray types that both use. */
 package org.dronewatch.sensor.acoustic.propagation;

@@ -138,7 +138,7 @@ class ExactPathsTest {
         // Both edges are 40 m away and 10 m up: slope 1/4, which meets in the middle at 11.25 m.
         double expected = 2 * Math.hypot(45, 11.25) - 90;
         assertThat(path.pathDifference()).isCloseTo(expected, within(1e-3));
-        assertThat(path.rise()).isCloseTo(0.25 / Math.hypot(1, 0.25), within(1e-4));
+        assertThat(path.sinElevation()).isCloseTo(0.25 / Math.hypot(1, 0.25), within(1e-4));
     }
 
     @Test

@@ -184,7 +184,7 @@ class LevelModelTest {
         assertThat(fully(room(), drone, TEN)).isEqualTo(fully(room(), drone, TEN));
     }
 
-    /** With enough rays for many stretches, with and without an early end, and with the budget used up on the way. */
+    /** With enough rays for many chunks, with and without an early end, and with the budget used up on the way. */
     @Test
     void theSameForAnyNumberOfThreads() {
         World room = room();

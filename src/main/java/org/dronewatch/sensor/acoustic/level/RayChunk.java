@@ -12,7 +12,7 @@ import org.dronewatch.world.World;
  * Traces a chunk of the queued rays: what they contribute at the sensor, and the rays that leave the surfaces that they
  * hit. One per thread.
  */
-final class RayStretch {
+final class RayChunk {
     /** How far rays that meet nothing are drawn, m. */
     private static final double DRAWN = 1000.0;
 
@@ -31,7 +31,7 @@ final class RayStretch {
     private long traced;
     private long cutByOrder;
 
-    RayStretch(
+    RayChunk(
             LevelModel model,
             Position sensor,
             double radius,
@@ -173,7 +173,7 @@ final class RayStretch {
         return cutByOrder;
     }
 
-    /** The rays that leave the surfaces, in the order of those that met them. */
+    /** The rays that leave the surfaces, in the order of those that hit them. */
     RayQueue branches() {
         return branches;
     }

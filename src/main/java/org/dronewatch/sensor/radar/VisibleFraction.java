@@ -10,14 +10,14 @@ import org.dronewatch.world.World;
  * How much of a drone is visible from a position: the fraction of nine points of its box, the middle and half-way to
  * each corner, to which nothing of the world obstructs the line of sight.
  */
-final class VisibleShare {
+final class VisibleFraction {
     private static final int POINTS = 9;
     private static final double HALF_WAY = 0.5;
 
     private final Position position;
     private final Visibility visibility;
 
-    VisibleShare(World world, Position position) {
+    VisibleFraction(World world, Position position) {
         this.position = position;
         this.visibility = new Visibility(world);
     }
