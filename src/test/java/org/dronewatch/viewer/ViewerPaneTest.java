@@ -237,7 +237,9 @@ class ViewerPaneTest {
         assertThat(pane.rays().orElseThrow().time()).isEqualTo(2.0);
 
         at(8.5);
-        assertThat(pane.rayPanel().count()).startsWith("Traced at 2.00 s: ").endsWith("The displayed time is now 8.50 s.");
+        assertThat(pane.rayPanel().count())
+                .startsWith("Traced at 2.00 s: ")
+                .endsWith("The displayed time is now 8.50 s.");
         picture("rays-old");
         at(2.0);
         assertThat(pane.rayPanel().count()).doesNotContain("now");

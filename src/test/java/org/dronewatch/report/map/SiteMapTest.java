@@ -231,7 +231,11 @@ class SiteMapTest {
             }
         }
         assertThat(texts(document, "name")).isEqualTo(expected);
-        assertThat(texts(document, "description")).hasSize(1).first().asString().contains("altitude of the origin is unknown");
+        assertThat(texts(document, "description"))
+                .hasSize(1)
+                .first()
+                .asString()
+                .contains("altitude of the origin is unknown");
         assertThat(Files.readString(kml).replace("http://www.opengis.net/kml/2.2", ""))
                 .doesNotContain("http", "NaN", "Infinity");
         // Opacity, blue, green, red.
