@@ -30,7 +30,7 @@ public final class DepthImage {
      */
     public DepthImage(int width, int height, float[] distances, boolean[] hits) {
         if (width <= 0 || height <= 0 || distances.length != width * height || hits.length != distances.length) {
-            throw new IllegalArgumentException("picture of " + width + " x " + height + " pixels from "
+            throw new IllegalArgumentException("image of " + width + " x " + height + " pixels from "
                     + distances.length + " distances and " + hits.length + " marks");
         }
         this.width = width;

@@ -20,7 +20,7 @@ final class LevelAssessment {
     }
 
     /**
-     * The signal by the level model: certain where the straight ray is loud enough, which is traced first, and where
+     * The signal in the level model: certain where the straight ray is loud enough, which is traced first, and where
      * even that would be too quiet; estimated from some looks otherwise. The first of these is the look of a run with
      * the same random numbers. The quantity of an estimate is the median of the best levels, the upper of the two in
      * the middle, so that it reaches the threshold when half of the looks do.
@@ -47,8 +47,8 @@ final class LevelAssessment {
     }
 
     /**
-     * Standard error of a fraction of looks: the standard deviation of the beta distribution that they leave of a
-     * probability of which nothing was known, so that it is above 0 for none and for all.
+     * Standard error of a fraction of looks: the standard deviation of the beta distribution of the probability, with a
+     * uniform prior, so that it is above 0 even if none or all of the looks detect.
      */
     private static double error(int hits) {
         double no = TRACES - hits + 1.0;
