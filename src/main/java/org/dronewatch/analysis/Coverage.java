@@ -19,8 +19,8 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * Where over a site each sensor detects a drone, and why not elsewhere. The drone is put at every point of a grid, its nose and
- * its speed towards the sensor, and the sensor looks once: what stands in the way, pixels, levels and echoes are those of a run.
+ * Where over a site each sensor detects a drone, and why it does not elsewhere. The drone is put at every point of a grid, its nose and
+ * its speed towards the sensor, and the sensor looks once: obstructions, pixel counts, levels and echoes are computed as in a run.
  */
 public final class Coverage {
     private final CoverageGrid grid;
@@ -36,7 +36,7 @@ public final class Coverage {
     }
 
     /**
-     * Lets all sensors of a scene look at all points, on the threads of the {@link Workers} that call; the same for any number
+     * Evaluates all sensors of a scene at all points, on the threads of the {@link Workers} that call; the same for any number
      * of them.
      *
      * @param settings of one run
@@ -94,15 +94,15 @@ public final class Coverage {
     }
 
     /**
-     * What a sensor has of the drone in a cell, with the random rays of its look there; empty where there is no ground. Where
-     * the sensor decides by chance, {@link #isReached} is one draw from it. One thread at a time.
+     * A sensor's assessment of the drone in a cell, using the same random rays as its look there; empty where there is no
+     * ground. For a sensor with a random decision, {@link #isReached} is a single realisation. One thread at a time.
      */
     public Optional<Assessment> assess(String sensor, int column, int row) {
         return probers.get(sensor).assess(column, row);
     }
 
     /**
-     * Why a sensor does not detect the drone: in how many cells each cause holds, without those in which it does, and those
+     * Why a sensor does not detect the drone: the number of cells for each cause, excluding cells with a detection and cells
      * without ground. Microphones trace nothing for it. One thread at a time.
      */
     public Map<Cause, Integer> causes(String sensor) {
@@ -133,12 +133,12 @@ public final class Coverage {
         return bySensor;
     }
 
-    /** In how many cells there is ground, and so a drone above it. */
+    /** Number of cells with ground, and so with a drone above it. */
     public int groundCells() {
         return groundCells;
     }
 
-    /** In how many cells a sensor detects the drone. */
+    /** Number of cells in which a sensor detects the drone. */
     public int reachedCells(String sensor) {
         int cells = 0;
         for (boolean cell : reached.get(sensor)) {
@@ -147,7 +147,7 @@ public final class Coverage {
         return cells;
     }
 
-    /** How many sensors of a kind detect the drone in a cell. */
+    /** Number of sensors of a kind that detect the drone in a cell. */
     public int count(String kind, int column, int row) {
         int count = 0;
         for (Map.Entry<String, SensorSettings<?>> sensor : sensors.entrySet()) {

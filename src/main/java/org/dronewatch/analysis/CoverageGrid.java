@@ -5,12 +5,12 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A square of points at one height over the ground, at each of which a drone is put.
+ * A square grid of points at one height above the ground, at each of which a drone is placed.
  *
  * @param east of the middle, -100 to 100 km, m
  * @param north of the middle, -100 to 100 km, m
  * @param side length of a side, above 0 and at most 100 km, m
- * @param cells how many points to a side, 2 to 2000
+ * @param cells number of points along a side, 2 to 2000
  * @param height of the points over the highest surface below, above 0 and at most 10 km, m
  */
 public record CoverageGrid(

@@ -1,2 +1,2 @@
-/** What a layout can do before anything flies: coverage. */
+/** Analysis of a sensor layout without simulating flights: coverage. */
 package org.dronewatch.analysis;

@@ -13,7 +13,7 @@ import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.PictureSettings;
 import picocli.CommandLine.Model.CommandSpec;
 
-/** What one camera sees. */
+/** The view of one camera. */
 final class CameraRendering extends Rendering {
     private final SceneSettings settings;
     private final String id;

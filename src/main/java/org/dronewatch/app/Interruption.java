@@ -21,7 +21,7 @@ final class Interruption implements AutoCloseable {
         try {
             Runtime.getRuntime().addShutdownHook(hook);
         } catch (IllegalStateException e) {
-            // The process is already shutting down, and waits for nobody.
+            // The process is already shutting down and does not wait.
             happened = true;
         }
     }

@@ -97,7 +97,7 @@ public final class Main implements Runnable {
      */
     public static int execute(PrintWriter out, PrintWriter err, String... arguments) {
         Logging.silence();
-        // The library's files for pictures in the making would need room in the temporary directory, and a hook at
+        // The library's files for unfinished images would need room in the temporary directory, and a hook at
         // shutdown.
         ImageIO.setUseCache(false);
         Main main = new Main();

@@ -65,7 +65,7 @@ final class Progress implements SceneListener, AutoCloseable {
         }
     }
 
-    /** Takes the bar away, so that what is printed next starts on a line of its own; twice is no harm. */
+    /** Takes the bar away, so that what is printed next starts on a separate line; idempotent. */
     void finish() {
         if (bar != null) {
             bar.close();

@@ -14,7 +14,7 @@ final class RunTime {
      * @param option what messages call it, such as {@code --time}
      * @param text a number of seconds, or a number with another unit of time
      * @param duration of the run, s
-     * @throws InputException when it is no time within the run
+     * @throws InputException when it is not a time within the run
      */
     static double parse(String option, String text, double duration) {
         double seconds;

@@ -74,7 +74,7 @@ final class ViewCommand implements Callable<Integer> {
         return "cannot open a window: " + obstacle + "; 'render' draws pictures without one";
     }
 
-    /** Runs a scene for a window; gives what went wrong, unless nobody looks any more. */
+    /** Runs a scene for a window; returns the error, unless the window is closed. */
     private Optional<RuntimeException> show(Viewer viewer, SceneRunner runner) {
         runner.notes(line -> {
                     spec.commandLine().getErr().println(line);

@@ -17,13 +17,13 @@ import org.jogamp.vecmath.Vector3d;
 public final class RayGenerator {
     private static final int WIDTH = 1024;
     private static final int HEIGHT = 768;
-    /** Where the eye is, from the box's middle, as a share of the box. */
+    /** Where the eye is, from the box's middle, as a fraction of the box. */
     private static final double[] EYE = {0.35, 0.30, 0.32};
 
     private static final int DIFFUSE_RAYS = 1_000_000;
     private static final int MAX_BOUNCES = 10;
     private static final int MAX_PATHS = 50 * DIFFUSE_RAYS;
-    /** How far a bounced ray starts above its surface, as a share of the box's diagonal. */
+    /** How far a bounced ray starts above its surface, as a fraction of the box's diagonal. */
     private static final double OFFSET = 1e-5;
 
     private final KDTree tree;

@@ -2,7 +2,7 @@ package org.dronewatch.bench;
 
 /** Traces the rays of a set; one per thread. */
 interface Tracer {
-    /** How many pieces the work on a set comes in; pieces can be traced in any order. */
+    /** Number of pieces into which the work on a set is divided; they can be traced in any order. */
     int pieces();
 
     /**

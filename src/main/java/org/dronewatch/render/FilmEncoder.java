@@ -70,7 +70,7 @@ final class FilmEncoder {
 
     private void begin(int width, int height) {
         Film.checkSize(width, height);
-        // The encoder takes pictures of this label only; what is in them are levels of 16 to 235, as the stream says.
+        // The encoder accepts only images with this label; their levels are 16 to 235, as the stream declares.
         yuv = Picture.create(width, height, ColorSpace.YUV420J);
         buffer = ByteBuffer.allocate(encoder.estimateBufferSize(yuv));
         track = muxer.addVideoTrack(

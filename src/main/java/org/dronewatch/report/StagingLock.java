@@ -76,7 +76,7 @@ final class StagingLock implements AutoCloseable {
                 try {
                     lock = file.getChannel().tryLock();
                 } catch (IOException e) {
-                    // A file system without locks: runs of other processes cannot be told apart there.
+                    // A file system without locks: runs of other processes cannot be distinguished there.
                     held = true;
                     return Optional.of(new StagingLock(directory, file));
                 }
@@ -114,7 +114,7 @@ final class StagingLock implements AutoCloseable {
         boolean removed = false;
         try {
             clear();
-            // Before the lock is let go, so that nobody else has it yet; not every system removes what is open.
+            // Before the lock is released, so that no other run holds it yet; not every system removes what is open.
             removed = remove(name);
         } catch (IOException e) {
             // The results are where they belong; what is left here the next run removes.

@@ -91,7 +91,7 @@ public final class WholeFile {
      * @throws InputException if writing fails; the older file is then as it was
      */
     public void writeFile(FileContent content) {
-        // Not a temporary file of the library, which nobody else may read.
+        // Not a temporary file of the library, which other users cannot read.
         Path partial = directory.resolve(".partial-" + UUID.randomUUID());
         try {
             Files.createFile(partial);

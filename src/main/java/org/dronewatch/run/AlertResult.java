@@ -6,19 +6,19 @@ import java.util.OptionalDouble;
 import org.dronewatch.fusion.Alert;
 
 /**
- * The alert to one drone in one run, and how early it was.
+ * The alert for one drone in one run, and its lead time.
  *
  * @param run number of the run in a sweep, from 0
  * @param drone name of the drone
- * @param firstSight when a sensor could have seen it for the first time: a free line of sight to it, within the sensor's field
+ * @param firstSight when a sensor could have seen it for the first time: an unobstructed line of sight to it, within the sensor's field
  *     of view and range, s; empty for never, and where no sensor has a field of view
  * @param alert the alert, or empty when there was none
- * @param zoneDistance how far it was from the protected zone at the alert, m; empty without zone or alert
- * @param warning how long it would need from there in a straight line to the zone at its cruise speed, s; 0 if it had
- *     already been there; empty without zone or alert
+ * @param zoneDistance the drone's distance to the protected zone at the alert, m; empty without zone or alert
+ * @param warning warning time: straight-line flight time from there to the zone at cruise speed, s; 0 if it had already
+ *     reached the zone; empty without zone or alert
  * @param entered when its flight reached the zone, s; empty when it did not in the run's time
- * @param inTime whether the warning leaves the time that the response needs and came before the drone; empty if no time
- *     is required or nothing is protected
+ * @param inTime whether the warning time covers the response time and the alert preceded the drone's arrival; empty if no
+ *     time is required or nothing is protected
  */
 public record AlertResult(
         int run,
@@ -35,7 +35,7 @@ public record AlertResult(
         return alert.map(one -> OptionalDouble.of(one.time())).orElse(OptionalDouble.empty());
     }
 
-    /** The sensors on which the alert rests; none without one. */
+    /** The sensors that raised the alert; empty without one. */
     public List<String> sensors() {
         return alert.map(Alert::sensors).orElse(List.of());
     }

@@ -24,7 +24,7 @@ import org.dronewatch.world.World;
  * that was.
  */
 public final class AlertWatch {
-    /** A flight is approximated by this number of straight pieces of equal duration. */
+    /** A flight is approximated by this number of straight segments of equal duration. */
     private static final int MOMENTS = 10_000;
 
     private final int run;
@@ -42,7 +42,7 @@ public final class AlertWatch {
     }
 
     /**
-     * Adds one moment of the run.
+     * Adds one instant of the run.
      *
      * @param stage the run's stage, which has just looked
      */
@@ -116,7 +116,7 @@ public final class AlertWatch {
         return new AlertResult(run, drone.id(), firstSight, alert, distance, warning, entered, inTime);
     }
 
-    /** Tests straight pieces of its flight, so that no drone is too fast to be noticed. */
+    /** Tests straight segments of its flight, so that no drone is too fast to be noticed. */
     private static OptionalDouble entered(String drone, ProtectedZone zone, Stage stage, double simulated) {
         Position before = stage.placeOf(drone, 0.0);
         double step = simulated / MOMENTS;

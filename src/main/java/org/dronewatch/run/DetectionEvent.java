@@ -3,7 +3,7 @@ package org.dronewatch.run;
 import org.dronewatch.sensor.Observation;
 
 /**
- * A sensor gains or loses a drone.
+ * A sensor gains or loses detection of a drone.
  *
  * @param run number of the run in a sweep, from 0
  * @param gained true if it is detected from now on, false if it no longer is

@@ -10,15 +10,15 @@ import java.util.Set;
 import org.dronewatch.sensor.Observation;
 
 /**
- * From when to when sensors hold drones in one run: from an event that gains a drone to the one that loses it. Times are those
- * at which the sensor knew, so that sound counts from its arrival. Events are added in order of time. One thread at a time.
+ * The intervals during which each sensor holds a drone in one run, from the event that gains it to the one that loses it.
+ * Times are times of reception: sound counts from its arrival at the sensor. Events are added in order of time. One thread at a time.
  */
 public final class DetectionIntervals {
     private final Map<List<String>, List<DetectionEvent>> ofPairs = new HashMap<>();
     private final Map<String, Held> ofSensors = new HashMap<>();
 
     /**
-     * An interval in which a sensor holds one drone at least.
+     * An interval in which a sensor holds at least one drone.
      *
      * @param from seconds since the start of the run
      * @param to seconds since the start of the run, not before {@code from}
@@ -66,7 +66,8 @@ public final class DetectionIntervals {
         return held == null ? List.of() : held.until(end);
     }
 
-    /** The observation at which a sensor lost a drone for good so far; empty if it never had it, or has it. */
+    /** The observation at which a sensor last lost a drone and did not regain it; empty if it never held it or still holds
+     * it. */
     public Optional<Observation> lostForGood(String sensor, String drone) {
         List<DetectionEvent> events = ofPairs.getOrDefault(List.of(sensor, drone), List.of());
         return events.isEmpty() || events.get(events.size() - 1).gained()

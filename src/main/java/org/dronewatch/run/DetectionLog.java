@@ -33,7 +33,7 @@ public final class DetectionLog {
 
     /**
      * Adds what all sensors observed at one time. A sensor that observed a drone several times detected it if it did so
-     * once; false measurements are nobody's detection.
+     * once; false alarms are not detections of any drone.
      */
     public void add(List<Observation> observations) {
         Map<List<String>, Observation> looks = new LinkedHashMap<>();

@@ -52,7 +52,7 @@ public final class ModelCache {
         models.computeIfAbsent(settings, this::load);
     }
 
-    /** What finds the triangles of some models, as one mesh, along rays. */
+    /** The ray-tracing index over some models, merged into one mesh. */
     synchronized TracingIndex index(List<ModelSettings> settings) {
         return indexes.computeIfAbsent(settings, this::build);
     }

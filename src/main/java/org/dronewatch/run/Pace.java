@@ -6,7 +6,7 @@ import java.util.concurrent.TimeUnit;
 @FunctionalInterface
 public interface Pace {
 
-    /** The least multiple of real time. */
+    /** The smallest multiple of real time. */
     double SLOWEST = 0.001;
 
     /** The largest multiple of real time. */

@@ -5,7 +5,7 @@ import org.dronewatch.sensor.Imaging;
 import org.dronewatch.setting.InputException;
 
 /**
- * Whether the pictures of a scene's cameras fit into Java's memory: each keeps the distance of the site in every pixel.
+ * Checks whether the depth buffers of a scene's cameras fit on the heap: each stores the distance to the site for every pixel.
  */
 public final class PictureMemory {
     private static final int MEBIBYTE = 1 << 20;
@@ -15,7 +15,7 @@ public final class PictureMemory {
     /**
      * Checks it before anything is created.
      *
-     * @param most bytes that Java may use
+     * @param most maximum size of the heap, bytes
      * @throws InputException when there are too many pixels
      */
     public static void check(SceneSettings settings, long most) {

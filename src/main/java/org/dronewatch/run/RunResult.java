@@ -15,7 +15,7 @@ import org.dronewatch.scenario.SceneSettings;
  * @param simulated simulated time, s
  * @param events detections gained and lost, in order of time
  * @param pairs the result of each sensor with each drone, in the order of the scene
- * @param alerts the alert to each drone, and how early it was
+ * @param alerts the alert for each drone, with its lead time
  */
 public record RunResult(
         int run,

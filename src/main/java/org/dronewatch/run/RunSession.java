@@ -119,7 +119,7 @@ public final class RunSession implements AutoCloseable {
     }
 
     /**
-     * Lets the sensors that are due next look, at their time and at the run's pace, and notifies the listeners.
+     * Runs the next looks that are due, at their time and at the run's pace, and notifies the listeners.
      *
      * @return the drones at that time, and the observations
      * @throws IllegalStateException when there are no more looks

@@ -14,9 +14,9 @@ public interface SceneListener {
     /** Sensors have looked. */
     default void observed(Frame frame) {}
 
-    /** A run is over, to its end or cut short. */
+    /** A run has ended, completely or early. */
     default void runEnded(RunResult result) {}
 
-    /** A sensor gained or lost a drone. */
+    /** A sensor gained or lost detection of a drone. */
     default void detectionChanged(DetectionEvent event) {}
 }

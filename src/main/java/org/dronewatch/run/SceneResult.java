@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * The results of all runs of a scene: checked in a test, they keep a site's detection ranges from changing unnoticed.
+ * The results of all runs of a scene: asserted in a test, they guard against unnoticed changes in a site's detection ranges.
  *
  * @param scene name of the scene
  * @param seed seed of its random numbers
- * @param threads how many threads looked
- * @param complete false when the run was cut short
+ * @param threads number of worker threads
+ * @param complete false when the run was stopped early
  * @param runs the runs: one, or one for each value of a sweep
  * @param timing how the computing time was spent
  */
@@ -25,13 +25,13 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         return runs.stream().flatMap(run -> run.pairs().stream()).toList();
     }
 
-    /** All drones in all runs: the alert to each, and how early it was. */
+    /** The alerts for all drones in all runs, with their lead times. */
     public List<AlertResult> alerts() {
         return runs.stream().flatMap(run -> run.alerts().stream()).toList();
     }
 
     /**
-     * The alert to a drone in the first run, and how early it was.
+     * The alert for a drone in the first run, with its lead time.
      *
      * @throws IllegalArgumentException when the scene has no such drone
      */

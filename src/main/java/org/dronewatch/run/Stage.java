@@ -68,7 +68,7 @@ public final class Stage {
     }
 
     /**
-     * Releases the sensors, some of which keep large pictures: no more looks are possible. Everything else can still be
+     * Releases the sensors, some of which keep large depth buffers: no more looks are possible. Everything else can still be
      * queried.
      */
     void release() {
@@ -107,8 +107,7 @@ public final class Stage {
     }
 
     /**
-     * Has every sensor that traces rays report all of them, as its first look would trace them if it did not stop
-     * early.
+     * Reports all rays traced by every ray-tracing sensor in its first look, without early termination.
      *
      * @param time where the drones are, seconds since the start of the run
      * @param target returns the recorder for the rays of a sensor and a drone of these names
@@ -127,7 +126,7 @@ public final class Stage {
     }
 
     /**
-     * Has one sensor report all rays from one drone to it, as its first look would trace them if it did not stop early.
+     * Reports all rays traced from one drone to one sensor in its first look, without early termination.
      *
      * @param time where the drone is, seconds since the start of the run
      * @return whether there are such a drone and such a sensor, and the sensor traces rays
@@ -177,7 +176,7 @@ public final class Stage {
         return active.stream().mapToDouble(ActiveSensor::nextTime).min().orElse(Double.POSITIVE_INFINITY);
     }
 
-    /** Lets every sensor that is due at a time look. */
+    /** Runs the looks of every sensor that is due at a time. */
     List<Observation> look(double time, List<Drone> drones, LookTimes times) {
         pointings.clear();
         List<Supplier<List<Observation>>> looks = new ArrayList<>();
@@ -199,7 +198,7 @@ public final class Stage {
         return observations;
     }
 
-    /** The last looks by contact: what alerts and positioners receive. */
+    /** The last looks by contact, as received by alert rules and positioners. */
     List<ContactLook> contactLooks() {
         return contactLooks;
     }

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.dronewatch.drone.DroneSettings;
 
-/** What flies in a scene: its drones, and each drone of its swarms. */
+/** Expands a scene's drones: each drone, with each swarm replaced by its members. */
 final class Fliers {
     private static final int MOST = 1000;
 

@@ -8,11 +8,11 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * The texts on the library's own settings, which the build collects from the sources; of a kind from elsewhere only what its
- * {@link Kind} says. Immutable.
+ * Descriptions of the library's own settings, collected from the sources at build time; for a third-party kind, only the
+ * text in its {@link Kind} annotation. Immutable.
  */
 public final class PackagedTexts implements SettingTexts {
-    /** Beside this class: by name of the class, then by component, the empty name for the record itself. */
+    /** Resource file next to this class; maps class name, then component name, to text (the empty name stands for the record). */
     private static final String FILE = "texts.json";
 
     private final JsonNode texts;

@@ -12,7 +12,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
-/** The part of the schema for one settings record: what may be written in it, what must be, and what the rest is by default. */
+/** The part of the schema for one settings record: its optional and required properties and their defaults. */
 final class RecordSchema {
     private final Kinds kinds;
     private final SettingTexts texts;
@@ -58,7 +58,7 @@ final class RecordSchema {
         return schema;
     }
 
-    /** What only Java code can set is left out of files, and so of the schema. */
+    /** Components that only Java code can set are omitted from files, and so from the schema. */
     private boolean isWritable(SettingsForm form, RecordComponent part) {
         boolean writable = values.isWritable(part.getGenericType());
         if (!writable && form.required().contains(part.getName())) {
@@ -109,7 +109,7 @@ final class RecordSchema {
         }
     }
 
-    /** All that is known of a number of which nothing is said. */
+    /** The fallback description of an undocumented number: only its unit. */
     private static String unit(RecordComponent part) {
         String unit = SettingText.quantity(part).unit();
         return unit.isEmpty() ? "" : "in " + unit + ", or with a unit";

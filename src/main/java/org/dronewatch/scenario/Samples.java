@@ -13,7 +13,7 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.GroundPoint;
 
-/** Makes a settings record with nothing filled in but what must be, to see what the rest is by default. */
+/** Instantiates a settings record with only its required components filled in, to find the defaults of the others. */
 public final class Samples {
     private static final Position SOMEWHERE = new Position(1, 2, 3);
     /** How deep lists hold something: those of records that hold themselves would never end. */
@@ -22,7 +22,7 @@ public final class Samples {
     private Samples() {}
 
     /**
-     * A record; empty when it has no defaults to see, or does not take the values that were tried for what must be filled in.
+     * A record; empty if it has no defaults, or rejects the values tried for the required components.
      */
     public static Optional<Record> of(Class<?> type) {
         return of(type, 0);

@@ -69,7 +69,7 @@ public final class SceneSchema {
         return DEFINITIONS + name;
     }
 
-    /** Types from elsewhere have their whole name, which no type of the library has. */
+    /** Third-party types have their fully qualified name, which no type of the library has. */
     private static String name(Class<?> type) {
         String whole = type.getName();
         return (FoundKind.isBuiltIn(type)
@@ -118,7 +118,7 @@ public final class SceneSchema {
         known.putArray("required").add("use");
     }
 
-    /** Lets each of those that a record holds by name be switched off. */
+    /** Allows each entry of a map component to be disabled with {@code enabled: false}. */
     private void putSwitches(SettingsForm form) {
         for (RecordComponent part : form.parts()) {
             if (part.isAnnotationPresent(Switchable.class)) {
@@ -131,7 +131,7 @@ public final class SceneSchema {
         }
     }
 
-    /** What a component holds by name. */
+    /** The value type of a map component. */
     private static Class<?> valueOf(RecordComponent map) {
         Type value = ((ParameterizedType) map.getGenericType()).getActualTypeArguments()[1];
         return (Class<?>) (value instanceof ParameterizedType several ? several.getRawType() : value);

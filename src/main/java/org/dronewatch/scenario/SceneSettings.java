@@ -44,7 +44,7 @@ public record SceneSettings(
         PriceSettings prices,
         RunSettings run,
         Optional<SweepSettings> sweep) {
-    /** The most looks of one sensor in a run: ten per second for more than a hundred days. */
+    /** Maximum number of looks of one sensor in a run: ten per second for more than a hundred days. */
     public static final int MOST_LOOKS = 100_000_000;
 
     /** Checks ids and keeps its own maps. */
@@ -130,8 +130,8 @@ public record SceneSettings(
     }
 
     /**
-     * What flies, by id: each drone, but for one with a swarm, say {@code x}, the drones of the swarm, {@code x-1}, {@code
-     * x-2} and so on. Detections are theirs; overrides and sweeps change {@link #drones()}.
+     * The individual drones by id: a swarm {@code x} is expanded into {@code x-1}, {@code x-2} and so on. Detections refer to
+     * these ids; overrides and sweeps refer to {@link #drones()}.
      */
     public Map<String, DroneSettings> fliers() {
         return Fliers.of(drones);

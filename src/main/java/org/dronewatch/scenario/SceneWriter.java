@@ -11,7 +11,7 @@ public final class SceneWriter {
     private SceneWriter() {}
 
     /**
-     * A scene file that says the same. Sensors that were taken from a catalogue are written out in full.
+     * An equivalent scene file. Sensors that were taken from a catalogue are written out in full.
      *
      * @param name what the first line calls the scene
      * @param settings of the scene, or of one of its runs

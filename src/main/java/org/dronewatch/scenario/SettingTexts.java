@@ -1,11 +1,11 @@
 package org.dronewatch.scenario;
 
-/** What people read about settings records and their components: the words of their Javadoc. */
+/** Human-readable descriptions of settings records and their components, taken from their Javadoc. */
 public interface SettingTexts {
 
-    /** The first sentence on a record; empty when nothing is said. */
+    /** The first sentence of a record's description; empty if it has none. */
     String summary(Class<?> record);
 
-    /** What a component of a record is; empty when nothing is said. */
+    /** The description of a record component; empty if it has none. */
     String part(Class<?> record, String component);
 }

@@ -9,7 +9,7 @@ import org.dronewatch.setting.SettingsPath;
 
 /** A setting that takes one value after another, with one run for each. */
 public sealed interface SweepSettings {
-    /** The most runs of a sweep. */
+    /** Maximum number of runs of a sweep. */
     int MAX_RUNS = 10_000;
 
     /** Path of the setting, such as {@code sensors.camera.fov}. */
@@ -19,7 +19,7 @@ public sealed interface SweepSettings {
      * Its values, written as for {@code --set}.
      *
      * @param quantity what the setting is measured in
-     * @throws IllegalArgumentException when a value is none of that quantity
+     * @throws IllegalArgumentException if a value is not a valid value of that quantity
      */
     List<String> values(Quantity quantity);
 
@@ -27,8 +27,7 @@ public sealed interface SweepSettings {
      * The value that the swept setting has.
      *
      * @param settings those of one run of the sweep: a {@code SceneSettings}
-     * @return a number in the setting's unit, or another single value; what was written for anything else, such as the name
-     *     of a sensor
+     * @return a number in the setting's unit, or another scalar; otherwise the text as written, such as a sensor name
      */
     default Object valueIn(Record settings) {
         SettingsPath path = new SettingsPath(parameter());

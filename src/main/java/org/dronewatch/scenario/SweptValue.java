@@ -3,7 +3,7 @@ package org.dronewatch.scenario;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsPath;
 
-/** The value of a swept setting in one run, for people to read. */
+/** The value of a swept setting in one run, in readable form. */
 public final class SweptValue {
     private final String parameter;
     private final Object value;

@@ -22,7 +22,7 @@ import org.dronewatch.setting.SettingsPath;
 final class ConfiguredScene {
     private final Scene scene;
     private final Map<String, String> overrides = new LinkedHashMap<>();
-    /** The overridden paths as they were given, by the same paths with present names. */
+    /** Overridden paths as typed by the user, keyed by the same paths with current names. */
     private final Map<String, String> overridden = new LinkedHashMap<>();
 
     private FormerNames formerNames = new FormerNames();
@@ -84,7 +84,7 @@ final class ConfiguredScene {
         return settings;
     }
 
-    /** The path of an override by present names, which no other override may mean by another name. */
+    /** The path of an override with current names; no other override may refer to it under another name. */
     private String currentPath(SceneSettings settings, String path) {
         String option = "--set " + path;
         String current = new CurrentPath(settings, formerNames).of(path, option);
@@ -96,13 +96,13 @@ final class ConfiguredScene {
         return current;
     }
 
-    /** The path of the swept setting by present names. */
+    /** The path of the swept setting with current names. */
     private Optional<String> sweptPath(SceneSettings settings, FormerNames used) {
         return settings.sweep().map(SweepSettings::parameter).map(path -> new CurrentPath(settings, used)
                 .of(path, scene.placeOf("sweep.parameter").orElse("sweep of " + path)));
     }
 
-    /** The settings with the present name of what is swept, which is what results and files then call it. */
+    /** The settings with the swept parameter under its current name, as used in results and files. */
     private SceneSettings withCurrentSweep(SceneSettings settings) {
         return sweptPath(settings, formerNames)
                 .filter(path -> !path.equals(settings.sweep().orElseThrow().parameter()))
@@ -110,7 +110,7 @@ final class ConfiguredScene {
                 .orElse(settings);
     }
 
-    /** A line for each former name of a setting that {@link #settings()} found, by what was renamed. */
+    /** A line for each former name of a setting found by {@link #settings()}, keyed by the renamed setting. */
     Map<FormerNames.Renamed, String> formerNames() {
         FormerNames all = new FormerNames();
         all.addAll(scene.formerNames());

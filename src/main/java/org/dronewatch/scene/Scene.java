@@ -38,7 +38,7 @@ import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.world.Light;
 
 /**
- * A site, what flies over it and what watches it. Users extend it and override {@link #build()}, in which {@code
+ * A site, the drones that fly over it and the sensors that watch it. Users extend it and override {@link #build()}, in which {@code
  * load...} names models and {@code add} takes settings; nothing is loaded or created there. {@link #run()} runs it on
  * the calling thread; {@link SceneRunner} runs it with other settings, threads or pace.
  *
@@ -99,8 +99,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * The range at which a simple law expects a sensor to detect first, m: drawn beside the results of a sweep. None
-     * unless a scene knows one.
+     * The range at which a sensor is first expected to detect according to a simple analytic model, m; plotted for comparison
+     * with the sweep results. Empty unless overridden.
      *
      * @param settings settings of one run
      * @param sensor name of the sensor
@@ -144,7 +144,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().setAtmosphere(air);
     }
 
-    /** Lets it rain, mm/h; dry unless set. */
+    /** Sets the rain rate, mm/h; 0 unless set. */
     protected final void setRain(double millimetresPerHour) {
         building().setRain(millimetresPerHour);
     }
@@ -241,7 +241,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * The position of the setting that a message is about.
+     * The location of the setting that a message refers to.
      *
      * @param path of the setting
      * @return file, line and column, as {@code site.yaml:3:12}; empty for a scene in Java
@@ -250,7 +250,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         return Optional.empty();
     }
 
-    /** The settings that are written by a former name in the files in which the scene is described. */
+    /** The settings given under a former name in the files in which the scene is described. */
     FormerNames formerNames() {
         return new FormerNames();
     }

@@ -23,7 +23,7 @@ public final class SceneFile extends Scene {
     private transient FormerNames formerNames = new FormerNames();
 
     /**
-     * The scene of a file. The file is read when the scene is described, so that is when mistakes in it are found.
+     * The scene of a file. The file is read when the scene is described, which is when errors in it are found.
      *
      * @param file of at most 1 MiB, in UTF-8; file names in it are relative to its directory
      */

@@ -56,7 +56,7 @@ public final class SceneRunner {
         this.configured = new ConfiguredScene(scene);
     }
 
-    /** Overrides a setting, by its present or a former name; overriding the swept setting ends the sweep. */
+    /** Overrides a setting, by its current or a former name; overriding the swept setting ends the sweep. */
     public SceneRunner set(String path, String value) {
         configured.set(path, value);
         return this;
@@ -68,7 +68,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Sets on how many threads sensors look.
+     * Sets the number of worker threads used to evaluate the sensors.
      *
      * @throws IllegalArgumentException when below 1 or above 1024
      */
@@ -144,8 +144,9 @@ public final class SceneRunner {
     }
 
     /**
-     * Receives one line for each file read, for each oddity, and for each setting that is written by a former name. Names that come from files are shortened, and their
-     * control characters escaped, so that a line can safely be printed to a terminal.
+     * Receives one line for each file read, for each warning, and for each setting given under a former name. Names that
+     * come from files are shortened, and their control characters escaped, so that a line can safely be printed to a
+     * terminal.
      */
     public SceneRunner notes(Consumer<String> target) {
         this.notes = note -> target.accept(PlainText.line(note));
@@ -163,7 +164,7 @@ public final class SceneRunner {
         return settings;
     }
 
-    /** Warns once for each name, as soon as there is somebody to read it. */
+    /** Warns once for each name, as soon as a receiver of notes is set. */
     private void warnOfFormerNames() {
         if (notes != NOBODY) {
             configured.formerNames().forEach((setting, line) -> {

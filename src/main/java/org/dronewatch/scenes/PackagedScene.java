@@ -10,7 +10,7 @@ import org.dronewatch.scene.Scene;
  *
  * @param name what a user types
  * @param summary one line that says what it shows
- * @param factory makes a new one
+ * @param factory creates a new instance
  */
 public record PackagedScene(String name, String summary, Supplier<Scene> factory) {
     private static final List<PackagedScene> ALL = List.of(

@@ -1,6 +1,9 @@
 package org.dronewatch.setting;
 
-/** Limits of what is no component of a record (for those see {@link Limits}): each check returns its value, or throws an exception that names it, its value and the limit. */
+/**
+ * Range checks for values that are not record components (see {@link Limits} for those): each check returns its value, or
+ * throws an exception that names it, its value and the limit.
+ */
 public final class Check {
 
     private Check() {}

@@ -10,8 +10,8 @@ public final class Choices {
     private Choices() {}
 
     /**
-     * The kinds of an interface by the names that people write: of a sealed one those that it permits, where {@code OnTheRun}
-     * is {@code on-the-run}, of any other those that the class path has. Those that are no records are not for people to write.
+     * The kinds of an interface by the names used in scene files: of a sealed one those that it permits, where {@code OnTheRun}
+     * is {@code on-the-run}, of any other those that the class path has. Kinds that are not records cannot be written in files.
      *
      * @throws InputException when a kind on the class path is wrong
      */
@@ -33,12 +33,12 @@ public final class Choices {
         return type.isSealed() || type.isInterface() && KindRegistry.found().knows(type);
     }
 
-    /** What people write for the kind of some settings. */
+    /** The name used in files for the kind of some settings. */
     public static String nameOf(Class<?> settings) {
         return KindRegistry.found().kindOf(settings).map(Kind::name).orElseGet(() -> name(settings.getSimpleName()));
     }
 
-    /** A name of Java as people write it: in small letters with dashes. */
+    /** A Java name in the form used in files: lower case with hyphens. */
     public static String name(String java) {
         return java.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-")
                 .toLowerCase(Locale.ROOT)

@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** A path to a setting by present names, although former ones may be written in it. */
+/** Converts a path to a setting, which may contain former names, to current names. */
 public final class CurrentPath {
     private final Object tree;
     private final FormerNames used;
 
     /**
-     * Finds present names.
+     * Finds current names.
      *
      * @param tree settings to which the paths lead
      * @param used receives the former names that are found
@@ -21,7 +21,7 @@ public final class CurrentPath {
     }
 
     /**
-     * The path by present names; the rest of a path that leads nowhere is left as it is.
+     * The path with current names; the rest of a path that leads nowhere is left as it is.
      *
      * @param path names separated by dots
      * @param place where the path is written, for the warning

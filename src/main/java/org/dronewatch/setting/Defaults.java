@@ -7,8 +7,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Marks what fills in the parts of a settings record that nobody named: a static method that takes those which must be
- * named, or a constant when none must. So a scene file may leave out what a Java user leaves to the same method.
+ * Marks the source of the defaults of a settings record: a static method that takes the required components, or a constant
+ * if there are none. A scene file may then omit the components that the method fills in.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

@@ -6,7 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 
-/** Collects where settings are written by a former name, for one warning for each such name. For any number of threads. */
+/** Collects where settings are given under a former name, for one warning for each such name. For any number of threads. */
 public final class FormerNames {
     private final Map<Renamed, Set<String>> places = new LinkedHashMap<>();
 
@@ -18,7 +18,7 @@ public final class FormerNames {
     public record Renamed(Class<?> record, String former, String current) {}
 
     /**
-     * Adds a setting that is written by a former name; the same place counts once.
+     * Adds a setting given under a former name; the same location counts once.
      *
      * @param form of the record that has the setting
      * @param former name that is written
@@ -44,7 +44,7 @@ public final class FormerNames {
         return copy;
     }
 
-    /** A line for each former name: its first place, how many others there are, and the present name. */
+    /** A line for each former name: its first location, the number of others, and the current name. */
     public Map<Renamed, String> warnings() {
         Map<Renamed, String> lines = new LinkedHashMap<>();
         copy().forEach((setting, where) -> lines.put(setting, line(setting, where)));

@@ -19,7 +19,7 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
     private static final Pattern NAME = Pattern.compile("[a-z0-9][a-z0-9-]{0,63}");
 
     /**
-     * Checks what the kind says of itself.
+     * Checks the kind's declaration.
      *
      * @throws InputException when files cannot choose it
      */

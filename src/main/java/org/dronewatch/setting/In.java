@@ -52,7 +52,7 @@ public @interface In {
     /** The narrowest field of view of a sensor, rad: a hundredth of a degree. */
     double NARROWEST = Math.PI / 18_000;
 
-    /** The widest angle of a picture in one plane, rad: 179 degrees. */
+    /** The widest field of view of an image in one plane, rad: 179 degrees. */
     double WIDEST_PICTURE = 179.0 * Math.PI / 180.0;
 
     /** The quantity. */

@@ -15,7 +15,7 @@ public final class InputException extends RuntimeException {
         super(PlainText.line(message));
     }
 
-    /** A problem described in one line, with what caused it. */
+    /** A problem described in one line, with its cause. */
     public InputException(String message, Throwable cause) {
         super(PlainText.line(message), cause);
     }

@@ -19,7 +19,7 @@ public interface Kind<T> {
     /** Its settings: a record that implements the type. */
     Class<? extends T> settings();
 
-    /** What it is, in one line for people. */
+    /** A one-line description. */
     String summary();
 
     /**

@@ -24,7 +24,7 @@ public final class KindRegistry {
     /**
      * A registry of some kinds.
      *
-     * @throws InputException when two kinds of a type have the same name, in one line with both places
+     * @throws InputException when two kinds of a type have the same name, in one line with both origins
      */
     KindRegistry(List<FoundKind> found) {
         all = new ArrayList<>(found);
@@ -53,7 +53,7 @@ public final class KindRegistry {
     /**
      * The kinds of this program's class path; they are looked for once.
      *
-     * @throws InputException when a provider cannot be loaded, says something wrong, or a name is there twice
+     * @throws InputException when a provider cannot be loaded, declares an invalid kind, or a name is duplicated
      */
     public static synchronized KindRegistry found() {
         if (found == null) {
@@ -67,7 +67,7 @@ public final class KindRegistry {
         return mine == null ? Kind.class.getClassLoader() : mine;
     }
 
-    /** What the providers that a class loader sees have. */
+    /** The kinds offered by the providers visible to a class loader. */
     static List<FoundKind> load(ClassLoader loader) {
         List<FoundKind> found = new ArrayList<>();
         for (KindGroup group : providers(KindGroup.class, loader)) {

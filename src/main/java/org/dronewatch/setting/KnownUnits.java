@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
-/** The units that a person may write for each quantity, the most useful first, and what else is understood. */
+/** The units accepted for each quantity, the most useful first, and their synonyms. */
 final class KnownUnits {
     private static final Map<Quantity, List<String>> UNITS = Map.ofEntries(
             Map.entry(Quantity.LENGTH, List.of("m", "km", "cm", "mm", "ft", "mi", "NM")),
@@ -33,7 +33,7 @@ final class KnownUnits {
         return UNITS.getOrDefault(quantity, quantity.unit().isEmpty() ? List.of() : List.of(quantity.unit()));
     }
 
-    /** The unit that a person means by a word; the word itself where it is no other name of a unit. */
+    /** The unit denoted by a word; the word itself if it is not a synonym of a unit. */
     static String meant(Quantity quantity, String written) {
         return quantity == Quantity.SPEED ? SPEEDS.getOrDefault(written.toLowerCase(Locale.ROOT), written) : written;
     }

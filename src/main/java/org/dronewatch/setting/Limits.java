@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What a settings record demands of its components: that each is there, and that each number is finite and within the
+ * The requirements of a settings record on its components: that each is there, and that each number is finite and within the
  * limits that its {@link In} gives. A record's constructor calls {@link #check}.
  */
 public final class Limits {

@@ -8,10 +8,10 @@ import java.util.Locale;
  * {@value #LONGEST} characters is shortened in its middle.
  */
 public final class PlainText {
-    /** The most characters of a value that a message repeats. */
+    /** Maximum number of characters of a value repeated in a message. */
     public static final int LONGEST = 200;
 
-    /** The most characters of a message; its end, where the limit stands, is kept. */
+    /** Maximum number of characters of a message; its end, where the limit stands, is kept. */
     private static final int LONGEST_LINE = 600;
 
     private static final String GAP = "...";

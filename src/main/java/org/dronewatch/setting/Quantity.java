@@ -45,7 +45,7 @@ public enum Quantity {
     PRESSURE("Pa", unit -> Pressure.valueOf(unit).si),
     /** Watts. */
     POWER("W", unit -> Power.valueOf(unit).si),
-    /** A share of a whole, 0 to 1 as a rule; per cent may be written. */
+    /** A fraction, usually 0 to 1; percentages are accepted. */
     RATIO("", Quantity::share),
     /** A level in dB; the setting says relative to what. */
     LEVEL("dB", Quantity::unitOfItself),
@@ -64,9 +64,9 @@ public enum Quantity {
             Pattern.compile("([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)\\s*(\\S*)");
     private static final int LONGEST = 60;
     private static final int LONGEST_PLAIN = 12;
-    /** Radians that somebody wrote have at most this many digits; degrees that were converted hardly ever do. */
+    /** A radian value with at most this many digits was probably typed, not converted from degrees. */
     private static final int LONGEST_WRITTEN = 6;
-    /** Degrees are shown with this many digits, so that 200 stay 200 although they are kept as radians. */
+    /** Display precision at which 200 deg survives the round trip through radians. */
     private static final MathContext DISPLAYED = new MathContext(7);
 
     private static final MathContext BRIEF = new MathContext(4);
@@ -84,7 +84,7 @@ public enum Quantity {
         return unit;
     }
 
-    /** The unit in which a value is shown to people: degrees for angles, otherwise that of a bare number. */
+    /** The unit in which a value is displayed: degrees for angles, otherwise that of a bare number. */
     public String displayUnit() {
         return switch (this) {
             case ANGLE -> "deg";
@@ -93,7 +93,7 @@ public enum Quantity {
         };
     }
 
-    /** A value in the unit in which it is shown to people. */
+    /** A value in the unit in which it is displayed. */
     public double displayed(double value) {
         if (unit.equals(displayUnit()) || !Double.isFinite(value)) {
             return value;
@@ -109,13 +109,13 @@ public enum Quantity {
                 : new BigDecimal(shown).round(BRIEF).stripTrailingZeros().toPlainString();
     }
 
-    /** A value as shown to people, without its unit. */
+    /** A value as displayed, without its unit. */
     String number(double value) {
         return plain(displayed(value));
     }
 
     /**
-     * A value as shown to people, with its unit: {@code 39.6 deg}. Where it looks as if radians had been written, with
+     * A value as displayed, with its unit: {@code 39.6 deg}. Where it looks as if radians had been written, with
      * them: {@code 3437.747 deg (60 rad)}.
      */
     public String inWords(double value) {
@@ -142,7 +142,7 @@ public enum Quantity {
      *
      * @param text a number, optionally followed by a unit of this quantity: {@code 5}, {@code 5 m/s}, {@code 18 km/h}
      * @return the value in this quantity's unit
-     * @throws IllegalArgumentException when the text is no number or the unit is not one of this quantity
+     * @throws IllegalArgumentException when the text is not a number or the unit is not one of this quantity
      */
     public double parse(String text) {
         Matcher matcher = NUMBER_AND_UNIT.matcher(text.strip());

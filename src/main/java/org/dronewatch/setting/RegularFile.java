@@ -3,11 +3,11 @@ package org.dronewatch.setting;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Tells files that end from what only has a name like one: reading a pipe or a device may wait or go on forever. */
+/** Distinguishes regular files from pipes and devices, whose reading may block or never end. */
 public final class RegularFile {
     private RegularFile() {}
 
-    /** What speaks against reading a file, as the end of a sentence; empty for a regular file. */
+    /** The reason why a file cannot be read, as the end of a sentence; empty for a regular file. */
     public static String obstacle(Path file) {
         if (Files.isRegularFile(file)) {
             return "";

@@ -11,7 +11,7 @@ final class Renames {
     private Renames() {}
 
     /**
-     * The present names by the former ones.
+     * The current names by the former ones.
      *
      * @throws IllegalStateException when a former name could mean two components
      */

@@ -19,13 +19,13 @@ public final class SettingText {
     /**
      * The value for a part of a settings record.
      *
-     * @throws IllegalArgumentException when the text is no value of the part's type
+     * @throws IllegalArgumentException when the text is not a value of the component's type
      */
     public static Object parse(RecordComponent part, String text) {
         return parse(part.getGenericType(), quantity(part), text);
     }
 
-    /** What a part is measured in; a plain number if nothing is said. */
+    /** What a part is measured in; a plain number unless annotated. */
     public static Quantity quantity(RecordComponent part) {
         In limits = part.getAnnotation(In.class);
         return limits == null ? Quantity.NUMBER : limits.value();
@@ -36,7 +36,7 @@ public final class SettingText {
      *
      * @param type of a settings component
      * @param quantity what a number is measured in
-     * @throws IllegalArgumentException when the text is no value of the type
+     * @throws IllegalArgumentException when the text is not a value of the type
      */
     public static Object parse(Type type, Quantity quantity, String text) {
         if (type instanceof ParameterizedType of) {
@@ -159,7 +159,7 @@ public final class SettingText {
      * A record of numbers only.
      *
      * @param texts one for each part
-     * @throws IllegalArgumentException when there are more or fewer, or one is no number
+     * @throws IllegalArgumentException when there are more or fewer, or one is not a number
      */
     public static Record numbers(SettingsForm form, List<String> texts) {
         if (texts.size() != form.parts().size()) {

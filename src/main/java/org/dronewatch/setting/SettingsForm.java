@@ -80,12 +80,12 @@ public final class SettingsForm {
     /**
      * The form of a record class.
      *
-     * @throws IllegalArgumentException when the class is no record
+     * @throws IllegalArgumentException when the class is not a record
      * @throws IllegalStateException when a former name of a part is that of another one
      */
     public static SettingsForm of(Class<?> record) {
         if (!record.isRecord()) {
-            throw new IllegalArgumentException(record.getName() + " is no record");
+            throw new IllegalArgumentException(record.getName() + " is not a record");
         }
         return FORMS.get(record);
     }
@@ -95,7 +95,7 @@ public final class SettingsForm {
         return type;
     }
 
-    /** All parts that people write, in their order. */
+    /** All components that can be written in files, in their order. */
     public List<RecordComponent> parts() {
         return hidden.isEmpty()
                 ? parts
@@ -109,22 +109,22 @@ public final class SettingsForm {
         return parts().stream().filter(part -> part.getName().equals(name)).findFirst();
     }
 
-    /** The names of all parts that people write, in their order. */
+    /** The names of all components that can be written in files, in their order. */
     public List<String> names() {
         return parts().stream().map(RecordComponent::getName).toList();
     }
 
-    /** The present names of parts that had other names in earlier versions, by those; see {@link Formerly}. */
+    /** The current names of components that had other names in earlier versions, by those names; see {@link Formerly}. */
     public Map<String, String> renamed() {
         return renamed;
     }
 
-    /** The present name of a part for a former one; any other name as it is. */
+    /** The current name for a former one; any other name unchanged. */
     public String currentName(String name) {
         return renamed.getOrDefault(name, name);
     }
 
-    /** The part that holds the names of those that are off of a {@link Switchable} one. */
+    /** The component that holds the disabled names of a {@link Switchable} component. */
     public RecordComponent switchOf(RecordComponent switchable) {
         String name = switchable.getAnnotation(Switchable.class).value();
         return parts.stream()
@@ -171,7 +171,7 @@ public final class SettingsForm {
         return changed(byDefault(values), values);
     }
 
-    /** The record with everything by default but what is required. */
+    /** The record with default values for all but the required components. */
     private Record byDefault(Map<String, Object> values) {
         try {
             if (constant != null) {

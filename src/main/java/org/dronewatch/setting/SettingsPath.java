@@ -12,7 +12,7 @@ import java.util.Optional;
 
 /**
  * The path to one setting through a tree of records, such as {@code sensors.camera.fov} or {@code
- * world.models.0.scale}: names of record components, present or former ones, keys of maps and indices of lists, separated by
+ * world.models.0.scale}: names of record components, current or former ones, keys of maps and indices of lists, separated by
  * dots.
  */
 public final class SettingsPath {
@@ -57,7 +57,7 @@ public final class SettingsPath {
         return here;
     }
 
-    /** The quantity of the setting at this path: what it is measured in; a plain number if nothing is said. */
+    /** The quantity of the setting at this path: what it is measured in; a plain number unless annotated. */
     public Quantity quantity(Object tree) {
         if (Switches.at(tree, names).isPresent()) {
             return Quantity.NUMBER;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Finds what a person may have meant. */
+/** Suggests names for misspelt ones. */
 public final class Spelling {
     private static final double LEFT_OVER = 0.2;
 

@@ -7,18 +7,18 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Marks a component of a settings record that holds settings by name, each of which can be switched off: people write
- * {@code enabled: false} among its settings, or set {@code NAME.enabled}, whatever its record is. The names of those that are
- * off are kept in another component of the record, a set of texts, which people do not write. The word {@code enabled} is the
- * switch in each of them: a component of that name in a record that is held cannot be written.
+ * Marks a component of a settings record that holds settings by name, each of which can be switched off: with
+ * {@code enabled: false} among its settings, or by {@code NAME.enabled}, whatever its record is. Disabled names are kept in
+ * another component of the record (a set of strings) that does not appear in files. {@code enabled} is reserved: an entry's
+ * record cannot have a component of that name.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)
 public @interface Switchable {
-    /** What people write. */
+    /** The key in the file. */
     String ENABLED = "enabled";
 
-    /** The component that holds the names of those that are off. */
+    /** The component that holds the disabled names. */
     String value();
 }

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** Switches on and off what a {@link Switchable} component of a settings record holds. */
+/** Switches the entries of a {@link Switchable} component of a settings record on and off. */
 final class Switches {
     private final RecordComponent namesOfThoseOff;
     private final String name;

@@ -162,11 +162,11 @@ final class CameraPanel extends JPanel {
     /**
      * Shows what each camera last measured, and which one is selected.
      *
-     * @param told returns what the camera with a given name measured of each drone
+     * @param readings returns what the camera with a given name measured of each drone
      */
-    void mark(Function<String, Map<String, PairReading>> told, String selected) {
+    void mark(Function<String, Map<String, PairReading>> readings, String selected) {
         for (CameraVisual visual : visuals) {
-            visual.mark(told.apply(visual.eye().id()), visual.eye().id().equals(selected));
+            visual.mark(readings.apply(visual.eye().id()), visual.eye().id().equals(selected));
         }
     }
 

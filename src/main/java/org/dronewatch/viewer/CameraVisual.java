@@ -80,9 +80,9 @@ final class CameraVisual extends JPanel {
     }
 
     /** Shows the camera's last measurement of each drone in its image, and whether it is selected. */
-    void mark(Map<String, PairReading> told, boolean isSelected) {
-        if (!readings.equals(told) || selected != isSelected) {
-            readings = told;
+    void mark(Map<String, PairReading> latest, boolean isSelected) {
+        if (!readings.equals(latest) || selected != isSelected) {
+            readings = latest;
             selected = isSelected;
             repaint();
         }
@@ -162,8 +162,8 @@ final class CameraVisual extends JPanel {
         double height = Math.max(SMALLEST * Scaled.factor(), (drone.rows() + 2) * sy);
         double x = frame.x + (drone.left() + 0.5 * drone.columns()) * sx - 0.5 * width;
         double y = frame.y + (drone.top() + 0.5 * drone.rows()) * sy - 0.5 * height;
-        PairReading told = readings.get(drone.drone());
-        g.setColor(told != null && told.isEnough() ? DETECTED : UNDETECTED);
+        PairReading reading = readings.get(drone.drone());
+        g.setColor(reading != null && reading.isEnough() ? DETECTED : UNDETECTED);
         g.setStroke(new BasicStroke(1.5f));
         g.draw(new Rectangle2D.Double(x, y, width, height));
         if (frame.height < Scaled.px(LEGIBLE)) {
@@ -178,15 +178,15 @@ final class CameraVisual extends JPanel {
     }
 
     private String shortCount(DronePixels drone) {
-        PairReading told = readings.get(drone.drone());
-        return told == null ? drone.count() + " px" : told.text();
+        PairReading reading = readings.get(drone.drone());
+        return reading == null ? drone.count() + " px" : reading.text();
     }
 
     private String count(DronePixels drone) {
-        PairReading told = readings.get(drone.drone());
-        boolean inPixels = told != null && told.unit().equals("px");
-        return drone.drone() + ": " + (inPixels ? "" : drone.count() + " px") + (told == null || inPixels ? "" : ", ")
-                + (told == null ? "" : told.text());
+        PairReading reading = readings.get(drone.drone());
+        boolean inPixels = reading != null && reading.unit().equals("px");
+        return drone.drone() + ": " + (inPixels ? "" : drone.count() + " px")
+                + (reading == null || inPixels ? "" : ", ") + (reading == null ? "" : reading.text());
     }
 
     /** A text on a plate, kept inside the frame. */

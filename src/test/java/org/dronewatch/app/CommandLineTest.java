@@ -482,8 +482,8 @@ class CommandLineTest {
         Files.writeString(file, scene.replace("ORIGIN", ", origin: {latitude: 50.08 deg, longitude: 14.42 deg}"));
         Outcome outcome = commandIn("run DIR/site.yaml --out DIR/results");
         assertThat(outcome.code()).as(outcome.err()).isZero();
-        assertThat(files().get("results/map.geojson")).contains("eye gains one", "50.08");
-        assertThat(files().get("results/map.kml")).contains("eye gains one", "14.42,50.08,2");
+        assertThat(files().get("results/map.geojson")).contains("eye detects one", "50.08");
+        assertThat(files().get("results/map.kml")).contains("eye detects one", "14.42,50.08,2");
 
         Files.writeString(file, scene.replace("ORIGIN", ""));
         assertThat(commandIn("run DIR/site.yaml --out DIR/results").code()).isZero();

@@ -28,7 +28,7 @@ import org.dronewatch.setting.file.Kinds;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Every former name of a setting means what its present name means. */
+/** Every former name of a setting means what its current name means. */
 class FormerNamesTest {
     private static final long SEED = Long.getLong("dronewatch.seed", 20_261_122L);
     private static final int SCENES = 300;

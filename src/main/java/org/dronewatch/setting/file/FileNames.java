@@ -13,7 +13,7 @@ final class FileNames {
         this.directory = directory.normalize();
     }
 
-    /** What is wrong with a name; empty for nothing. */
+    /** The error in a name; empty if it is valid. */
     String wrongWith(String name) {
         Path file;
         try {

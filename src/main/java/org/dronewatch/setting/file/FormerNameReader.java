@@ -4,7 +4,7 @@ import java.util.Map;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.SettingsForm;
 
-/** Gives settings that are written by a former name their present one, see {@link org.dronewatch.setting.Formerly}. */
+/** Gives settings written under a former name their current name, see {@link org.dronewatch.setting.Formerly}. */
 final class FormerNameReader {
     private final FormerNames used;
     private final Problems problems;
@@ -20,7 +20,7 @@ final class FormerNameReader {
         this.problems = problems;
     }
 
-    /** What is written of a record, by present names. */
+    /** The entries written for a record, by current names. */
     Node.Mapping read(SettingsForm form, Node.Mapping written, String path) {
         if (written.values().keySet().stream().noneMatch(form.renamed()::containsKey)) {
             return written;

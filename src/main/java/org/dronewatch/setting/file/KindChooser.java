@@ -25,7 +25,7 @@ final class KindChooser {
     }
 
     /**
-     * What was chosen.
+     * The choice.
      *
      * @param form of the kind
      * @param parts what is written of it, with what was taken from ready settings
@@ -57,7 +57,7 @@ final class KindChooser {
         return Optional.of(new Chosen(SettingsForm.of(choices.get(kind)), mapping.without(List.of(KIND))));
     }
 
-    /** What is written over the ready settings that it takes, if it takes any. */
+    /** The entries that override the catalogue settings it starts from, if any. */
     Optional<Node.Mapping> withReadySettings(Class<?> type, Node.Mapping written, String path) {
         Optional<Kinds.NamedSettings> named = kinds.named(type);
         if (named.isEmpty() || !(written.values().get(USE) instanceof Node.Scalar name)) {

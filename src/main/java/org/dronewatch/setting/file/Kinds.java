@@ -32,7 +32,7 @@ public final class Kinds {
         Set<String> names();
     }
 
-    /** These and the kinds of one more interface, by the names that people write. */
+    /** These and the kinds of one more interface, by the names used in files. */
     public Kinds with(Class<?> type, Map<String, Class<? extends Record>> kinds) {
         Map<Class<?>, Map<String, Class<?>>> more = new LinkedHashMap<>(registered);
         more.put(type, new LinkedHashMap<>(kinds));

@@ -3,7 +3,7 @@ package org.dronewatch.setting.file;
 import java.util.Comparator;
 
 /**
- * A place in a file.
+ * A location in a file.
  *
  * @param file name of the file
  * @param line from 1

@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** A part of a document that people write, and where it stands. Immutable; an alias makes one node stand in two places. */
+/** A node of a document and its location. Immutable; an alias makes one node appear at two locations. */
 public sealed interface Node {
-    /** Where it stands. */
+    /** Its location. */
     Mark mark();
 
-    /** How many nodes it is made of, itself included; what stands twice counts twice. At most {@link Long#MAX_VALUE}. */
+    /** Number of nodes it consists of, itself included; a node that appears twice counts twice. At most {@link Long#MAX_VALUE}. */
     long size();
 
     /**

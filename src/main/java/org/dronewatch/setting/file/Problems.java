@@ -8,7 +8,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
 
-/** Collects what is wrong with a file, so that a person learns all of it at once. */
+/** Collects the errors in a file, so that all are reported together. */
 final class Problems {
     private static final int SHOWN = 50;
     private static final int LONGEST = 400;

@@ -34,7 +34,7 @@ public final class SettingsFile {
     /**
      * The document of a file as nodes, unread.
      *
-     * @throws InputException when it is no such document
+     * @throws InputException when it is not such a document
      */
     public static Node.Mapping document(Path file) {
         Problems problems = new Problems();
@@ -47,7 +47,7 @@ public final class SettingsFile {
      * The document that a stream holds.
      *
      * @param name what messages call it
-     * @throws InputException when it is no such document
+     * @throws InputException when it is not such a document
      * @throws IOException when the stream cannot be read
      */
     public static Node.Mapping document(String name, InputStream in) throws IOException {
@@ -73,7 +73,7 @@ public final class SettingsFile {
     }
 
     /**
-     * A record as a file that says the same, in YAML: numbers exactly, in the units in which they are kept, and without what is
+     * An equivalent YAML file for a record: numbers exactly, in the units in which they are kept, omitting what is
      * as it would be by default.
      *
      * @param kinds among which to choose where the record has an interface

@@ -20,7 +20,7 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Switchable;
 
 /**
- * Makes settings records of nodes. What is wrong is collected, and reading goes on, so that everything else is checked, too.
+ * Makes settings records from nodes. Errors are collected, and reading continues, so that everything else is checked, too.
  */
 final class SettingsReader {
     /** Stands for a value that could not be read; a problem says why. */
@@ -228,7 +228,7 @@ final class SettingsReader {
         return names;
     }
 
-    /** What is written of a part, without the switches in it, which become another part's value. */
+    /** The entries of a component without their switches, which become another component's value. */
     private Node switched(
             SettingsForm form, RecordComponent part, Node node, String field, Map<String, Object> values) {
         if (!part.isAnnotationPresent(Switchable.class) || !(node instanceof Node.Mapping all)) {

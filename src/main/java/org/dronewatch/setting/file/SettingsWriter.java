@@ -36,7 +36,7 @@ final class SettingsWriter {
     /**
      * A record as a document.
      *
-     * @throws InputException when something in it has no form in which people write it
+     * @throws InputException when something in it cannot be written in a file
      */
     Node.Mapping write(Record settings) {
         return mapping(parts(settings, ""));
@@ -60,7 +60,7 @@ final class SettingsWriter {
         return written;
     }
 
-    /** The record with everything by default but what must be written. */
+    /** The record with default values for all but the required components. */
     private static Optional<Record> byDefault(SettingsForm form, Record settings) {
         Map<String, Object> required = new LinkedHashMap<>();
         form.parts().stream()
@@ -162,7 +162,7 @@ final class SettingsWriter {
         return knownByOnePart ? written.get(form.required().get(0)) : mapping(written);
     }
 
-    /** As a person knows it: what it is, or the class that somebody wrote. */
+    /** As shown to the user: the value itself, or its class. */
     private static String nameOf(Object value) {
         if (value instanceof String || value instanceof Number) {
             return "'" + value + "'";

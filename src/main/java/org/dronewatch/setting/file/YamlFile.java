@@ -32,7 +32,7 @@ final class YamlFile {
     /** Largest file, bytes. */
     static final int MAX_BYTES = 1 << 20;
 
-    /** Most nodes, aliases written out. */
+    /** Maximum number of nodes, with aliases expanded. */
     static final int MAX_NODES = 100_000;
 
     /** Longest line, characters: longer ones cost the library far more memory than they hold. */
@@ -62,7 +62,7 @@ final class YamlFile {
     /**
      * Reads a file.
      *
-     * @throws InputException when there is no such file, or it is a pipe or a device, or too large, or no text
+     * @throws InputException when there is no such file, or it is a pipe or a device, or too large, or not text
      */
     static String text(Path file) {
         return text(file.toString(), BoundedFile.read(file, MAX_BYTES));
@@ -120,7 +120,7 @@ final class YamlFile {
      *
      * @param name what messages call the file
      * @param problems receives names that are given twice
-     * @throws InputException when the text is no YAML or breaks a bound
+     * @throws InputException when the text is not valid YAML or exceeds a bound
      */
     static Node.Mapping read(String name, String text, Problems problems) {
         YamlFile file = new YamlFile(name, text, problems);

@@ -5,7 +5,7 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** Writes nodes as YAML that people like to read: a line for each setting, short lists and mappings in one line. */
+/** Writes nodes as readable YAML: a line for each setting, short lists and mappings in one line. */
 final class YamlText {
     /** Longest line of a list or mapping that is written in one, characters. */
     private static final int WIDTH = 100;
@@ -22,7 +22,7 @@ final class YamlText {
     private static final Pattern PLAIN =
             Pattern.compile("[A-Za-z][A-Za-z0-9_./-]*(:[A-Za-z0-9_./-]+)*|-?[0-9]+(\\.[0-9]+)?(E-?[0-9]+)?");
 
-    /** What some readers of YAML take for nothing, or for true and false in other words. */
+    /** Words that some YAML readers interpret as null, true or false. */
     private static final Set<String> SPECIAL = Set.of("null", "yes", "no", "on", "off", "y", "n");
 
     private final StringBuilder text = new StringBuilder();
@@ -41,7 +41,7 @@ final class YamlText {
         value(node, depth);
     }
 
-    /** What follows a name or a dash: in the same line if it fits, else in lines of its own. */
+    /** What follows a name or a dash: in the same line if it fits, else on separate lines. */
     private void value(Node node, int depth) {
         if (fitsInALine(node, depth)) {
             text.append(' ').append(flow(node)).append('\n');

@@ -1,5 +1,5 @@
 /**
- * Reads settings from files that people write: a YAML document becomes a tree of nodes that know where they stand, and the
- * tree becomes settings records. All mistakes are reported at once, each with its place.
+ * Reads settings from files: a YAML document becomes a tree of nodes that know their location, and the
+ * tree becomes settings records. All errors are reported together, each with its location.
  */
 package org.dronewatch.setting.file;
