@@ -18,8 +18,8 @@ import picocli.CommandLine.Spec;
         name = "schema",
         mixinStandardHelpOptions = true,
         description = {
-            "Prints the JSON schema of scene files, with the kinds of all jars on the class path. Editors complete and"
-                    + " check scene files that name it in their first line:",
+            "Prints the JSON schema of scene files, with the kinds of all jars on the class path.",
+            "Editors complete and check scene files as you type if their first line is",
             "# yaml-language-server: $schema=scene.schema.json"
         },
         footer = {"", "Example:", "  dronewatch schema --out scene.schema.json"})
