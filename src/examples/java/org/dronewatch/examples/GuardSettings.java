@@ -9,6 +9,7 @@ import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -30,6 +31,12 @@ public record GuardSettings(
     /** Checks the limits above. */
     public GuardSettings {
         Limits.check(GuardSettings.class, position, rate, acuity);
+    }
+
+    /** Looks around every two seconds, and notices what appears larger than four minutes of arc. */
+    @Defaults("position")
+    public static GuardSettings at(Position position) {
+        return new GuardSettings(position, 0.5, 0.0012);
     }
 
     @Override

@@ -20,7 +20,7 @@ import org.dronewatch.sensor.SensorSettings;
 
 /**
  * Where over a site each sensor detects a drone, and why it does not elsewhere. The drone is put at every point of a grid, its nose and
- * its speed towards the sensor, and the sensor looks once: obstructions, pixel counts, levels and echoes are computed as in a run.
+ * velocity pointing at the sensor, and the sensor looks once: obstructions, pixel counts, levels and echoes are computed as in a run.
  */
 public final class Coverage {
     private final CoverageGrid grid;

@@ -68,8 +68,8 @@ final class SiteView {
 
     @Option(
             names = "--rays",
-            description = "Draws the rays that a microphone traces in a picture of the site: the microphone of"
-                    + " --focus, or the first.")
+            description =
+                    "In a picture of the site, draws the rays that a microphone traces: that of --focus, or the first.")
     private boolean rays;
 
     @Option(names = "--max-order", paramLabel = "N", description = "Draws only rays that have hit at most N surfaces.")

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.FormerNames;
@@ -141,10 +142,17 @@ public final class Catalog implements Kinds.NamedSettings {
         Node.Mapping known = find(name)
                 .or(() -> ofKind(name))
                 .orElseThrow(() -> new InputException(
-                        "no sensor '" + name + "' in the catalogue; " + Spelling.nearestAre(name, names())));
+                        "no sensor '" + name + "' in the catalogue; " + Spelling.nearestAre(name, choices())));
         Node.Mapping all = known.overlaidWith(Node.Mapping.ofReady(name, parts));
         Path start = directory.orElse(Path.of(""));
         return SettingsFile.read(all, SensorSettings.class, SensorKinds.kinds(this), start, formerNames);
+    }
+
+    /** The names that {@link #settings} takes. */
+    private Set<String> choices() {
+        Set<String> choices = new TreeSet<>(names());
+        choices.addAll(SensorKinds.all().keySet());
+        return choices;
     }
 
     /** A kind of sensor with nothing said of it. */

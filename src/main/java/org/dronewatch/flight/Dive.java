@@ -8,7 +8,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * Flies level and straight towards a point, dives onto it, and stays there, at cruise speed from the start.
+ * Flies at cruise speed from the start: level and straight towards a point, then in a dive onto it; stays there.
  *
  * @param target the point, m
  * @param bearing direction from which it comes, as seen from the target: clockwise from north, rad

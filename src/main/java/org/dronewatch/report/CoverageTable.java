@@ -68,7 +68,7 @@ public final class CoverageTable {
             case HIDDEN_BY_TERRAIN -> "hidden by terrain";
             case HIDDEN_BY_BUILDING -> "hidden by a building";
             case HIDDEN_BY_VEGETATION -> "hidden by vegetation";
-            case HIDDEN_BY_OTHER -> "hidden otherwise";
+            case HIDDEN_BY_OTHER -> "hidden by another object";
             case TOO_WEAK -> "too weak";
             case DETECTED -> "detected";
         };

@@ -2,8 +2,10 @@ package org.dronewatch.report;
 
 import java.io.FileNotFoundException;
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.parallel.Interrupts;
@@ -46,6 +48,12 @@ final class Refusal {
     static String reason(IOException problem) {
         if (problem instanceof FileAlreadyExistsException known) {
             return known.getFile() + " is a file";
+        }
+        if (problem instanceof NoSuchFileException) {
+            return "no such directory";
+        }
+        if (problem instanceof AccessDeniedException) {
+            return "permission denied";
         }
         String why = problem instanceof FileSystemException known ? known.getReason() : problem.getMessage();
         if (problem instanceof FileNotFoundException && why != null) {

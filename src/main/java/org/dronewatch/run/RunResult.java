@@ -37,7 +37,7 @@ public record RunResult(
         return new RunResult(info.run(), info.settings(), 0.0, List.of(), pairs, List.of());
     }
 
-    /** The alerts that count: those to drones that attack. Where none attacks, all. */
+    /** The alerts that count: those for attacking drones; if no drone attacks, all. */
     public List<AlertResult> attackAlerts() {
         Map<String, DroneSettings> drones = settings.fliers();
         List<AlertResult> attacks = alerts.stream()

@@ -9,7 +9,7 @@ import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Descriptions of the library's own settings, collected from the sources at build time; for a third-party kind, only the
- * text in its {@link Kind} annotation. Immutable.
+ * {@link Kind#summary()}. Immutable.
  */
 public final class PackagedTexts implements SettingTexts {
     /** Resource file next to this class; maps class name, then component name, to text (the empty name stands for the record). */

@@ -79,6 +79,10 @@ public record SceneSettings(
 
     /** More would take days even for the fastest sensor. */
     private static void checkLooks(String id, double rate, double duration) {
+        // The library's own kinds have tighter limits; those of other jars may have none.
+        if (!(rate > 0.0)) {
+            throw new IllegalArgumentException("sensors." + id + ".rate " + rate + " Hz must be above 0");
+        }
         double looks = rate * duration;
         if (looks > MOST_LOOKS) {
             throw new IllegalArgumentException("sensors." + id + ".rate " + rate + " Hz for run.duration " + duration

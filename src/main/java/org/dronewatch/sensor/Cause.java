@@ -30,7 +30,7 @@ public enum Cause {
     HIDDEN_BY_OTHER,
     /** What reaches the sensor is not enough: too small, too faint, too quiet. */
     TOO_WEAK,
-    /** It is detected: no cause is missing. */
+    /** It is detected: there is nothing to explain. */
     DETECTED;
 
     /** The cause of a drone that a model of some role hides. */

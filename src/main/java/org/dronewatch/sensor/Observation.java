@@ -56,7 +56,7 @@ public record Observation(
         return new Observation(look, truth, reading, others, sighting);
     }
 
-    /** This observation with where the sensor believes the drone to be, if it does. */
+    /** This observation with the drone's position as the sensor believes it, if it reports one. */
     public Observation withSighting(Optional<Sighting> where) {
         return new Observation(look, truth, reading, figures, where);
     }

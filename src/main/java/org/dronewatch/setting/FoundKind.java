@@ -26,10 +26,10 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
     public FoundKind {
         String place = "kind '" + kind.name() + "' from " + source + ": ";
         if (kind.name() == null || !NAME.matcher(kind.name()).matches()) {
-            throw new InputException(place + "its name must be 1 to 64 small letters, digits and dashes");
+            throw new InputException(place + "its name must be 1 to 64 lower-case letters, digits and hyphens");
         }
         if (kind.type() == null || !kind.type().isInterface() || kind.type().isSealed()) {
-            throw new InputException(place + "its type must be an interface that is open to all, is " + kind.type());
+            throw new InputException(place + "its type must be a non-sealed interface, is " + kind.type());
         }
         Class<?> settings = kind.settings();
         if (settings == null || !settings.isRecord() || !kind.type().isAssignableFrom(settings)) {

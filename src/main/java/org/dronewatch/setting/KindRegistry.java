@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.function.Supplier;
 
 /**
  * The kinds that the class path has: first those of the library, then all others by type and name, so that the order in which
@@ -46,8 +47,13 @@ public final class KindRegistry {
                 .filter(other -> other.kind().name().equals(one.kind().name()))
                 .map(FoundKind::source)
                 .toList();
+        boolean taken = all.stream()
+                .anyMatch(other -> other.builtIn()
+                        && other.kind().type() == one.kind().type()
+                        && other.kind().name().equals(one.kind().name()));
         return "kind '" + one.kind().name() + "' of " + one.kind().type().getSimpleName() + " is in "
-                + String.join(" and in ", places) + ": take one of them off the class path";
+                + String.join(" and in ", places)
+                + (taken ? ": the library's own kinds keep their names" : ": take one of them off the class path");
     }
 
     /**
@@ -71,12 +77,28 @@ public final class KindRegistry {
     static List<FoundKind> load(ClassLoader loader) {
         List<FoundKind> found = new ArrayList<>();
         for (KindGroup group : providers(KindGroup.class, loader)) {
-            group.kinds().forEach(kind -> found.add(FoundKind.by(group, kind)));
+            found.addAll(kindsOf(group, group::kinds));
         }
         for (Kind<?> kind : providers(Kind.class, loader)) {
-            found.add(FoundKind.by(kind, kind));
+            found.addAll(kindsOf(kind, () -> List.of(kind)));
         }
         return found;
+    }
+
+    /** What a provider offers; code of other jars, which may fail. */
+    private static List<FoundKind> kindsOf(Object provider, Supplier<List<? extends Kind<?>>> offer) {
+        try {
+            return offer.get().stream()
+                    .map(kind -> FoundKind.by(provider, kind))
+                    .toList();
+        } catch (InputException e) {
+            throw e;
+        } catch (RuntimeException | LinkageError e) {
+            throw new InputException(
+                    "class path: provider " + provider.getClass().getName() + " from "
+                            + FoundKind.placeOf(provider.getClass()) + " fails: " + PlainText.value(e.toString()),
+                    e);
+        }
     }
 
     /**

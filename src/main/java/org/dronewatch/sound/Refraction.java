@@ -25,7 +25,7 @@ public final class Refraction {
     }
 
     /**
-     * Angle of incidence from which on everything is reflected.
+     * Angle of incidence at and above which everything is reflected.
      *
      * @param speed speed of sound before the border, above 0, m/s
      * @param speedBehind speed of sound behind it, above 0, m/s

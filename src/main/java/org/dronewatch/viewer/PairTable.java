@@ -8,7 +8,7 @@ import javax.swing.table.AbstractTableModel;
 /** Each sensor with each drone: whether it detects it, from how far, and its value against the threshold. */
 final class PairTable extends AbstractTableModel {
     private static final long serialVersionUID = 1L;
-    private static final String[] COLUMNS = {"sensor", "kind", "drone", "state", "at [m]", "value", "needs"};
+    private static final String[] COLUMNS = {"sensor", "kind", "drone", "state", "range [m]", "value", "needs"};
 
     /** Maximum number of pairs shown. */
     private static final int MOST = 2000;

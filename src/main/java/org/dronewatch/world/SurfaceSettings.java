@@ -19,7 +19,7 @@ import org.dronewatch.sound.SurfaceMaterials;
  * @param defaultSurface name in the table of surfaces for all other materials
  */
 public record SurfaceSettings(Map<String, String> materials, @Formerly("otherwise") String defaultSurface) {
-    /** Nothing is named; what is left over is the ordinary hard surface of the table. */
+    /** No material is assigned a surface; all use the table's ordinary hard surface unless their own name is in the table. */
     @Defaults
     public static final SurfaceSettings DEFAULT = new SurfaceSettings(Map.of(), SurfaceMaterials.SOLID);
 

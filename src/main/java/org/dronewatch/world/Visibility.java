@@ -8,14 +8,14 @@ import org.dronewatch.kdtree.RayTracer;
  * Whether something of a world stands between two points, and what.
  *
  * <p>A surface that a segment meets within {@link #MARGIN} of an end is taken for the one on which the end lies, and hides
- * nothing: sensors on walls and microphones on the ground see and hear as they do a hair's breadth before it, and so do drones
+ * nothing: sensors on walls and microphones on the ground see and hear as they do just in front of it, and so do drones
  * that touch it. What is met farther away counts. So a sensor within the margin of a wall looks out to both of its sides,
- * and one farther behind it is blind to what lies before it. The margin is a length and not a fraction of the segment,
+ * and one farther behind it is blind to what lies in front of it. The margin is a length and not a fraction of the segment,
  * since neither the position of a sensor nor the roundings of coordinates become less exact with the distance of what it
- * looks at: whether a sensor on a wall is blind does not depend on the range. Between points nearer than twice the margin
- * nothing stands.
+ * looks at: whether a sensor on a wall is blind does not depend on the range. Nothing counts as standing
+ * between points closer together than twice the margin.
  *
- * <p>Two points of one and the same oblique face see each other or not by the rounding of their coordinates; {@link Clearance}
+ * <p>Whether two points of one oblique face see each other depends on the rounding of their coordinates; {@link Clearance}
  * moves points off their surfaces where that matters.
  *
  * <p>The methods that take primitives allocate nothing. Keeps scratch memory: one thread at a time.

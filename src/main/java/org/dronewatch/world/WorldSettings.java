@@ -105,7 +105,7 @@ public record WorldSettings(
         return SettingsForm.with(this, "atmosphere", air);
     }
 
-    /** These settings somewhere on earth. */
+    /** These settings with this geographic origin. */
     public WorldSettings withOrigin(Origin other) {
         return SettingsForm.with(this, "origin", Optional.of(other));
     }
@@ -115,7 +115,7 @@ public record WorldSettings(
         return SettingsForm.with(this, "rain", millimetresPerHour);
     }
 
-    /** These settings by another light. */
+    /** These settings with other light. */
     public WorldSettings withLight(Light other) {
         return SettingsForm.with(this, "light", other);
     }

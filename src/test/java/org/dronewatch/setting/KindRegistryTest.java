@@ -75,7 +75,7 @@ class KindRegistryTest {
     void whatCannotBeChosenIsRefused() {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new FoundKind(Kind.of(Closed.class, "c", Candle.class, "x"), "a.jar", false))
-                .withMessageContaining("must be an interface that is open to all");
+                .withMessageContaining("must be a non-sealed interface");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> found("lamp", Lamp.class, "a.jar", false))
                 .withMessageContaining("must be a record that implements Lamp");
@@ -93,6 +93,28 @@ class KindRegistryTest {
         assertThat(KindRegistry.found().all())
                 .allSatisfy(one -> assertThat(Choices.nameOf(one.kind().settings()))
                         .isEqualTo(one.kind().name()));
+    }
+
+    /** A provider of another jar whose code fails. */
+    public static final class Broken implements KindGroup {
+        @Override
+        public List<Kind<?>> kinds() {
+            throw new IllegalStateException("no licence\nfound");
+        }
+    }
+
+    @Test
+    void aProviderThatFailsIsOneLine(@TempDir Path directory) throws IOException {
+        Path services = Files.createDirectories(directory.resolve("META-INF/services"));
+        Files.writeString(services.resolve(KindGroup.class.getName()), Broken.class.getName() + "\n");
+        try (URLClassLoader loader = new URLClassLoader(
+                new URL[] {directory.toUri().toURL()}, getClass().getClassLoader())) {
+            assertThatExceptionOfType(InputException.class)
+                    .isThrownBy(() -> KindRegistry.load(loader))
+                    .withMessageContaining("provider " + Broken.class.getName() + " from ")
+                    .withMessageContaining("no licence")
+                    .withMessageNotContaining("\n");
+        }
     }
 
     @Test

@@ -4,10 +4,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import org.dronewatch.setting.FoundKind;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.KindRegistry;
+import org.dronewatch.setting.PlainText;
 
 /** The readers of model files that the class path has, by file extension. Immutable. */
 public final class MeshReaders {
@@ -24,7 +26,7 @@ public final class MeshReaders {
      */
     MeshReaders(List<MeshReader> readers) {
         for (MeshReader reader : readers) {
-            for (String extension : reader.extensions()) {
+            for (String extension : extensions(reader)) {
                 if (!extension.matches("[a-z0-9]{1,16}")) {
                     throw new InputException("mesh reader from " + FoundKind.placeOf(reader.getClass())
                             + ": extension '" + extension + "' must be 1 to 16 lower-case letters and digits");
@@ -36,6 +38,18 @@ public final class MeshReaders {
                             + ": take one of them off the class path");
                 }
             }
+        }
+    }
+
+    /** What a reader of another jar reads; its code may fail. */
+    private static Set<String> extensions(MeshReader reader) {
+        try {
+            return Set.copyOf(reader.extensions());
+        } catch (RuntimeException | LinkageError e) {
+            throw new InputException(
+                    "mesh reader " + reader.getClass().getName() + " from " + FoundKind.placeOf(reader.getClass())
+                            + " fails: " + PlainText.value(e.toString()),
+                    e);
         }
     }
 

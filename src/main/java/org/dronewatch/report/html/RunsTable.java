@@ -29,7 +29,7 @@ final class RunsTable {
     String html() {
         List<String> head = new ArrayList<>(List.of(
                 "run",
-                "with",
+                "swept value",
                 "drones detected",
                 "first detected by",
                 "first detected [s]",

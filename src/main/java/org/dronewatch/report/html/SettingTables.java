@@ -144,7 +144,7 @@ final class SettingTables {
                 : "";
         String confirmed = alert.confirm().looks() == 1
                 ? ""
-                : ", each by " + alert.confirm().hits() + " of its last "
+                : ", each in at least " + alert.confirm().hits() + " of its last "
                         + alert.confirm().looks() + " looks";
         String zone = alert.protect()
                 .map(ball -> " Protected zone: everything within " + number(ball.radius()) + " m of ("

@@ -57,8 +57,9 @@ final class MapContent {
         String which =
                 result.runs().size() > 1 ? ", in the first of " + result.runs().size() + " runs" : "";
         return "Where each sensor detects each drone" + which + ". " + heights() + " Fields of view are"
-                + " drawn in plan, as if nothing obstructed them; that of a camera extends as far as it first"
-                + " detects a drone, or " + Math.round(Footprint.UNKNOWN_REACH) + " m if it detects none.";
+                + " drawn in plan, as if nothing obstructed them; that of a camera extends to the range at"
+                + " which it first detects a drone, or " + Math.round(Footprint.UNKNOWN_REACH)
+                + " m if it detects none.";
     }
 
     private String heights() {

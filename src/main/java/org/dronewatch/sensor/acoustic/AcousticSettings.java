@@ -82,7 +82,7 @@ public record AcousticSettings(
         return SettingsForm.with(this, "propagation", model);
     }
 
-    /** The level from which on a sound is detected over a background: dB re 20 uPa. */
+    /** The level at and above which a sound is detected over a background: dB re 20 uPa. */
     public double detectionLevel(double background) {
         return background + threshold - arrayGain;
     }

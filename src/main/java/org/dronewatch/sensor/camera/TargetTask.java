@@ -29,7 +29,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param task the task that the image must support
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by
  *     chance
- * @param byChance whether each frame is decided at random with that probability instead
+ * @param byChance whether each frame is decided at random instead, with the probability computed for it
  * @param contrast contrast of the drone to its background at close range, above 0 and at most 1
  * @param contrastThreshold least contrast that the camera can detect in good light, above 0 and below 1
  * @param shotNoiseIlluminance illuminance below which shot noise raises the contrast threshold, above 0, lx

@@ -21,7 +21,7 @@ public sealed interface LinkBudget {
      */
     double signalToNoise(double frequency, double crossSection, double range);
 
-    /** The radial speed above which an echo leaves its range cell while it is summed up, m/s; infinity if unknown. */
+    /** The radial speed above which an echo leaves its range cell during integration, m/s; infinity if unknown. */
     default double migrationSpeed() {
         return Double.POSITIVE_INFINITY;
     }

@@ -85,8 +85,8 @@ public record RadarSettings(
 
     /**
      * A radar that looks all round, 20 degrees high, level, once a second, at 10 GHz with horizontal polarisation, from
-     * 20 m to 10 km, for radial speeds from 1 to 200 m/s, and detects from 15 dB on; it measures where a drone is to 5
-     * m and a degree.
+     * 20 m to 10 km, for radial speeds from 1 to 200 m/s, and detects at 15 dB and above; it measures a drone's
+     * position to within 5 m and one degree.
      */
     @Defaults({"position", "budget"})
     public static RadarSettings at(Position position, LinkBudget budget) {
@@ -174,7 +174,7 @@ public record RadarSettings(
     public SensorDescription description() {
         return SensorDescription.measuring("signal-to-noise ratio")
                 .withWeakness("its echo too weak")
-                .withLeavesOut("Clutter, birds and rotor micro-Doppler of radars are not modelled.");
+                .withLeavesOut("For radars, clutter, birds and the micro-Doppler of rotors are not modelled.");
     }
 
     @Override

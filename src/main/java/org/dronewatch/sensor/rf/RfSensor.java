@@ -57,8 +57,8 @@ public final class RfSensor implements AssessableSensor {
     }
 
     /**
-     * Waves go round edges, so that none is hidden by standing behind something: only if the stronger of both emissions
-     * would be heard without the loss at the edge.
+     * Radio waves go round edges, so a drone behind something counts as hidden only if the stronger of its two emissions
+     * would be received without the diffraction loss.
      */
     @Override
     public Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing) {

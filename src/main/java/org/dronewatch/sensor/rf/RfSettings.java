@@ -63,7 +63,7 @@ public record RfSettings(
         }
     }
 
-    /** A receiver of 400 MHz to 6 GHz, once a second, 0 dBi, 10 MHz, 6 dB, in the open, from 6 dB on. */
+    /** A receiver of 400 MHz to 6 GHz, one look a second, antenna gain 0 dBi, bandwidth 10 MHz, noise figure 6 dB, no clutter, threshold 6 dB. */
     @Defaults("position")
     public static RfSettings at(Position position) {
         return new RfSettings(position, 1.0, 400e6, 6e9, 0.0, 10e6, 6.0, 0.0, 6.0);

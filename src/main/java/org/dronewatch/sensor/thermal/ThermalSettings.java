@@ -34,7 +34,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param task the task that the image must support
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by
  *     chance
- * @param byChance whether each frame is decided at random with that probability instead
+ * @param byChance whether each frame is decided at random instead, with the probability computed for it
  * @param positioner the positioner that turns it; omit it for a fixed mount
  */
 public record ThermalSettings(
@@ -81,8 +81,8 @@ public record ThermalSettings(
     }
 
     /**
-     * 640 x 512 pixels over 24 degrees, 25 frames a second, 50 mK, 85 % left by a kilometre of air, twice the noise
-     * needed; detection at one half.
+     * 640 x 512 pixels over 24 degrees, 25 frames a second, NETD 50 mK, transmittance 85 % per kilometre, minimum
+     * signal-to-noise ratio 2; detects at a probability of 0.5.
      */
     @Defaults("position")
     public static ThermalSettings at(Position position) {

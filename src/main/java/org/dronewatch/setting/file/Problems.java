@@ -30,8 +30,7 @@ final class Problems {
 
     /** Adds that a name is not one of those that may stand there. */
     void unknown(Mark mark, String field, String what, String name, Collection<String> known) {
-        List<String> nearest = Spelling.nearest(name, known, 1);
-        String meant = nearest.isEmpty() ? "" : "; did you mean '" + nearest.get(0) + "'?";
+        String meant = Spelling.didYouMean(name, known);
         add(mark, field, "unknown " + what + " '" + name + "'" + meant + " (" + String.join(", ", known) + ")");
     }
 

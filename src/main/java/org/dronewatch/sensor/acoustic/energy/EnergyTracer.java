@@ -51,7 +51,7 @@ public final class EnergyTracer {
     /**
      * A tracer to one sensor.
      *
-     * @param sensor where it is, m; just before a surface that it lies on
+     * @param sensor where it is, m; just in front of a surface that it lies on
      * @param radius of the sphere about the source in which specularly reflected rays are counted, m
      */
     public EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {

@@ -51,7 +51,7 @@ public final class LevelTracer {
      *
      * @param sensor its centre, m
      * @param radius rays that pass within this distance are received, m
-     * @param detectionLevel the level from which on a sound is detected, dB
+     * @param detectionLevel the level at and above which a sound is detected, dB
      */
     public LevelTracer(LevelModel model, Position sensor, double radius, double detectionLevel, World world) {
         this.model = model;
