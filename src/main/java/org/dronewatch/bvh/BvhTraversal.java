@@ -46,6 +46,7 @@ final class BvhTraversal extends RayTracer {
     private final StackTraversal exact;
     private final int[] entries = new int[BvhNode.WIDTH];
     private final double[] parameters = new double[BvhNode.TRIANGLES];
+    private final double[] edgeProducts = new double[BvhNode.TRIANGLES];
     private final long[] outside = new long[BvhNode.TRIANGLES];
 
     /** Entry parameter as the bits of a float above, reference below: ordered as their parameters are. */
@@ -272,6 +273,7 @@ final class BvhTraversal extends RayTracer {
     private int testBlocks(int leaf, int limitBefore) {
         int[] blocks = pool;
         double[] ts = parameters;
+        double[] zeros = edgeProducts;
         long[] signs = outside;
         DoubleVector zero = DoubleVector.zero(DOUBLES_4);
         DoubleVector below = DoubleVector.broadcast(DOUBLES_4, Math.nextDown(first));
@@ -326,6 +328,8 @@ final class BvhTraversal extends RayTracer {
             }
             // Few get here. NaN, of triangles without area, fails both comparisons.
             t.intoArray(ts, 0);
+            // Zero where an edge function is: only there can the ray be beside a triangle that it seems to hit.
+            a.mul(b).mul(g).intoArray(zeros, 0);
             do {
                 int lane = Integer.numberOfTrailingZeros(hits);
                 hits &= hits - 1;
@@ -333,7 +337,7 @@ final class BvhTraversal extends RayTracer {
                 int triangle = BvhNode.number(blocks, block, lane);
                 if (parameter >= first
                         && (parameter < nearest || parameter == nearest && (winner < 0 || triangle < winner))
-                        && !isBeside(block + lane)) {
+                        && !(zeros[lane] == 0.0 && isBeside(block + lane))) {
                     nearest = parameter;
                     winner = triangle;
                     winnerIndex = block + lane;

@@ -88,11 +88,13 @@ final class TriangleIntersection {
             return;
         }
 
-        // The distance is the mean of the corners', weighted by the edge functions, so it lies between them.
+        // The distance is the mean of the corners', weighted by the edge functions, so it lies between them. Signs are
+        // never
+        // wrong, so only with a zero can the ray be beside the triangle.
         double t = (a * az + b * bz + g * cz) / determinant * shearZ;
         if (t >= tMin
                 && (t < distance || t == distance && (!found || numbers[index] < triangle))
-                && !isBeside(ax, ay, bx, by, cx, cy)) {
+                && !((a == 0.0 || b == 0.0 || g == 0.0) && isBeside(ax, ay, bx, by, cx, cy))) {
             distance = t;
             triangle = numbers[index];
             u = b / determinant;
