@@ -21,7 +21,7 @@ final class LogPanel extends JPanel {
 
     private final JTextArea text = new JTextArea();
     private transient RecordedRun run;
-    private int told;
+    private int written;
 
     LogPanel() {
         super(new BorderLayout());
@@ -55,16 +55,16 @@ final class LogPanel extends JPanel {
     void update(RecordedRun next) {
         if (next != run) {
             run = next;
-            told = 0;
+            written = 0;
         }
         List<String> lines = new ArrayList<>();
-        for (DetectionEvent event : run.eventsFrom(told)) {
+        for (DetectionEvent event : run.eventsFrom(written)) {
             if (lines.size() == AT_ONCE) {
                 break;
             }
             lines.add(Events.text(event));
         }
-        told += lines.size();
+        written += lines.size();
         write(lines);
     }
 

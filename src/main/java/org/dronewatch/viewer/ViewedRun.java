@@ -60,11 +60,11 @@ final class ViewedRun {
 
     /** A sensor's last measurement of each drone. */
     Map<String, PairReading> readings(String sensor, double time) {
-        Map<String, PairReading> told = new HashMap<>();
+        Map<String, PairReading> last = new HashMap<>();
         for (String drone : drones) {
-            run.reading(sensor, drone, time).ifPresent(reading -> told.put(drone, reading));
+            run.reading(sensor, drone, time).ifPresent(reading -> last.put(drone, reading));
         }
-        return told;
+        return last;
     }
 
     /** Where a sensor or a drone of a name is at a time, m. */

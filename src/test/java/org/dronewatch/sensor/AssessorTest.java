@@ -24,15 +24,10 @@ class AssessorTest {
     private static final Position HERE = new Position(0, 0, 0);
 
     /** Detects what is nearer than 100 m, and looks north, 60 degrees wide, from 10 to 500 m. */
-    private record Guard(boolean hasOutline) implements SensorSettings<Sensor>, Outlined {
-        @Override
-        public Position position() {
-            return HERE;
-        }
-
+    private record Guard(Position position, boolean hasOutline) implements SensorSettings<Sensor>, Outlined {
         @Override
         public Guard withPosition(Position other) {
-            throw new UnsupportedOperationException();
+            return new Guard(other, hasOutline);
         }
 
         @Override
@@ -69,13 +64,13 @@ class AssessorTest {
     }
 
     private static Cause cause(World world, double east, double north) {
-        return assess(new Guard(true), world, cube(new Position(east, north, 0)))
+        return assess(new Guard(HERE, true), world, cube(new Position(east, north, 0)))
                 .cause();
     }
 
     @Test
     void aLookGivesProbabilityAndMargin() {
-        Assessment one = assess(new Guard(true), open(), cube(new Position(0, 50, 0)));
+        Assessment one = assess(new Guard(HERE, true), open(), cube(new Position(0, 50, 0)));
 
         assertThat(one.cause()).isEqualTo(Cause.DETECTED);
         assertThat(one.probability()).isEqualTo(0.25);
@@ -98,7 +93,7 @@ class AssessorTest {
     void withoutAnOutlineAllThatIsMissedIsTooWeak() {
         World world = behind(wall(150, -99, 99), ModelRole.TERRAIN);
 
-        assertThat(assess(new Guard(false), world, cube(new Position(0, 200, 0)))
+        assertThat(assess(new Guard(HERE, false), world, cube(new Position(0, 200, 0)))
                         .cause())
                 .isEqualTo(Cause.TOO_WEAK);
     }

@@ -92,10 +92,10 @@ final class BackwardRay {
     }
 
     /** Follows one ray to its end, looking for the source that is sought; returns the number of segments traced. */
-    int follow(SoundSource from, RandomGenerator chance, RayRecorder told) {
+    int follow(SoundSource from, RandomGenerator chance, RayRecorder listener) {
         source = from;
         random = chance;
-        recorder = told;
+        recorder = listener;
         traced = 0;
 
         start();
