@@ -1,6 +1,7 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
+import java.lang.reflect.RecordComponent;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
@@ -16,8 +17,10 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingText;
+import org.dronewatch.setting.SettingsForm;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -134,14 +137,23 @@ final class CoverageCommand implements Callable<Integer> {
             sum = sum.plus(sensor.position());
         }
         Position middle = sum.times(1.0 / settings.enabledSensors().size());
+        return new CoverageGrid(
+                middle.x(),
+                middle.y(),
+                (double) value("side", side),
+                (int) value("cells", String.valueOf(cells)),
+                (double) value("height", height));
+    }
+
+    /** The value of an option that has the name of a component of the grid. */
+    private static Object value(String name, String text) {
+        RecordComponent part = SettingsForm.of(CoverageGrid.class).part(name).orElseThrow();
         try {
-            return new CoverageGrid(
-                    middle.x(), middle.y(), Quantity.LENGTH.parse(side), cells, Quantity.LENGTH.parse(height));
+            Object value = SettingText.parse(part, text);
+            Limits.check(part, value);
+            return value;
         } catch (IllegalArgumentException e) {
-            throw new InputException(
-                    "--side " + PlainText.value(side) + " --cells " + cells + " --height " + PlainText.value(height)
-                            + ": " + e.getMessage(),
-                    e);
+            throw new InputException("--" + name + " " + PlainText.value(text) + ": " + e.getMessage(), e);
         }
     }
 

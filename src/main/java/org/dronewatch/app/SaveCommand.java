@@ -1,6 +1,9 @@
 package org.dronewatch.app;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.dronewatch.report.WholeFile;
@@ -52,6 +55,9 @@ final class SaveCommand implements Callable<Integer> {
             throw new InputException("--out " + PlainText.value(out) + ": must end in .yaml or .yml");
         }
         WholeFile target = new WholeFile("--out", out);
+        if (choice.sceneFile().filter(file -> isSame(file, target.path())).isPresent()) {
+            throw new InputException("--out " + PlainText.value(out) + ": is the scene file itself; name another file");
+        }
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
         runner.notes(spec.commandLine().getErr()::println);
@@ -64,13 +70,23 @@ final class SaveCommand implements Callable<Integer> {
         return 0;
     }
 
+    private static boolean isSame(Path one, Path other) {
+        try {
+            return Files.isSameFile(one, other);
+        } catch (IOException e) {
+            // One of them does not exist, and reading or writing will say so if it should.
+            return false;
+        }
+    }
+
     private SceneSettings chosen(SceneRunner runner) {
         if (run == null) {
             return runner.settings();
         }
         List<SceneSettings> runs = runner.settingsOfRuns();
         if (run < 0 || run >= runs.size()) {
-            throw new InputException("--run " + run + ": must be 0 to " + (runs.size() - 1));
+            throw new InputException("--run " + run + ": must be "
+                    + (runs.size() == 1 ? "0, because no setting is swept" : "0 to " + (runs.size() - 1)));
         }
         return runs.get(run);
     }

@@ -112,6 +112,7 @@ public final class KindRegistry {
 
     private static <S> List<S> providers(Class<S> service, ClassLoader loader) {
         List<S> providers = new ArrayList<>();
+        ProviderFiles.of(service, loader).checkDuplicates();
         try {
             Iterator<S> each = ServiceLoader.load(service, loader).iterator();
             while (each.hasNext()) {

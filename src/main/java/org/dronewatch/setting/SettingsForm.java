@@ -8,6 +8,8 @@ import java.lang.reflect.Member;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -122,6 +124,21 @@ public final class SettingsForm {
     /** The current name for a former one; any other name unchanged. */
     public String currentName(String name) {
         return renamed.getOrDefault(name, name);
+    }
+
+    /**
+     * A question at the end of a message about an unknown name of a part: the current name of what was probably meant; empty
+     * if nothing is near enough.
+     *
+     * @param others names that are valid there, too
+     */
+    public String didYouMean(String typed, Collection<String> others) {
+        List<String> known = new ArrayList<>(names());
+        known.addAll(others);
+        known.addAll(renamed.keySet());
+        return Spelling.meant(typed, known)
+                .map(name -> Spelling.question(currentName(name)))
+                .orElse("");
     }
 
     /** The component that holds the disabled names of a {@link Switchable} component. */

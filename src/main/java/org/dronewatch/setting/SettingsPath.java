@@ -154,14 +154,8 @@ public final class SettingsPath {
         }
         if (unwrapped instanceof Map<?, ?> map) {
             if (!map.containsKey(name)) {
-                throw unknown(
-                        depth,
-                        "has: "
-                                + String.join(
-                                        ", ",
-                                        map.keySet().stream()
-                                                .map(String::valueOf)
-                                                .toList()));
+                List<String> known = map.keySet().stream().map(String::valueOf).toList();
+                throw unknown(depth, has(known) + Spelling.didYouMean(name, known));
             }
             return map.get(name);
         }
@@ -174,14 +168,19 @@ public final class SettingsPath {
         throw unknown(depth, unwrapped == null ? "is not set" : "is a single value");
     }
 
+    private static String has(List<String> known) {
+        return known.isEmpty() ? "is empty" : "has: " + String.join(", ", known);
+    }
+
     private RecordComponent component(Object tree, Record settings, int depth) {
         SettingsForm form = SettingsForm.of(settings.getClass());
         return form.part(form.currentName(names.get(depth))).orElseThrow(() -> {
+            List<String> more = Switches.at(tree, withLast(depth, Switchable.ENABLED))
+                    .map(toggle -> List.of(Switchable.ENABLED))
+                    .orElse(List.of());
             List<String> known = new ArrayList<>(form.names());
-            if (Switches.at(tree, withLast(depth, Switchable.ENABLED)).isPresent()) {
-                known.add(Switchable.ENABLED);
-            }
-            return unknown(depth, "has: " + String.join(", ", known));
+            known.addAll(more);
+            return unknown(depth, has(known) + form.didYouMean(names.get(depth), more));
         });
     }
 

@@ -38,7 +38,11 @@ public final class Spelling {
 
     /** A question at the end of a message: {@code ; did you mean 'camera'?}; empty if no name is near enough. */
     public static String didYouMean(String typed, Collection<String> names) {
-        return meant(typed, names).map(name -> "; did you mean '" + name + "'?").orElse("");
+        return meant(typed, names).map(Spelling::question).orElse("");
+    }
+
+    static String question(String name) {
+        return "; did you mean '" + name + "'?";
     }
 
     /** The end of a message about an unknown name: {@code nearest are camera, radar, rf}. */

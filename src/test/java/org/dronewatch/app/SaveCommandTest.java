@@ -56,6 +56,30 @@ class SaveCommandTest {
     }
 
     @Test
+    void theSceneFileItselfIsNotReplaced() throws IOException {
+        command(0, Stream.of("save", "camera-range", "--out", path("scene.yaml")));
+        String before = text("scene.yaml");
+        Files.createSymbolicLink(directory.resolve("link.yaml"), directory.resolve("scene.yaml"));
+
+        for (String scene : List.of("scene.yaml", "link.yaml")) {
+            for (String out : List.of("scene.yaml", "link.yaml")) {
+                assertThat(command(2, Stream.of("save", path(scene), "--set", "run.seed=9", "--out", path(out))))
+                        .isEqualToIgnoringNewLines(
+                                "--out " + path(out) + ": is the scene file itself; name another file");
+            }
+        }
+        assertThat(text("scene.yaml")).isEqualTo(before);
+    }
+
+    @Test
+    void aRunThatTheSweepDoesNotHaveIsRefused() {
+        assertThat(command(2, Stream.of("save", "camera-range", "--run", "5", "--out", path("a.yaml"))))
+                .contains("--run 5: must be 0 to 4");
+        assertThat(command(2, Stream.of("save", "multi-sensor", "--run", "1", "--out", path("a.yaml"))))
+                .contains("--run 1: must be 0, because no setting is swept");
+    }
+
+    @Test
     void oneRunOfASweepGivesItsRows() throws IOException {
         run("camera-range", SETTINGS, "sweep");
         command(

@@ -6,9 +6,12 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.io.IOException;
 import java.net.URL;
 import java.net.URLClassLoader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.jar.JarEntry;
+import java.util.jar.JarOutputStream;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.junit.jupiter.api.Test;
@@ -114,6 +117,48 @@ class KindRegistryTest {
                     .withMessageContaining("provider " + Broken.class.getName() + " from ")
                     .withMessageContaining("no licence")
                     .withMessageNotContaining("\n");
+        }
+    }
+
+    /** A provider of which there are an old and a new jar. */
+    public static final class Twice implements KindGroup {
+        @Override
+        public List<Kind<?>> kinds() {
+            return List.of();
+        }
+    }
+
+    private static Path jarOf(Path jar, String provider) throws IOException {
+        try (JarOutputStream entries = new JarOutputStream(Files.newOutputStream(jar))) {
+            entries.putNextEntry(new JarEntry("META-INF/services/" + KindGroup.class.getName()));
+            entries.write(("# kinds of another project\n" + provider + " # one\n").getBytes(StandardCharsets.UTF_8));
+        }
+        return jar;
+    }
+
+    @Test
+    void anOldAndANewCopyOfAJarAreRefusedInOneLineWithBothPlaces(@TempDir Path directory) throws IOException {
+        // The rule leaves out classes of the library itself, to which those of this test belong.
+        String provider = "org.example.Twice";
+        Path older = jarOf(directory.resolve("older.jar"), provider).toRealPath();
+        Path newer = jarOf(directory.resolve("newer.jar"), provider).toRealPath();
+        URL[] both = {older.toUri().toURL(), newer.toUri().toURL()};
+        try (URLClassLoader loader = new URLClassLoader(both, getClass().getClassLoader())) {
+            assertThatExceptionOfType(InputException.class)
+                    .isThrownBy(() -> KindRegistry.load(loader))
+                    .withMessage("class path: provider org.example.Twice is in " + older + " and in " + newer
+                            + ": take one of them off the class path");
+        }
+    }
+
+    @Test
+    void theLibraryItselfMayBeThereTwice(@TempDir Path directory) throws IOException {
+        URL[] both = {
+            jarOf(directory.resolve("all.jar"), Twice.class.getName()).toUri().toURL(),
+            jarOf(directory.resolve("thin.jar"), Twice.class.getName()).toUri().toURL()
+        };
+        try (URLClassLoader loader = new URLClassLoader(both, getClass().getClassLoader())) {
+            assertThat(KindRegistry.load(loader)).allMatch(FoundKind::builtIn);
         }
     }
 

@@ -72,8 +72,15 @@ public final class MeshReaders {
 
     /** What reads a file of this name; a name with no known extension is taken for that of an OBJ file. */
     MeshReader of(String fileName) {
-        String extension = fileName.substring(fileName.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-        MeshReader known = byExtension.get(extension);
-        return known == null ? byExtension.get(OBJ) : known;
+        return byExtension.getOrDefault(extension(fileName), byExtension.get(OBJ));
+    }
+
+    /** Whether there is a reader for files of this name. */
+    boolean knows(String fileName) {
+        return byExtension.containsKey(extension(fileName));
+    }
+
+    private static String extension(String fileName) {
+        return fileName.substring(fileName.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
     }
 }

@@ -25,7 +25,18 @@ public final class ModelLoader {
      */
     public LoadedModel load(ModelSettings settings) {
         ModelFile file = ModelFile.find(directory, settings.file());
-        return MeshReaders.found().of(file.name()).read(file, settings);
+        MeshReaders readers = MeshReaders.found();
+        try {
+            return readers.of(file.name()).read(file, settings);
+        } catch (InputException e) {
+            if (readers.knows(file.name())) {
+                throw e;
+            }
+            throw new InputException(
+                    e.getMessage()
+                            + "; it was read as OBJ, because no reader for files of this name is on the class path",
+                    e);
+        }
     }
 
     /**

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.dronewatch.setting.KindRegistry;
 import org.dronewatch.setting.SettingsForm;
 
 /** Finds which of several kinds of settings a mapping means: by its kind, by ready settings that it takes, by its parts. */
@@ -51,7 +52,12 @@ final class KindChooser {
         }
         String kind = given instanceof Node.Scalar scalar ? scalar.text() : "";
         if (!choices.containsKey(kind)) {
-            problems.unknown(given.mark(), path + "." + KIND, KIND, kind, choices.keySet());
+            problems.unknownKind(
+                    given.mark(),
+                    path + "." + KIND,
+                    kind,
+                    choices.keySet(),
+                    KindRegistry.found().knows(type));
             return Optional.empty();
         }
         return Optional.of(new Chosen(SettingsForm.of(choices.get(kind)), mapping.without(List.of(KIND))));

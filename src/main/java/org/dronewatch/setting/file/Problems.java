@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Spelling;
 
 /** Collects the errors in a file, so that all are reported together. */
@@ -30,8 +31,30 @@ final class Problems {
 
     /** Adds that a name is not one of those that may stand there. */
     void unknown(Mark mark, String field, String what, String name, Collection<String> known) {
+        unknown(mark, field, what, name, known, Spelling.didYouMean(name, known));
+    }
+
+    /**
+     * Adds that there is no kind of a name.
+     *
+     * @param open whether other jars may bring kinds
+     */
+    void unknownKind(Mark mark, String field, String name, Collection<String> known, boolean open) {
         String meant = Spelling.didYouMean(name, known);
-        add(mark, field, "unknown " + what + " '" + name + "'" + meant + " (" + String.join(", ", known) + ")");
+        String jar = "; a kind of another jar needs that jar on the class path";
+        unknown(mark, field, KindChooser.KIND, name, known, meant.isEmpty() && open ? jar : meant);
+    }
+
+    /** Adds that a record has no part of a name. */
+    void unknownSetting(Mark mark, String field, String name, SettingsForm form, List<String> others) {
+        List<String> known = new ArrayList<>(form.names());
+        known.addAll(others);
+        unknown(mark, field, "setting", name, known, form.didYouMean(name, others));
+    }
+
+    private void unknown(
+            Mark mark, String field, String what, String name, Collection<String> known, String suggestion) {
+        add(mark, field, "unknown " + what + " '" + name + "'" + suggestion + " (" + String.join(", ", known) + ")");
     }
 
     int count() {

@@ -186,7 +186,12 @@ final class SettingsReader {
             String field = path.isEmpty() ? name : path + "." + name;
             Optional<RecordComponent> part = form.part(name);
             if (part.isEmpty()) {
-                problems.unknown(mapping.keys().get(name), path, "setting", name, names(form, path));
+                problems.unknownSetting(
+                        mapping.keys().get(name),
+                        path,
+                        name,
+                        form,
+                        switchable.contains(path) ? List.of(Switchable.ENABLED) : List.of());
                 return;
             }
             Object value = read(
@@ -218,14 +223,6 @@ final class SettingsReader {
             }
             return FAILED;
         }
-    }
-
-    private List<String> names(SettingsForm form, String path) {
-        List<String> names = new ArrayList<>(form.names());
-        if (switchable.contains(path)) {
-            names.add(Switchable.ENABLED);
-        }
-        return names;
     }
 
     /** The entries of a component without their switches, which become another component's value. */

@@ -38,6 +38,22 @@ class ModelLoaderTest {
     }
 
     @Test
+    void aFormatThatNoReaderKnowsIsNamed() throws IOException {
+        Files.writeString(directory.resolve("hangar.stl"), "solid hangar\nfacet normal 0 0 1\n");
+        Files.writeString(directory.resolve("hangar.obj"), "solid hangar\nfacet normal 0 0 1\n");
+        ModelLoader loader = new ModelLoader(directory);
+
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> loader.load(ModelSettings.of("hangar.stl")))
+                .withMessageContaining("hangar.stl:1: ")
+                .withMessageEndingWith(
+                        "; it was read as OBJ, because no reader for files of this name is on the class path");
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> loader.load(ModelSettings.of("hangar.obj")))
+                .withMessageNotContaining("class path");
+    }
+
+    @Test
     void scaleThenHeadingThenPositionPlaceAModel() throws IOException {
         ModelSettings settings = ModelSettings.of("model.obj")
                 .withUpAxis(UpAxis.Z)
