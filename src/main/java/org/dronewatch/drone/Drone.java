@@ -2,6 +2,7 @@ package org.dronewatch.drone;
 
 import java.util.List;
 import java.util.OptionalDouble;
+import org.dronewatch.flight.Attitude;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
@@ -91,10 +92,18 @@ public final class Drone {
         return new Drone(id, settings, tree, next, velocity, gliding);
     }
 
-    /** This drone in a given state of its flight: its model unscaled, nose along the heading. */
+    /** This drone in a given state of its flight: its model unscaled, turned by the {@link Attitude}. */
     public Drone at(FlightState state) {
+        Attitude attitude = state.attitude();
         Matrix4d pose = new Matrix4d();
-        pose.rotZ(-state.heading());
+        pose.rotZ(-attitude.yaw());
+        if (!attitude.isLevel()) {
+            Matrix4d turn = new Matrix4d();
+            turn.rotX(attitude.pitch());
+            pose.mul(turn);
+            turn.rotY(attitude.roll());
+            pose.mul(turn);
+        }
         pose.setTranslation(state.position().toVector3d());
         return new Drone(id, settings, tree, pose, state.velocity().toVector3d(), state.gliding());
     }

@@ -39,7 +39,7 @@ public final class Displaced implements FlightPathSettings {
         return time -> {
             FlightState state = leading.at(time);
             return new FlightState(
-                    state.position().plus(displacement), state.velocity(), state.heading(), state.gliding());
+                    state.position().plus(displacement), state.velocity(), state.attitude(), state.gliding());
         };
     }
 

@@ -4,18 +4,38 @@ import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
- * Where a drone is at one moment, and how it moves.
+ * Where a drone is at one moment, how it moves, and how it is turned.
  *
  * @param position of the drone's origin, m
  * @param velocity m/s
- * @param heading where its nose points, clockwise from north, rad
+ * @param attitude yaw, pitch and roll; independent of the velocity, since a multirotor can fly sideways
  * @param gliding how long its motors have been off, s; empty while they run
  */
-public record FlightState(Position position, Position velocity, double heading, OptionalDouble gliding) {
+public record FlightState(Position position, Position velocity, Attitude attitude, OptionalDouble gliding) {
 
     /** A state with running motors. */
+    public FlightState(Position position, Position velocity, Attitude attitude) {
+        this(position, velocity, attitude, OptionalDouble.empty());
+    }
+
+    /** A level state whose nose points to a heading, clockwise from north, rad. */
+    public FlightState(Position position, Position velocity, double heading, OptionalDouble gliding) {
+        this(position, velocity, Attitude.level(heading), gliding);
+    }
+
+    /** A level state with running motors whose nose points to a heading, clockwise from north, rad. */
     public FlightState(Position position, Position velocity, double heading) {
         this(position, velocity, heading, OptionalDouble.empty());
+    }
+
+    /** This state with another attitude. */
+    public FlightState withAttitude(Attitude other) {
+        return new FlightState(position, velocity, other, gliding);
+    }
+
+    /** Where its nose points, clockwise from north, rad: the yaw. */
+    public double heading() {
+        return attitude.yaw();
     }
 
     /** Whether its motors run. */

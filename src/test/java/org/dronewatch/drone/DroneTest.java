@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Random;
+import org.dronewatch.flight.Attitude;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
@@ -66,6 +68,72 @@ class DroneTest {
         assertMaps(flying, new Point3d(0, 1, 0), new Point3d(6, 6, 7));
         assertThat(flying.velocity()).isEqualTo(new Vector3d(3, 0, 0));
         assertThat(flying.distance(new Position(5, 6, 0))).isCloseTo(7.0, within(TOLERANCE));
+    }
+
+    @Test
+    void pitchRaisesTheNoseAndRollLowersTheRightSide() {
+        double third = Math.PI / 3;
+        double half = Math.sqrt(3) / 2;
+        assertMaps(at(0, third, 0), new Point3d(0, 1, 0), new Point3d(0, 0.5, half));
+        assertMaps(at(0, third, 0), new Point3d(1, 0, 0), new Point3d(1, 0, 0));
+        assertMaps(at(0, 0, third), new Point3d(1, 0, 0), new Point3d(0.5, 0, -half));
+        assertMaps(at(0, 0, third), new Point3d(0, 1, 0), new Point3d(0, 1, 0));
+        // Flying east with the nose up, the right side is to the south, and a roll turns about the raised nose.
+        assertMaps(at(Math.PI / 2, third, 0), new Point3d(0, 1, 0), new Point3d(0.5, 0, half));
+        assertMaps(at(Math.PI / 2, third, Math.PI / 2), new Point3d(1, 0, 0), new Point3d(half, 0, -0.5));
+    }
+
+    /** The three turns of the thesis, one after the other about the drone's own axes. */
+    @Test
+    void anAttitudeIsYawThenPitchThenRoll() {
+        long seed = 20_231;
+        System.out.println("seed of the attitudes: " + seed);
+        Random random = new Random(seed);
+        for (int i = 0; i < 1000; i++) {
+            Attitude attitude = new Attitude(angle(random), angle(random), i % 7 == 0 ? 0.0 : angle(random));
+            Drone flying = at(attitude.yaw(), attitude.pitch(), attitude.roll());
+            Drone turned = drone.rotateZ(-attitude.yaw(), 1)
+                    .rotateX(attitude.pitch(), 1)
+                    .rotateY(attitude.roll(), 1);
+            assertThat(flying.modelMatrix().epsilonEquals(turned.modelMatrix(), 1e-14))
+                    .as("%s", attitude)
+                    .isTrue();
+            Position point = new Position(random.nextDouble(), random.nextDouble(), random.nextDouble());
+            assertThat(attitude.toWorld(point).distance(flying.toWorld(point))).isLessThan(1e-14);
+        }
+    }
+
+    @Test
+    void aLevelDroneIsTurnedByItsYawAloneBitForBit() {
+        Random random = new Random(20_232);
+        for (int i = 0; i < 100; i++) {
+            double yaw = angle(random);
+            Matrix4d expected = new Matrix4d();
+            expected.rotZ(-yaw);
+            Matrix4d actual = at(yaw, 0, 0).modelMatrix();
+            for (int row = 0; row < 4; row++) {
+                for (int column = 0; column < 4; column++) {
+                    assertThat(Double.doubleToRawLongBits(actual.getElement(row, column)))
+                            .isEqualTo(Double.doubleToRawLongBits(expected.getElement(row, column)));
+                }
+            }
+        }
+    }
+
+    @Test
+    void anAttitudeIsFinite() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Attitude(0, Double.NaN, 0))
+                .withMessage("pitch NaN must be a finite angle in rad");
+    }
+
+    private static double angle(Random random) {
+        return random.nextDouble(-2 * Math.PI, 2 * Math.PI);
+    }
+
+    private Drone at(double yaw, double pitch, double roll) {
+        Position origin = new Position(0, 0, 0);
+        return drone.at(new FlightState(origin, origin, new Attitude(yaw, pitch, roll)));
     }
 
     @Test

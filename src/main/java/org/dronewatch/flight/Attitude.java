@@ -1,0 +1,58 @@
+package org.dronewatch.flight;
+
+import org.dronewatch.geometry.Position;
+
+/**
+ * How a drone is turned in the world, whose x points east, y north and z up. A model's nose points along its y axis, and
+ * its right side along x. The angles are applied in the order of the components: first the yaw about the vertical, then
+ * the pitch about the drone's own right axis, then the roll about its nose. As a matrix from the model to the world,
+ * with the right-handed rotations of vecmath, that is {@code rotZ(-yaw) rotX(pitch) rotY(roll)}. All zero is level with
+ * the nose to the north.
+ *
+ * @param yaw where the nose points, clockwise from north as seen from above, rad, any finite angle
+ * @param pitch how far the nose is above the horizontal, rad, any finite angle
+ * @param roll how far the right side is below the horizontal in level flight, rad, any finite angle
+ */
+public record Attitude(double yaw, double pitch, double roll) {
+    /** Level with the nose to the north. */
+    public static final Attitude NORTH = new Attitude(0.0, 0.0, 0.0);
+
+    /**
+     * Checks that the angles are finite.
+     *
+     * @throws IllegalArgumentException when one of them is not
+     */
+    public Attitude {
+        checkFinite("yaw", yaw);
+        checkFinite("pitch", pitch);
+        checkFinite("roll", roll);
+    }
+
+    private static void checkFinite(String name, double angle) {
+        if (!Double.isFinite(angle)) {
+            throw new IllegalArgumentException(name + " " + angle + " must be a finite angle in rad");
+        }
+    }
+
+    /** Level, with the nose at a compass heading, rad. */
+    public static Attitude level(double yaw) {
+        return new Attitude(yaw, 0.0, 0.0);
+    }
+
+    /** Whether pitch and roll are zero. */
+    public boolean isLevel() {
+        return pitch == 0.0 && roll == 0.0;
+    }
+
+    /**
+     * A displacement of the drone's own frame (to its right, along its nose, upwards) in the world; its length stays the
+     * same.
+     */
+    public Position toWorld(Position displacement) {
+        double x = displacement.x() * Math.cos(roll) + displacement.z() * Math.sin(roll);
+        double z = displacement.z() * Math.cos(roll) - displacement.x() * Math.sin(roll);
+        double y = displacement.y() * Math.cos(pitch) - z * Math.sin(pitch);
+        double up = displacement.y() * Math.sin(pitch) + z * Math.cos(pitch);
+        return new Position(x * Math.cos(yaw) + y * Math.sin(yaw), y * Math.cos(yaw) - x * Math.sin(yaw), up);
+    }
+}
