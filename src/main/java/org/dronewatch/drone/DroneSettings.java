@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.flight.Airframe;
 import org.dronewatch.flight.Displaced;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightPathSettings;
@@ -31,6 +32,9 @@ import org.dronewatch.world.World;
  * @param flight how it flies
  * @param speed cruise speed, 0.001 to 400 m/s
  * @param acceleration largest acceleration along the path, 0.001 to 10,000 m/s2
+ * @param airframe what carries it
+ * @param lean whether it tilts as its airframe does: a multirotor into its acceleration, a wing into its turn; otherwise
+ *     it stays level, unless its flight says how it is turned
  * @param radar its radar signature
  * @param heat its thermal signature
  * @param radio how it is controlled, and which radio signals can be received
@@ -49,6 +53,8 @@ public record DroneSettings(
         FlightPathSettings flight,
         @In(value = Quantity.SPEED, from = 0.001, to = 400) double speed,
         @In(value = Quantity.ACCELERATION, from = 0.001, to = 10_000) double acceleration,
+        Airframe airframe,
+        boolean lean,
         RadarSignature radar,
         HeatSignature heat,
         RadioLink radio,
@@ -71,6 +77,8 @@ public record DroneSettings(
                 flight,
                 speed,
                 acceleration,
+                airframe,
+                lean,
                 radar,
                 heat,
                 radio,
@@ -96,6 +104,8 @@ public record DroneSettings(
                 flight,
                 5.0,
                 2.5,
+                Airframe.MULTIROTOR,
+                false,
                 RadarSignature.DEFAULT,
                 HeatSignature.DEFAULT,
                 RadioLink.DEFAULT,
@@ -121,6 +131,16 @@ public record DroneSettings(
     /** These settings with another cruise speed, m/s. */
     public DroneSettings withSpeed(double metresPerSecond) {
         return SettingsForm.with(this, "speed", metresPerSecond);
+    }
+
+    /** These settings with another airframe. */
+    public DroneSettings withAirframe(Airframe other) {
+        return SettingsForm.with(this, "airframe", other);
+    }
+
+    /** These settings, leaning into accelerations and turns or always level. */
+    public DroneSettings withLean(boolean leaning) {
+        return SettingsForm.with(this, "lean", leaning);
     }
 
     /** These settings with another radar cross-section, m2. */
@@ -201,7 +221,8 @@ public record DroneSettings(
      * @throws IllegalArgumentException when the flight follows the ground and there is none
      */
     public FlightPath createFlight(Ground ground) {
-        return flight.create(speed, acceleration, ground);
+        FlightPath path = flight.create(speed, acceleration, ground);
+        return lean ? airframe.leaning(path) : path;
     }
 
     /**

@@ -55,4 +55,14 @@ public record Attitude(double yaw, double pitch, double roll) {
         double up = displacement.y() * Math.sin(pitch) + z * Math.cos(pitch);
         return new Position(x * Math.cos(yaw) + y * Math.sin(yaw), y * Math.cos(yaw) - x * Math.sin(yaw), up);
     }
+
+    /** A displacement of the world in the drone's own frame (to its right, along its nose, upwards): the inverse. */
+    public Position toDrone(Position displacement) {
+        double right = displacement.x() * Math.cos(yaw) - displacement.y() * Math.sin(yaw);
+        double ahead = displacement.x() * Math.sin(yaw) + displacement.y() * Math.cos(yaw);
+        double y = ahead * Math.cos(pitch) + displacement.z() * Math.sin(pitch);
+        double above = displacement.z() * Math.cos(pitch) - ahead * Math.sin(pitch);
+        return new Position(
+                right * Math.cos(roll) - above * Math.sin(roll), y, right * Math.sin(roll) + above * Math.cos(roll));
+    }
 }

@@ -1,8 +1,12 @@
 package org.dronewatch.flight;
 
+import org.dronewatch.geometry.Position;
+
 /** Where a drone is at any time. Immutable. */
 @FunctionalInterface
 public interface FlightPath {
+    /** Half the interval over which {@link #acceleration} is a mean, s. */
+    double HALF_INTERVAL = 0.25;
 
     /**
      * The drone's state at a time.
@@ -10,4 +14,20 @@ public interface FlightPath {
      * @param time seconds since the start of the run, 0 or more
      */
     FlightState at(double time);
+
+    /**
+     * The drone's acceleration, from which its lean follows. Unless a path knows better, it is the mean over the half
+     * second about a time, from the velocities at its ends, whenever anyone looks: {@code (v(t + h) - v(t - h)) / 2h}, h
+     * being a quarter of a second; in the first quarter the interval begins with the run. Where the velocity of a path
+     * jumps, that is a brief but finite acceleration. On a circle the mean points to its centre, and is smaller than {@code
+     * v omega} by the factor {@code sin(omega h) / (omega h)}. A path whose future is not known yet overrides this.
+     *
+     * @param time seconds since the start of the run, 0 or more
+     * @return m/s2
+     */
+    default Position acceleration(double time) {
+        double from = Math.max(0.0, time - HALF_INTERVAL);
+        double to = time + HALF_INTERVAL;
+        return at(to).velocity().minus(at(from).velocity()).times(1.0 / (to - from));
+    }
 }

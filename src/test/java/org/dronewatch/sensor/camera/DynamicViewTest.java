@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.Attitude;
+import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.Look;
@@ -133,6 +135,24 @@ class DynamicViewTest {
             seen += counts(ground, drones).stream().anyMatch(count -> count > 0) ? 1 : 0;
         }
         assertThat(seen).as("frames with a drone, seed %d", seed).isGreaterThan(20);
+    }
+
+    /** Yaw, pitch and roll of a flight's states, as a path of a user's own or one that leans gives them. */
+    @Test
+    void dronesAtEveryAttitudeOfTheirFlight() {
+        long seed = 20260302L;
+        System.out.println("seed of the attitudes: " + seed);
+        Random random = new Random(seed);
+        Position rest = new Position(0, 0, 0);
+        Drone drone = Shapes.drone("plank", plank, rest);
+        for (int i = 0; i < 60; i++) {
+            Position place = new Position(random.nextDouble(-2, 2), random.nextDouble(4, 9), random.nextDouble(1, 3));
+            Attitude attitude =
+                    new Attitude(random.nextDouble(-7, 7), random.nextDouble(-7, 7), random.nextDouble(-7, 7));
+            assertThat(count(ground, drone.at(new FlightState(place, rest, attitude))))
+                    .as("%s", attitude)
+                    .isPositive();
+        }
     }
 
     /** Turning the camera is the same as turning everything else: all directions of view must work. */

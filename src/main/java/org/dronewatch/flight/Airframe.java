@@ -1,0 +1,73 @@
+package org.dronewatch.flight;
+
+import org.dronewatch.geometry.Position;
+
+/** What carries a drone, and hence how it is tilted while it accelerates. Drag and the angle of attack are left out. */
+public enum Airframe {
+    /**
+     * Rotors that push along the drone's own vertical: it tilts until their thrust is the acceleration minus gravity. In
+     * level flight that is by {@code tan(tilt) = a / g}, towards the acceleration.
+     */
+    MULTIROTOR {
+        @Override
+        Attitude lean(double yaw, Position velocity, Position force) {
+            Position thrust = Attitude.level(yaw).toDrone(force);
+            if (force.length() < WEIGHTLESS) {
+                return Attitude.level(yaw);
+            }
+            return new Attitude(
+                    yaw,
+                    Math.atan2(-thrust.y(), thrust.z()),
+                    Math.atan2(thrust.x(), Math.hypot(thrust.y(), thrust.z())));
+        }
+    },
+    /**
+     * A wing: its nose climbs and descends with the path, and it banks so that the lift has no part to the side, as in a
+     * coordinated turn. At the speed v, turning at the rate omega in level flight, that is by {@code tan(bank) = v omega
+     * / g}.
+     */
+    FIXED_WING {
+        @Override
+        Attitude lean(double yaw, Position velocity, Position force) {
+            double climb = Math.atan2(velocity.z(), Math.hypot(velocity.x(), velocity.y()));
+            Position lift = new Attitude(yaw, climb, 0.0).toDrone(force);
+            double bank = Math.hypot(lift.x(), lift.z()) < WEIGHTLESS ? 0.0 : Math.atan2(lift.x(), lift.z());
+            return new Attitude(yaw, climb, bank);
+        }
+    },
+    /**
+     * A wing with rotors for take-off, hover and landing: it leans as a wing while it moves farther over the ground than
+     * up or down, and otherwise as a multirotor.
+     */
+    HYBRID {
+        @Override
+        Attitude lean(double yaw, Position velocity, Position force) {
+            boolean flying = Math.hypot(velocity.x(), velocity.y()) > Math.abs(velocity.z());
+            return (flying ? FIXED_WING : MULTIROTOR).lean(yaw, velocity, force);
+        }
+    };
+
+    /** Standard acceleration of gravity, m/s2 (3rd General Conference on Weights and Measures, 1901). */
+    public static final double GRAVITY = 9.806_65;
+
+    /** Below this force for each kilogram, N, its direction would be made of rounding errors: level. */
+    private static final double WEIGHTLESS = 1e-6;
+
+    /**
+     * The attitude for an acceleration.
+     *
+     * @param yaw where the nose points, which stays, rad
+     * @param velocity m/s
+     * @param force what carries and accelerates the drone, for each kilogram: acceleration minus gravity, m/s2
+     */
+    abstract Attitude lean(double yaw, Position velocity, Position force);
+
+    /**
+     * A path on which such a drone leans: the same positions, velocities and headings, with pitch and roll that follow
+     * from velocity and {@linkplain FlightPath#acceleration acceleration}. Where the path itself states a pitch or roll,
+     * these stay. How far a drone can tilt is not limited.
+     */
+    public FlightPath leaning(FlightPath path) {
+        return new LeaningPath(path, this);
+    }
+}
