@@ -5,6 +5,7 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.kdtree.SequentialTraversal;
 import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.VectorInstructions;
 
@@ -15,11 +16,17 @@ import org.dronewatch.parallel.VectorInstructions;
  */
 public final class TracingIndex {
     private final KDTree tree;
+    private final RayTraversal traversal;
     private Bvh bvh;
 
     /** An index around a finished tree; the BVH is built later, if ever. */
     public TracingIndex(KDTree tree) {
+        this(tree, RayTraversal.FASTEST);
+    }
+
+    private TracingIndex(KDTree tree, RayTraversal traversal) {
         this.tree = tree;
+        this.traversal = traversal;
     }
 
     /**
@@ -28,7 +35,22 @@ public final class TracingIndex {
      * @throws CancellationException when the thread is interrupted meanwhile
      */
     public static TracingIndex of(TriangleMesh mesh) {
-        return new TracingIndex(KDTree.of(mesh));
+        return of(mesh, TracingSettings.DEFAULT);
+    }
+
+    /**
+     * Builds the index of a mesh.
+     *
+     * @param settings how its tree is built, and how rays go through it
+     * @throws CancellationException when the thread is interrupted meanwhile
+     */
+    public static TracingIndex of(TriangleMesh mesh, TracingSettings settings) {
+        return new TracingIndex(KDTree.of(mesh, settings.costs()), settings.traversal());
+    }
+
+    /** How rays go through it. */
+    public RayTraversal traversal() {
+        return traversal;
     }
 
     /** The kd-tree of the mesh. */
@@ -36,9 +58,14 @@ public final class TracingIndex {
         return tree;
     }
 
-    /** A new stack-based traversal of the kd-tree, the default ray tracer, for the use of one thread. */
+    /** A new ray tracer for single rays, for the use of one thread: a stack-based traversal of the kd-tree, unless set otherwise. */
     public RayTracer newRayTracer() {
-        return new StackTraversal(tree);
+        return newRayTracer(tree);
+    }
+
+    /** A new ray tracer for single rays in another tree, such as a drone's, by the same traversal. */
+    public RayTracer newRayTracer(KDTree other) {
+        return traversal == RayTraversal.SEQUENTIAL ? new SequentialTraversal(other) : new StackTraversal(other);
     }
 
     /**
@@ -52,7 +79,7 @@ public final class TracingIndex {
      * @throws CancellationException when the thread is interrupted while the BVH is built
      */
     public RayTracer newIncoherentRayTracer() {
-        return hasBvh() ? new BvhTraversal(tree, bvh()) : newRayTracer();
+        return traversal == RayTraversal.FASTEST && hasBvh() ? new BvhTraversal(tree, bvh()) : newRayTracer();
     }
 
     /**

@@ -4,6 +4,7 @@ import java.util.Optional;
 
 /** The cheapest of the planes that have been tried in a voxel, after {@link SahCost}. One per thread. */
 final class CheapestSplit {
+    private final SahCost costs;
     private int[] voxel = new int[SahSplitFinder.BOX];
     private double area;
 
@@ -19,6 +20,10 @@ final class CheapestSplit {
     private int bestAxis;
     private int bestKey;
     private boolean bestPlanarLeft;
+
+    CheapestSplit(SahCost costs) {
+        this.costs = costs;
+    }
 
     /**
      * Begins a voxel, in which no plane has been tried yet.
@@ -82,8 +87,8 @@ final class CheapestSplit {
         double plane = KDNode.value(key);
         double leftShare = leftShare(plane);
         double rightShare = rightShare(plane);
-        double planarLeftCost = SahCost.split(leftShare, rightShare, left + planar, right);
-        double planarRightCost = SahCost.split(leftShare, rightShare, left, right + planar);
+        double planarLeftCost = costs.split(leftShare, rightShare, left + planar, right);
+        double planarRightCost = costs.split(leftShare, rightShare, left, right + planar);
         double cost = Math.min(planarLeftCost, planarRightCost);
         if (cost < bestCost || cost == bestCost && (axis < bestAxis || axis == bestAxis && key < bestKey)) {
             bestCost = cost;

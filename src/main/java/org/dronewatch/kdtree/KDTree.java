@@ -10,6 +10,7 @@ import org.dronewatch.geometry.TriangleMesh;
  */
 public final class KDTree {
     private final TriangleMesh mesh;
+    private final SahCost costs;
     private final long[] nodes;
     private final int[] leafTriangles;
     private final LeafOrderTriangles triangles;
@@ -20,6 +21,7 @@ public final class KDTree {
      * A finished tree; the builder's own arrays are handed over, not copied.
      *
      * @param mesh what it indexes
+     * @param costs by which it was built
      * @param nodes packed nodes, the root first
      * @param leafTriangles indices of triangles in leaf order, leaf by leaf
      * @param triangles in leaf order
@@ -28,12 +30,14 @@ public final class KDTree {
      */
     KDTree(
             TriangleMesh mesh,
+            SahCost costs,
             long[] nodes,
             int[] leafTriangles,
             LeafOrderTriangles triangles,
             float[] bounds,
             int depth) {
         this.mesh = mesh;
+        this.costs = costs;
         this.nodes = nodes;
         this.leafTriangles = leafTriangles;
         this.triangles = triangles;
@@ -47,7 +51,21 @@ public final class KDTree {
      * @throws CancellationException when the thread is interrupted meanwhile
      */
     public static KDTree of(TriangleMesh mesh) {
-        return new KDTreeBuilder(mesh).build();
+        return of(mesh, SahCost.DEFAULT);
+    }
+
+    /**
+     * Builds the tree of a mesh by other costs. They decide how fast rays are, not what they hit.
+     *
+     * @throws CancellationException when the thread is interrupted meanwhile
+     */
+    public static KDTree of(TriangleMesh mesh, SahCost costs) {
+        return new KDTreeBuilder(mesh, costs).build();
+    }
+
+    /** The costs by which it was built. */
+    public SahCost costs() {
+        return costs;
     }
 
     /** The mesh that this tree indexes. */

@@ -22,21 +22,24 @@ final class KDTreeBuilder {
     static final int MAX_REFERENCES = 16;
 
     private final TriangleMesh mesh;
+    private final SahCost costs;
     private final float[] corners;
     private final long duplicates;
 
     /** A builder of a tree of at most {@link #MAX_REFERENCES} references per triangle. */
-    KDTreeBuilder(TriangleMesh mesh) {
-        this(mesh, MAX_REFERENCES);
+    KDTreeBuilder(TriangleMesh mesh, SahCost costs) {
+        this(mesh, costs, MAX_REFERENCES);
     }
 
     /**
      * A builder.
      *
+     * @param costs decide where a cell is split, and whether
      * @param maxReferences maximum average number of references per triangle, at least 1
      */
-    KDTreeBuilder(TriangleMesh mesh, int maxReferences) {
+    KDTreeBuilder(TriangleMesh mesh, SahCost costs, int maxReferences) {
         this.mesh = mesh;
+        this.costs = costs;
         this.corners = flatten(mesh);
         this.duplicates = (maxReferences - 1L) * mesh.triangleCount();
     }
@@ -63,10 +66,10 @@ final class KDTreeBuilder {
             }
         }
         Cell root = new Cell(all, voxel, 0);
-        Subtree tree = new TreeGrower(corners, depthLimit(count)).grow(root, duplicates);
+        Subtree tree = new TreeGrower(corners, costs, depthLimit(count)).grow(root, duplicates);
         int[] leaves = tree.leafTriangles();
         LeafOrderTriangles triangles = LeafOrderTriangles.of(leaves, corners);
-        return new KDTree(mesh, tree.nodes(), leaves, triangles, rootBox, tree.depth());
+        return new KDTree(mesh, costs, tree.nodes(), leaves, triangles, rootBox, tree.depth());
     }
 
     private static float[] flatten(TriangleMesh mesh) {

@@ -10,7 +10,7 @@ package org.dronewatch.kdtree;
  * @param meanLeafSize triangles in a leaf, mean over the leaves that have any
  * @param maxLeafSize triangles in the fullest leaf
  * @param depth splits above the deepest leaf
- * @param sahCost expected cost of a ray that meets the root's box, in units of {@link SahCost}
+ * @param sahCost expected cost of a ray that meets the root's box, in the units of {@link KDTree#costs}
  * @param bytes memory of nodes, leaf lists, and triangles with corners and numbers
  */
 public record KDTreeStats(
@@ -48,12 +48,14 @@ public record KDTreeStats(
     /** Walks the tree and counts. */
     private static final class Count {
         private final long[] nodes;
+        private final SahCost costs;
         private int leaves;
         private int emptyLeaves;
         private int maxLeafSize;
 
         Count(KDTree tree) {
             this.nodes = tree.nodes();
+            this.costs = tree.costs();
         }
 
         /** Expected cost of a ray that meets a subtree's box. */
@@ -65,7 +67,7 @@ public record KDTreeStats(
                 leaves++;
                 emptyLeaves += size == 0 ? 1 : 0;
                 maxLeafSize = Math.max(maxLeafSize, size);
-                return SahCost.leaf(size);
+                return costs.leaf(size);
             }
             float[] left = box.clone();
             left[axis + 3] = KDNode.split(node);
@@ -75,8 +77,8 @@ public record KDTreeStats(
             double leftCost = costOf(KDNode.leftChild(index), left);
             double rightCost = costOf(KDNode.rightChild(node), right);
             return whole > 0.0
-                    ? SahCost.TRAVERSAL + (halfSurface(left) * leftCost + halfSurface(right) * rightCost) / whole
-                    : SahCost.TRAVERSAL + leftCost + rightCost;
+                    ? costs.traversal() + (halfSurface(left) * leftCost + halfSurface(right) * rightCost) / whole
+                    : costs.traversal() + leftCost + rightCost;
         }
 
         private static double halfSurface(float[] box) {

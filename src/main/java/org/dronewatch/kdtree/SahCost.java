@@ -1,23 +1,47 @@
 package org.dronewatch.kdtree;
 
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
 /**
- * The surface area heuristic: the expected cost of a ray through a node, relative to a unit of work. After Wald and
- * Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)" (2006), equations 1 to 5.
+ * The surface area heuristic: the expected cost of a ray through a node, in any unit of work; only the ratio of the two costs
+ * matters. After Wald and Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)" (2006), equations 1
+ * to 5, where they are called KT and KI.
+ *
+ * @param traversal cost of one traversal step, 0.001 to 1000
+ * @param intersection cost of one triangle test, 0.001 to 1000
  */
-final class SahCost {
+public record SahCost(
+        @In(value = Quantity.NUMBER, from = SahCost.LEAST, to = SahCost.MOST) double traversal,
+        @In(value = Quantity.NUMBER, from = SahCost.LEAST, to = SahCost.MOST) double intersection) {
+    /** The least cost of either. */
+    public static final double LEAST = 0.001;
+    /** The greatest cost of either. */
+    public static final double MOST = 1000.0;
+
     /**
-     * Cost of one traversal step. Measured, not counted: a step waits for its node and for an unpredictable
+     * Costs 4 and 1.5. Measured, not counted: a step waits for its node and for an unpredictable
      * branch, a triangle test is plain arithmetic; and tiles of cameras test a triangle once for many pixels. With 3
      * instead of 4 single rays are up to a tenth faster, tiles slower by as much, and trees take a quarter longer to
      * build; with 6 it is the reverse.
      */
-    static final double TRAVERSAL = 4.0;
-    /** Cost of one triangle test. */
-    static final double INTERSECTION = 1.5;
+    public static final SahCost DEFAULT = new SahCost(4.0, 1.5);
+
     /** Factor on the cost of a split that cuts off empty space. */
     static final double EMPTY_BONUS = 0.8;
 
-    private SahCost() {}
+    /** Checks the limits. */
+    public SahCost {
+        Limits.check(SahCost.class, traversal, intersection);
+    }
+
+    /** The default costs. */
+    @Defaults
+    public static SahCost standard() {
+        return DEFAULT;
+    }
 
     /**
      * Cost of splitting a node.
@@ -28,13 +52,13 @@ final class SahCost {
      * @param left number of triangles in the left part
      * @param right number of triangles in the right part
      */
-    static double split(double leftShare, double rightShare, int left, int right) {
-        double cost = TRAVERSAL + INTERSECTION * (leftShare * left + rightShare * right);
+    double split(double leftShare, double rightShare, int left, int right) {
+        double cost = traversal + intersection * (leftShare * left + rightShare * right);
         return left == 0 || right == 0 ? EMPTY_BONUS * cost : cost;
     }
 
     /** Cost of a leaf of a number of triangles. */
-    static double leaf(int triangles) {
-        return INTERSECTION * triangles;
+    double leaf(int triangles) {
+        return intersection * triangles;
     }
 }

@@ -34,7 +34,13 @@ final class SahSplitFinder {
     private int[] events = new int[0];
     private final AxisSlices[] slices = {new AxisSlices(), new AxisSlices(), new AxisSlices()};
 
-    private final CheapestSplit cheapest = new CheapestSplit();
+    private final SahCost costs;
+    private final CheapestSplit cheapest;
+
+    SahSplitFinder(SahCost costs) {
+        this.costs = costs;
+        this.cheapest = new CheapestSplit(costs);
+    }
 
     /**
      * The cheapest split of a voxel. Of equally cheap ones the one on the first axis, there the lowest.
@@ -202,7 +208,7 @@ final class SahSplitFinder {
             for (int slice = 0; slice < SLICES; slice++) {
                 boolean holdsEvents = starts[slice] + ends[slice] > 0;
                 after -= ends[slice];
-                double cost = SahCost.split(
+                double cost = costs.split(
                         cheapest.leftShare(origin + slice * width),
                         cheapest.rightShare(origin + (slice + 1) * width),
                         before,

@@ -31,18 +31,22 @@ final class TreeGrower {
 
     private final float[] corners;
     private final int depthLimit;
-    private final SahSplitFinder splitFinder = new SahSplitFinder();
+    private final SahCost costs;
+    private final SahSplitFinder splitFinder;
     private final TriangleClipper clipper;
 
     /**
      * A grower.
      *
      * @param corners nine coordinates a triangle
+     * @param costs decide where a cell is split, and whether
      * @param depthLimit the level on which all cells are leaves
      */
-    TreeGrower(float[] corners, int depthLimit) {
+    TreeGrower(float[] corners, SahCost costs, int depthLimit) {
         this.corners = corners;
         this.depthLimit = depthLimit;
+        this.costs = costs;
+        this.splitFinder = new SahSplitFinder(costs);
         this.clipper = new TriangleClipper(corners);
     }
 
@@ -106,7 +110,7 @@ final class TreeGrower {
         }
         return splitFinder
                 .find(cell.content().boxes, cell.count(), cell.voxel())
-                .filter(split -> split.cost() <= SahCost.leaf(cell.count()))
+                .filter(split -> split.cost() <= costs.leaf(cell.count()))
                 .map(split -> cell.split(split, clipper));
     }
 
@@ -120,8 +124,8 @@ final class TreeGrower {
         } else {
             Subtree[] parts = {new Subtree(), new Subtree()};
             Workers.both(
-                    () -> growth.append(new TreeGrower(corners, depthLimit), parts[0], halves.left()),
-                    () -> growth.append(new TreeGrower(corners, depthLimit), parts[1], halves.right()));
+                    () -> growth.append(new TreeGrower(corners, costs, depthLimit), parts[0], halves.left()),
+                    () -> growth.append(new TreeGrower(corners, costs, depthLimit), parts[1], halves.right()));
             tree.append(parts[0]);
             tree.closeInterior(parent, halves.split());
             tree.append(parts[1]);

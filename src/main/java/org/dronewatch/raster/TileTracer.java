@@ -26,6 +26,7 @@ public final class TileTracer {
 
     private final KDTree tree;
     private final RayTracer single;
+    private final boolean singlyOnly;
     private final PixelGrid grid = new PixelGrid();
     private final TileBuffer pixels = new TileBuffer(grid, WIDTH, HEIGHT);
     private RasterMode mode;
@@ -47,14 +48,28 @@ public final class TileTracer {
     }
 
     /**
+     * A tracer that traces each pixel's ray by itself, for the use of one thread.
+     *
+     * @param single traces rays in the tree
+     */
+    public static TileTracer singly(KDTree tree, RayTracer single) {
+        return new TileTracer(tree, single, true, RasterMode.of(tree.mesh().triangleCount()), RasterWarmup.OF_PROCESS);
+    }
+
+    /**
      * A tracer in a mode that need not suit the tree.
      *
      * @param warmup counts pixels of many triangles; once it is over, vectors take over
      */
     TileTracer(KDTree tree, RasterMode mode, RasterWarmup warmup) {
+        this(tree, new StackTraversal(tree), false, mode, warmup);
+    }
+
+    private TileTracer(KDTree tree, RayTracer single, boolean singlyOnly, RasterMode mode, RasterWarmup warmup) {
         this.tree = tree;
         this.warmup = warmup;
-        this.single = new StackTraversal(tree);
+        this.single = single;
+        this.singlyOnly = singlyOnly;
         use(mode);
     }
 
@@ -92,6 +107,10 @@ public final class TileTracer {
      * @param rows 1 to {@link #HEIGHT}
      */
     public void trace(int firstColumn, int firstRow, int columns, int rows) {
+        if (singlyOnly) {
+            traceSingly(firstColumn, firstRow, columns, rows);
+            return;
+        }
         pixels.begin(firstColumn, firstRow, columns, rows);
         if (mode == RasterMode.MANY && warmup.add((long) columns * rows) && VectorInstructions.areAvailable()) {
             use(RasterMode.MANY_BY_VECTORS);

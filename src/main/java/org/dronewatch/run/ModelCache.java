@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.dronewatch.bvh.TracingIndex;
+import org.dronewatch.bvh.TracingSettings;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.LoadedModel;
 import org.dronewatch.mesh.io.ModelLoader;
@@ -30,11 +31,14 @@ public final class ModelCache {
     private final ModelLoader loader;
     private final Consumer<String> notes;
     private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
-    private final Map<List<ModelSettings>, TracingIndex> indexes = new HashMap<>();
+    private final Map<Site, TracingIndex> indexes = new HashMap<>();
     private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
     private final Set<String> noted = new HashSet<>();
     private double loadSeconds;
     private double buildSeconds;
+
+    /** What an index depends on. */
+    private record Site(List<ModelSettings> models, TracingSettings tracing) {}
 
     /**
      * An empty cache.
@@ -53,8 +57,8 @@ public final class ModelCache {
     }
 
     /** The ray-tracing index over some models, merged into one mesh. */
-    synchronized TracingIndex index(List<ModelSettings> settings) {
-        return indexes.computeIfAbsent(settings, this::build);
+    synchronized TracingIndex index(List<ModelSettings> settings, TracingSettings tracing) {
+        return indexes.computeIfAbsent(new Site(settings, tracing), this::build);
     }
 
     /** The colours of some models' materials, by name: red, green and blue in the lowest 24 bits. */
@@ -82,13 +86,13 @@ public final class ModelCache {
         return new LinkedHashMap<>(files);
     }
 
-    private TracingIndex build(List<ModelSettings> settings) {
+    private TracingIndex build(Site site) {
         List<TriangleMesh> meshes = new ArrayList<>();
-        for (ModelSettings model : settings) {
+        for (ModelSettings model : site.models()) {
             meshes.add(models.computeIfAbsent(model, this::load).mesh());
         }
         long start = System.nanoTime();
-        TracingIndex index = TracingIndex.of(World.merge(meshes));
+        TracingIndex index = TracingIndex.of(World.merge(meshes), site.tracing());
         buildSeconds += NANO * (System.nanoTime() - start);
         return index;
     }

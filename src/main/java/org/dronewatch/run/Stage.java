@@ -46,7 +46,8 @@ public final class Stage {
     public Stage(SceneSettings settings, ModelCache models, long runSeed) {
         PictureMemory.check(settings, Runtime.getRuntime().maxMemory());
         WorldSettings site = settings.world();
-        this.world = new World(models.index(site.models()), site.noise(), site.surfaces(), site.atmosphere())
+        this.world = new World(
+                        models.index(site.models(), site.tracing()), site.noise(), site.surfaces(), site.atmosphere())
                 .withRain(site.rain())
                 .withLight(site.light())
                 .withModels(models.firstTriangles(site.models()));
@@ -55,8 +56,10 @@ public final class Stage {
         this.runSeed = runSeed;
         FlightPaths paths = new FlightPaths(world.newGround());
         settings.fliers().forEach((id, drone) -> {
-            Drone created =
-                    new Drone(id, drone, models.index(List.of(drone.model())).tree());
+            Drone created = new Drone(
+                    id,
+                    drone,
+                    models.index(List.of(drone.model()), site.tracing()).tree());
             fliers.add(new Flier(created, paths.of(id, drone)));
         });
         this.sensors = settings.enabledSensors();

@@ -7,6 +7,7 @@ import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import org.dronewatch.bvh.RayTraversal;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Floats;
@@ -17,6 +18,7 @@ import org.dronewatch.geometry.Ray;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.raster.TileTracer;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.Atmosphere;
@@ -233,6 +235,17 @@ public final class World {
      */
     public RayTracer newIncoherentRayTracer() {
         return index.newIncoherentRayTracer();
+    }
+
+    /**
+     * A tracer of pictures, for the use of one thread.
+     *
+     * @param tree the world's, or a drone's
+     */
+    public TileTracer newTileTracer(KDTree tree) {
+        return index.traversal() == RayTraversal.FASTEST
+                ? new TileTracer(tree)
+                : TileTracer.singly(tree, index.newRayTracer(tree));
     }
 
     /** The world's tree. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.bvh.TracingSettings;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.setting.Defaults;
@@ -27,6 +28,7 @@ import org.dronewatch.sound.BandLevels;
  * @param light visibility and daylight
  * @param origin geographic position of the scene's origin (WGS 84); omit it if unknown; if given, a run writes maps and records it in the
  *     summary
+ * @param tracing how rays are traced; it changes speed, not results
  */
 public record WorldSettings(
         List<ModelSettings> models,
@@ -36,7 +38,8 @@ public record WorldSettings(
         Atmosphere atmosphere,
         @In(value = Quantity.PRECIPITATION, from = 0, to = 500) double rain,
         Light light,
-        Optional<Origin> origin) {
+        Optional<Origin> origin,
+        TracingSettings tracing) {
     /** Background of a quiet rural site, dB re 20 uPa. */
     public static final double QUIET = 30.0;
 
@@ -47,7 +50,16 @@ public record WorldSettings(
      */
     public WorldSettings {
         Limits.check(
-                WorldSettings.class, models, backgroundNoise, noiseShape, surfaces, atmosphere, rain, light, origin);
+                WorldSettings.class,
+                models,
+                backgroundNoise,
+                noiseShape,
+                surfaces,
+                atmosphere,
+                rain,
+                light,
+                origin,
+                tracing);
         models = List.copyOf(models);
         if (models.isEmpty()) {
             throw new IllegalArgumentException("models is empty: a world needs at least one");
@@ -70,7 +82,8 @@ public record WorldSettings(
                 Atmosphere.STANDARD,
                 0.0,
                 Light.DAY,
-                Optional.empty());
+                Optional.empty(),
+                TracingSettings.DEFAULT);
     }
 
     /** These settings with one more model: a house on the hill. */
@@ -108,6 +121,11 @@ public record WorldSettings(
     /** These settings with this geographic origin. */
     public WorldSettings withOrigin(Origin other) {
         return SettingsForm.with(this, "origin", Optional.of(other));
+    }
+
+    /** These settings with rays traced otherwise. */
+    public WorldSettings withTracing(TracingSettings other) {
+        return SettingsForm.with(this, "tracing", other);
     }
 
     /** These settings with rain, mm/h. */

@@ -11,7 +11,7 @@ class CheapestSplitTest {
     private static final int LOWER = KDNode.floorKey(-0.5);
     private static final int UPPER = KDNode.floorKey(0.5);
 
-    private final CheapestSplit best = new CheapestSplit();
+    private final CheapestSplit best = new CheapestSplit(SahCost.DEFAULT);
 
     private void begin() {
         assertThat(best.begin(new int[] {LOW, LOW, LOW, HIGH, HIGH, HIGH})).isTrue();

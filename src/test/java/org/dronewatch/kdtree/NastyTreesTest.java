@@ -47,7 +47,7 @@ class NastyTreesTest {
     @ValueSource(ints = {1, 2, 3, 5})
     void treesOfAnyLimitAreSoundAndWithinIt(int limit) {
         NastyMeshes.all(200, 92).forEach((name, mesh) -> {
-            KDTree tree = new KDTreeBuilder(mesh, limit).build();
+            KDTree tree = new KDTreeBuilder(mesh, SahCost.DEFAULT, limit).build();
             assertThat(tree.leafTriangles().length).as(name).isLessThanOrEqualTo(limit * mesh.triangleCount());
             TreeValidator.validate(name + ", limit " + limit, tree);
         });
@@ -68,7 +68,7 @@ class NastyTreesTest {
     @ValueSource(strings = {"hill.obj", "house.obj", "quadrotor.obj", "cathedral.obj"})
     void treesOfModelsAreThoseWithoutALimit(String model) {
         TriangleMesh mesh = Meshes.model(model);
-        assertSame(KDTree.of(mesh), new KDTreeBuilder(mesh, NO_LIMIT).build());
+        assertSame(KDTree.of(mesh), new KDTreeBuilder(mesh, SahCost.DEFAULT, NO_LIMIT).build());
     }
 
     @Test
@@ -99,7 +99,7 @@ class NastyTreesTest {
         TriangleMesh ball = Meshes.icosphere(3);
         TriangleMesh mesh = besideAFan(ball, 1000);
         KDTree limited = KDTree.of(mesh);
-        KDTree unlimited = new KDTreeBuilder(mesh, NO_LIMIT).build();
+        KDTree unlimited = new KDTreeBuilder(mesh, SahCost.DEFAULT, NO_LIMIT).build();
 
         assertThat(limited.leafTriangles().length).isLessThan(unlimited.leafTriangles().length);
         assertThat(references(limited, ball.triangleCount()))

@@ -108,7 +108,7 @@ class SahTest {
             int[] boxes = randomBoxes(count, reach, random);
             int[] voxel = voxel(reach, reach, reach);
 
-            Optional<Split> split = new SahSplitFinder().find(boxes, count, voxel);
+            Optional<Split> split = new SahSplitFinder(SahCost.DEFAULT).find(boxes, count, voxel);
 
             double least = leastCost(boxes, voxel);
             String what = "round " + round + " of seed 80";
@@ -128,7 +128,7 @@ class SahTest {
             int count = 1 + random.nextInt(12);
             int[] boxes = randomBoxes(count, 20, random);
             int[] voxel = voxel(20, 20, 20);
-            double best = new SahSplitFinder()
+            double best = new SahSplitFinder(SahCost.DEFAULT)
                     .find(boxes, count, voxel)
                     .map(Split::cost)
                     .orElse(Double.MAX_VALUE);
@@ -155,7 +155,9 @@ class SahTest {
             }
             int[] voxel = voxel(reach, reach, reach);
 
-            Split split = new SahSplitFinder().find(boxes, count, voxel).orElseThrow();
+            Split split = new SahSplitFinder(SahCost.DEFAULT)
+                    .find(boxes, count, voxel)
+                    .orElseThrow();
 
             double own = cost(split.axis(), split.key(), boxes, voxel);
             String what = "round " + round + " of seed 85";
@@ -175,7 +177,9 @@ class SahTest {
     void emptySpaceIsCutOffAtADiscount() {
         int[] box = {ORIGIN + 48, ORIGIN, ORIGIN, ORIGIN + 64, ORIGIN + 64, ORIGIN + 64};
 
-        Split split = new SahSplitFinder().find(box, 1, voxel(64, 64, 64)).orElseThrow();
+        Split split = new SahSplitFinder(SahCost.DEFAULT)
+                .find(box, 1, voxel(64, 64, 64))
+                .orElseThrow();
 
         // A quarter of a cube has half of its surface.
         assertThat(split.axis()).isZero();
@@ -188,7 +192,9 @@ class SahTest {
         for (int plane : new int[] {16, 48}) {
             int[] flat = {ORIGIN + plane, ORIGIN, ORIGIN, ORIGIN + plane, ORIGIN + 64, ORIGIN + 64};
 
-            Split split = new SahSplitFinder().find(flat, 1, voxel(64, 64, 64)).orElseThrow();
+            Split split = new SahSplitFinder(SahCost.DEFAULT)
+                    .find(flat, 1, voxel(64, 64, 64))
+                    .orElseThrow();
 
             assertThat(split.planarLeft()).isEqualTo(plane == 16);
             assertThat(split.isLeft(ORIGIN + plane, ORIGIN + plane)).isEqualTo(plane == 16);
@@ -205,8 +211,9 @@ class SahTest {
             int[] twenty = new int[120];
             Arrays.setAll(twenty, i -> flat[i % 6]);
 
-            Split split =
-                    new SahSplitFinder().find(twenty, 20, voxel(64, 64, 64)).orElseThrow();
+            Split split = new SahSplitFinder(SahCost.DEFAULT)
+                    .find(twenty, 20, voxel(64, 64, 64))
+                    .orElseThrow();
 
             assertThat(split.axis()).isEqualTo(1);
             assertThat(split.key()).isEqualTo(plane == 0 ? ORIGIN + 1 : ORIGIN + 63);
@@ -231,8 +238,9 @@ class SahTest {
         int[] across = {ORIGIN, ORIGIN, ORIGIN, ORIGIN + 4, ORIGIN, ORIGIN};
         int[] half = {ORIGIN, ORIGIN, ORIGIN, ORIGIN + 2, ORIGIN, ORIGIN};
 
-        assertThat(new SahSplitFinder().find(half, 1, across)).isEmpty();
-        assertThat(new SahSplitFinder().find(voxel(1, 1, 1), 1, voxel(1, 1, 1))).isEmpty();
+        assertThat(new SahSplitFinder(SahCost.DEFAULT).find(half, 1, across)).isEmpty();
+        assertThat(new SahSplitFinder(SahCost.DEFAULT).find(voxel(1, 1, 1), 1, voxel(1, 1, 1)))
+                .isEmpty();
     }
 
     @Test

@@ -86,11 +86,11 @@ final class TreeValidator {
         long node = tree.nodes()[index];
         double share = rootSurface > 0.0 ? halfSurface(box) / rootSurface : 1.0;
         if (KDNode.kind(node) == KDNode.LEAF) {
-            cost += share * SahCost.INTERSECTION * KDNode.count(node);
+            cost += share * tree.costs().intersection() * KDNode.count(node);
             visitLeaf(node, box, candidates);
             return;
         }
-        cost += share * SahCost.TRAVERSAL;
+        cost += share * tree.costs().traversal();
         int axis = KDNode.kind(node);
         double split = KDNode.split(node);
         assertThat(split)

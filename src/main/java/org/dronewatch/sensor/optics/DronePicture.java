@@ -3,6 +3,7 @@ package org.dronewatch.sensor.optics;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.raster.TileTracer;
 import org.dronewatch.world.World;
 
 /**
@@ -32,9 +33,7 @@ public final class DronePicture {
     public void draw(World world, List<Drone> drones) {
         if (staticView == null || !staticView.shows(world)) {
             staticView = new StaticView(camera, world);
-        }
-        if (dynamicView == null) {
-            dynamicView = new DynamicView(camera);
+            dynamicView = new DynamicView(camera, world::newTileTracer);
         }
         dynamicView.draw(staticView, drones);
     }
@@ -47,7 +46,7 @@ public final class DronePicture {
     /** How many pixels would show a drone if it were alone and nothing obstructed it; keeps what was drawn. */
     public int pixelsInTheOpen(Drone drone) {
         if (openView == null) {
-            openView = new DynamicView(camera);
+            openView = new DynamicView(camera, TileTracer::new);
         }
         openView.draw(Background.NOTHING, List.of(drone));
         return openView.pixels(0);

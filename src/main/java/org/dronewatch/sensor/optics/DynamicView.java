@@ -3,6 +3,7 @@ package org.dronewatch.sensor.optics;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.kdtree.KDTree;
@@ -26,6 +27,7 @@ final class DynamicView {
     private final Matrix4d toModel = new Matrix4d();
     private final ModelGrid grid;
 
+    private final Function<KDTree, TileTracer> tracers;
     private final Map<KDTree, TileTracer> traversals = new IdentityHashMap<>();
 
     /** One for each drone of the last frame, in its order. */
@@ -38,8 +40,14 @@ final class DynamicView {
 
     private int rivalCount;
 
-    DynamicView(CameraObject camera) {
+    /**
+     * A view.
+     *
+     * @param tracers make what traces a drone's tree
+     */
+    DynamicView(CameraObject camera, Function<KDTree, TileTracer> tracers) {
         this.camera = camera;
+        this.tracers = tracers;
         this.significantPixels = new SignificantPixels(camera);
         this.grid = new ModelGrid(camera);
     }
@@ -72,7 +80,7 @@ final class DynamicView {
 
     private void draw(Background background, Drone drone, int number) {
         PixelRectangle rectangle = silhouettes[number].rectangle();
-        TileTracer traversal = traversals.computeIfAbsent(drone.tree(), TileTracer::new);
+        TileTracer traversal = traversals.computeIfAbsent(drone.tree(), tracers);
         drone.worldToModel(toModel);
         grid.setPicture(traversal, toModel);
         boolean coarse = drone.tree().mesh().triangleCount() < TRIANGLES_PER_PIXEL * rectangle.pixels();

@@ -33,7 +33,7 @@ final class StaticView implements Background {
     }
 
     private TileTracer newTraversal() {
-        TileTracer created = new TileTracer(world.tree());
+        TileTracer created = world.newTileTracer(world.tree());
         Position from = camera.position();
         double[][] grid = camera.grid();
         created.setPicture(new double[] {from.x(), from.y(), from.z()}, grid[0], grid[1], grid[2]);

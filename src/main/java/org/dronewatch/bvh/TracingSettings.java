@@ -1,0 +1,38 @@
+package org.dronewatch.bvh;
+
+import org.dronewatch.kdtree.SahCost;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * How the trees of models are built and rays go through them. This changes speed, not results.
+ *
+ * @param traversal {@code fastest}, or {@code stack} or {@code sequential} for one ray at a time, also in pictures and for sound
+ * @param costs what the surface area heuristic assumes that a step and a triangle test cost
+ */
+public record TracingSettings(RayTraversal traversal, SahCost costs) {
+    /** The fastest traversal, of trees built by the library's costs. */
+    public static final TracingSettings DEFAULT = new TracingSettings(RayTraversal.FASTEST, SahCost.DEFAULT);
+
+    /** Checks that both are there. */
+    public TracingSettings {
+        Limits.check(TracingSettings.class, traversal, costs);
+    }
+
+    /** The default settings. */
+    @Defaults
+    public static TracingSettings standard() {
+        return DEFAULT;
+    }
+
+    /** These settings with another traversal. */
+    public TracingSettings withTraversal(RayTraversal other) {
+        return SettingsForm.with(this, "traversal", other);
+    }
+
+    /** These settings with other costs. */
+    public TracingSettings withCosts(SahCost other) {
+        return SettingsForm.with(this, "costs", other);
+    }
+}

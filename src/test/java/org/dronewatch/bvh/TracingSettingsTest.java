@@ -1,0 +1,105 @@
+package org.dronewatch.bvh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.dronewatch.app.Main;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.KDTreeStats;
+import org.dronewatch.kdtree.SahCost;
+import org.dronewatch.kdtree.SequentialTraversal;
+import org.dronewatch.kdtree.StackTraversal;
+import org.dronewatch.mesh.io.ModelLoader;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** How rays are traced changes no result. */
+class TracingSettingsTest {
+    /** Cameras of the scene with the house on the hill, and a microphone whose rays are many; three seconds of each. */
+    private static final List<String> SCENES = List.of("multi-sensor", "closed-space");
+
+    @TempDir
+    private Path directory;
+
+    private Map<String, String> results(String... settings) throws IOException {
+        Map<String, String> results = new TreeMap<>();
+        for (String scene : SCENES) {
+            Path out = directory.resolve(scene + String.join("", settings).hashCode());
+            List<String> words = new ArrayList<>(
+                    List.of("run", scene, "--observations", "--out", out.toString(), "--set", "run.duration=3 s"));
+            for (String setting : settings) {
+                words.addAll(List.of("--set", setting));
+            }
+            StringWriter said = new StringWriter();
+            PrintWriter writer = new PrintWriter(said);
+            assertThat(Main.execute(writer, writer, words.toArray(String[]::new)))
+                    .as("%s", said)
+                    .isZero();
+            results.put(scene, Files.readString(out.resolve("observations.csv")));
+        }
+        return results;
+    }
+
+    @Test
+    void everyTraversalAndTreeHasTheSameObservations() throws IOException {
+        Map<String, String> fastest = results();
+
+        assertThat(results("world.tracing.traversal=stack")).isEqualTo(fastest);
+        assertThat(results("world.tracing.traversal=sequential")).isEqualTo(fastest);
+        assertThat(results("world.tracing.costs.traversal=20", "world.tracing.costs.intersection=1"))
+                .isEqualTo(fastest);
+    }
+
+    @Test
+    void theCostsShapeTheTree() {
+        TriangleMesh mesh = new ModelLoader(Path.of(""))
+                .loadAsWritten("packaged:quadrotor.obj")
+                .mesh();
+        KDTreeStats byDefault = KDTreeStats.of(KDTree.of(mesh));
+        KDTreeStats dearSteps = KDTreeStats.of(KDTree.of(mesh, new SahCost(40.0, 1.5)));
+        KDTreeStats sameRatio = KDTreeStats.of(KDTree.of(mesh, new SahCost(8.0, 3.0)));
+
+        assertThat(dearSteps.leaves()).isLessThan(byDefault.leaves() / 2);
+        assertThat(dearSteps.meanLeafSize()).isGreaterThan(2.0 * byDefault.meanLeafSize());
+        assertThat(sameRatio.leaves()).isEqualTo(byDefault.leaves());
+        assertThat(sameRatio.sahCost()).isEqualTo(2.0 * byDefault.sahCost());
+    }
+
+    @Test
+    void theTraversalIsTheOneThatWasSet() {
+        TriangleMesh mesh = new ModelLoader(Path.of(""))
+                .loadAsWritten("packaged:quadrotor.obj")
+                .mesh();
+        TracingSettings settings = TracingSettings.DEFAULT;
+        TracingIndex stack = TracingIndex.of(mesh, settings.withTraversal(RayTraversal.STACK));
+        TracingIndex sequential = TracingIndex.of(mesh, settings.withTraversal(RayTraversal.SEQUENTIAL));
+
+        assertThat(stack.newRayTracer()).isInstanceOf(StackTraversal.class);
+        assertThat(stack.newIncoherentRayTracer()).isInstanceOf(StackTraversal.class);
+        assertThat(sequential.newRayTracer()).isInstanceOf(SequentialTraversal.class);
+        assertThat(sequential.newIncoherentRayTracer()).isInstanceOf(SequentialTraversal.class);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.0, -1.0, 1001.0, Double.NaN})
+    void aCostBeyondItsLimitsIsRefused(double cost) {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new SahCost(cost, 1.0))
+                .withMessageContaining("traversal");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new SahCost(1.0, cost))
+                .withMessageContaining("intersection");
+    }
+}
