@@ -31,9 +31,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "coverage",
         mixinStandardHelpOptions = true,
-        description =
-                "Draws a plan of where each sensor detects a drone at one height above the ground, and prints why it"
-                        + " does not elsewhere.",
+        description = "Draws a plan of where each sensor detects a drone at one height above the ground, and prints the"
+                + " reasons for misses elsewhere.",
         footer = {"", "Example:", "  dronewatch coverage multi-sensor --height 10m --side 400m --out plan.png"})
 final class CoverageCommand implements Callable<Integer> {
     @Mixin
@@ -117,7 +116,7 @@ final class CoverageCommand implements Callable<Integer> {
 
     private String drone(SceneSettings settings) {
         if (settings.fliers().isEmpty()) {
-            throw new InputException("the scene has no drone to put at the points");
+            throw new InputException("the scene has no drone to place on the plan");
         }
         String id = drone == null ? settings.fliers().keySet().iterator().next() : drone;
         if (!settings.fliers().containsKey(id)) {

@@ -51,7 +51,7 @@ final class Interruption implements AutoCloseable {
         interruptCommand();
         try {
             if (!ended.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-                System.err.println("stopped after waiting " + PATIENCE_SECONDS + " s for an orderly end");
+                System.err.println("stopped after waiting " + PATIENCE_SECONDS + " s for an orderly shutdown");
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

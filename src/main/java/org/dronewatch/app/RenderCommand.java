@@ -71,7 +71,7 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--seed",
             paramLabel = "N",
-            description = "Seed of all random numbers: where a positioner points may depend on it.")
+            description = "Seed of all random numbers, on which the pointing of a positioner may depend.")
     private Long seed;
 
     @Option(names = "--out", required = true, paramLabel = "FILE", description = "File to write: .png, .pfm or .mp4.")

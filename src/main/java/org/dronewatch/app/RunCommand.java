@@ -195,16 +195,17 @@ final class RunCommand implements Callable<Integer> {
     }
 
     private static void print(SceneResult result, PrintWriter target) {
+        String heading = result.runs().get(0).settings().sweep().isPresent() ? "swept value" : "";
         int width = result.pairs().stream()
-                .mapToInt(pair -> with(result, pair).length())
-                .reduce("with".length(), Math::max);
+                .mapToInt(pair -> sweptValue(result, pair).length())
+                .reduce(Math.max(1, heading.length()), Math::max);
         String row = "%-4s %-" + width + "s %-16s %-16s %14s %10s%n";
-        target.printf(row, "run", "with", "sensor", "drone", "first seen [s]", "range [m]");
+        target.printf(row, "run", heading, "sensor", "drone", "first seen [s]", "range [m]");
         for (PairResult pair : result.pairs()) {
             target.printf(
                     row,
                     pair.run(),
-                    with(result, pair),
+                    sweptValue(result, pair),
                     pair.sensor(),
                     pair.drone(),
                     text(pair.firstDetected()),
@@ -213,7 +214,7 @@ final class RunCommand implements Callable<Integer> {
     }
 
     /** The swept setting with its value in the pair's run; empty where nothing is swept. */
-    private static String with(SceneResult result, PairResult pair) {
+    private static String sweptValue(SceneResult result, PairResult pair) {
         SceneSettings settings = result.runs().get(pair.run()).settings();
         return settings.sweep()
                 .map(sweep -> new SweptValue(settings, sweep).text())
@@ -227,7 +228,7 @@ final class RunCommand implements Callable<Integer> {
         }
         target.printf(
                 "%n%-4s %-16s %10s %12s %14s %8s  %s%n",
-                "run", "drone", "alert [s]", "to zone [m]", "warning [s]", "in time", "by");
+                "run", "drone", "alert [s]", "to zone [m]", "warning [s]", "in time", "raised by");
         for (AlertResult alert : result.alerts()) {
             target.printf(
                     "%-4d %-16s %10s %12s %14s %8s  %s%n",

@@ -69,7 +69,7 @@ final class SiteView {
     @Option(
             names = "--rays",
             description =
-                    "In a picture of the site, draws the rays that a microphone traces: that of --focus, or the first.")
+                    "In a picture of the site, draws the rays traced by the microphone of --focus, or by the first one.")
     private boolean rays;
 
     @Option(names = "--max-order", paramLabel = "N", description = "Draws only rays that have hit at most N surfaces.")

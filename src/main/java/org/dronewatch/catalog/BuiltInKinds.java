@@ -33,10 +33,10 @@ public final class BuiltInKinds implements KindGroup {
 
     private static List<Kind<?>> sensors() {
         return List.of(
-                sensor("camera", CameraSettings.class, "sees drones in daylight, by their pixels"),
-                sensor("acoustic", AcousticSettings.class, "hears drones: a microphone or an array of them"),
-                sensor("radar", RadarSettings.class, "detects the echo of drones"),
-                sensor("rf", RfSettings.class, "receives the radio link of drones"),
+                sensor("camera", CameraSettings.class, "sees drones in daylight, by the pixels that they cover"),
+                sensor("acoustic", AcousticSettings.class, "hears drones: a microphone or an array of microphones"),
+                sensor("radar", RadarSettings.class, "detects the radar echoes of drones"),
+                sensor("rf", RfSettings.class, "receives the radio signals of drones and their pilots"),
                 sensor("thermal", ThermalSettings.class, "sees the heat of drones, by day and night"));
     }
 

@@ -36,7 +36,8 @@ public record TerrainFollowing(
         Limits.check(TerrainFollowing.class, points, height, maxFlightPathAngle);
         points = List.copyOf(points);
         if (points.size() < 2) {
-            throw new IllegalArgumentException("points has " + points.size() + " points, needs 2 or more");
+            throw new IllegalArgumentException(
+                    "points has " + points.size() + (points.size() == 1 ? " point" : " points") + ", needs 2 or more");
         }
         double length = 0.0;
         for (int i = 1; i < points.size(); i++) {

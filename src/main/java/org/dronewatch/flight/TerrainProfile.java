@@ -42,7 +42,7 @@ final class TerrainProfile {
         }
         if (before < 0) {
             throw new IllegalArgumentException("there is no ground anywhere below the path of "
-                    + (float) track.along(heights.length - 1) + " m, needs some to follow");
+                    + (float) track.along(heights.length - 1) + " m for the drone to follow");
         }
         fill(heights, track, before, heights.length);
         return heights;

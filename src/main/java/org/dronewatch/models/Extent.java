@@ -13,7 +13,7 @@ public record Extent(Point min, Point max) {
     /** Smallest box around some points. */
     public static Extent of(List<Point> points) {
         if (points.isEmpty()) {
-            throw new IllegalArgumentException("no points, no extent");
+            throw new IllegalArgumentException("an extent needs at least one point");
         }
         double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
         double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};

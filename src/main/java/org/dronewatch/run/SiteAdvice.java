@@ -39,7 +39,7 @@ record SiteAdvice(SceneSettings settings, World world) {
         if (!leftOver.isEmpty()
                 && settings.enabledSensors().values().stream()
                         .anyMatch(sensor -> sensor.as(SoundTracing.class).isPresent())) {
-            target.accept("no acoustic surface is named for " + String.join(", ", leftOver) + ": taken as '"
+            target.accept("no acoustic surface is assigned to " + String.join(", ", leftOver) + ": treated as '"
                     + surfaces.defaultSurface() + "'");
         }
     }

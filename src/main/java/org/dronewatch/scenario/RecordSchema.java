@@ -38,7 +38,7 @@ final class RecordSchema {
         kind.ifPresent(name -> properties.putObject("kind").put("const", name));
         kinds.named(form.type()).ifPresent(named -> {
             ObjectNode use = ValueSchema.names(named.names());
-            use.put("description", "settings of the catalogue to begin with");
+            use.put("description", "catalogue entry that gives the settings not stated here");
             properties.set("use", use);
         });
         Optional<Record> sample = Samples.of(form.type());

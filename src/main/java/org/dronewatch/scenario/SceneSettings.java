@@ -112,17 +112,18 @@ public record SceneSettings(
     }
 
     private static void checkCue(String id, String cue, Map<String, SensorSettings<?>> sensors) {
-        String listens = "sensors." + id + ".positioner.cues: sensor '" + id + "' is cued by '" + cue + "'";
+        String cued = "sensors." + id + ".positioner.cues: sensor '" + id + "' is cued by ";
         if (cue.equals(id)) {
-            throw new IllegalArgumentException(listens + ", which is itself: it follows what it detects anyway");
+            throw new IllegalArgumentException(cued + "itself: it follows what it detects anyway");
         }
+        String listens = cued + "'" + cue + "'";
         if (!sensors.containsKey(cue)) {
             throw new IllegalArgumentException(
                     listens + ": there is no such sensor; " + Spelling.nearestAre(cue, sensors.keySet()));
         }
         if (sensors.get(cue).as(DirectionFinding.class).isEmpty()) {
             throw new IllegalArgumentException(
-                    listens + ", of kind " + sensors.get(cue).kind() + ": that does not measure where a drone is");
+                    listens + ", of kind " + sensors.get(cue).kind() + ", which does not measure where a drone is");
         }
     }
 

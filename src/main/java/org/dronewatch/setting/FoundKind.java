@@ -38,7 +38,7 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
         }
         SettingsForm form = SettingsForm.of(settings);
         if (!form.names().containsAll(form.required())) {
-            throw new InputException(place + "its @Defaults take " + String.join(", ", form.required())
+            throw new InputException(place + "its @Defaults name " + String.join(", ", form.required())
                     + ", but its settings are " + String.join(", ", form.names()));
         }
         if (kind.summary() == null || kind.summary().isBlank() || kind.summary().contains("\n")) {

@@ -137,7 +137,7 @@ public final class SettingText {
         SettingsForm form = SettingsForm.of(chosen);
         if (!form.isCompleteByDefault()) {
             throw new IllegalArgumentException("'" + text.strip() + "' needs " + String.join(", ", form.required())
-                    + ", which a scene file gives; the kinds are " + kinds.keySet());
+                    + ", which only a scene file can give; the kinds are " + kinds.keySet());
         }
         return form.create(Map.of());
     }

@@ -60,7 +60,7 @@ class ForeignProjectTest {
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.out().lines())
                 .contains(
-                        "sensor              camera              sees drones in daylight, by their pixels; built in",
+                        "sensor              camera              sees drones in daylight, by the pixels that they cover; built in",
                         "sensor              spotter             someone with binoculars; " + jar,
                         "flight path         zigzag              southward, swaying; " + jar,
                         "propagation         spherical           spreading alone; " + jar,
@@ -251,7 +251,7 @@ class ForeignProjectTest {
         assertThat(outcome.code()).isEqualTo(2);
         assertThat(outcome.complaints())
                 .containsExactly(
-                        "kind 'odd' from " + odd + ": its @Defaults take swya, but its settings are sway, turns");
+                        "kind 'odd' from " + odd + ": its @Defaults name swya, but its settings are sway, turns");
     }
 
     @Test

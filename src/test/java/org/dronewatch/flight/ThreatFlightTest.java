@@ -176,7 +176,7 @@ class ThreatFlightTest {
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> fly(north(200, 10, "45 deg"), Ground.NONE))
-                .withMessage("there is no ground anywhere below the path of 200.0 m, needs some to follow");
+                .withMessage("there is no ground anywhere below the path of 200.0 m for the drone to follow");
     }
 
     @Test
@@ -250,7 +250,7 @@ class ThreatFlightTest {
                 .withMessage("points: path of 60000.0 m must be at most 50000.0 m long");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> TerrainFollowing.over(List.of(here), 10))
-                .withMessage("points has 1 points, needs 2 or more");
+                .withMessage("points has 1 point, needs 2 or more");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> TerrainFollowing.over(List.of(here, here), 10))
                 .withMessageContaining("points: distance to point 1 0 m must be");

@@ -163,11 +163,11 @@ class CuedCameraTest {
                 .hasMessageContaining("sensor 'cued' is cued by 'rdar': there is no such sensor; nearest are radar");
         assertThatThrownBy(() ->
                         runner().set("sensors.cued.positioner.cues", "cued").settings())
-                .hasMessageContaining("which is itself");
+                .hasMessageContaining("is cued by itself");
         assertThatThrownBy(() -> runner().set("sensors.fixed", "droneshield-rfone")
                         .set("sensors.cued.positioner.cues", "fixed")
                         .settings())
-                .hasMessageContaining("is cued by 'fixed', of kind rf: that does not measure where a drone is");
+                .hasMessageContaining("is cued by 'fixed', of kind rf, which does not measure where a drone is");
         assertThatThrownBy(() -> runner().set("sensors.cued.positioner.zoom.cued", "90 deg")
                         .settings())
                 .hasMessageContaining("must be at most the camera's own field of view");

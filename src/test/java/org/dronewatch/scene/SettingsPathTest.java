@@ -99,11 +99,12 @@ class SettingsPathTest {
                 .withMessageContaining("level-model, energy-model");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "orbit"))
-                .withMessage("drones.quadrotor.flight=orbit: 'orbit' needs centre, radius, which a scene file gives;"
-                        + " the kinds"
-                        + " are [hover, approach, inbound, waypoints, glide, orbit, terrain-following,"
-                        + " low-approach, dive,"
-                        + " pop-up]");
+                .withMessage(
+                        "drones.quadrotor.flight=orbit: 'orbit' needs centre, radius, which only a scene file can give;"
+                                + " the kinds"
+                                + " are [hover, approach, inbound, waypoints, glide, orbit, terrain-following,"
+                                + " low-approach, dive,"
+                                + " pop-up]");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "obrit"))
                 .withMessageStartingWith("drones.quadrotor.flight=obrit: 'obrit' is not one of [hover, approach, ");

@@ -179,8 +179,8 @@ class SwarmTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> low.stage(low.settings()))
                 .withMessage(
-                        "drone 'low-1': flight: there is no ground anywhere below the path of 600.0 m, needs some to"
-                                + " follow");
+                        "drone 'low-1': flight: there is no ground anywhere below the path of 600.0 m for the drone"
+                                + " to follow");
         assertThat(runner.settings().fliers()).hasSize(3);
     }
 

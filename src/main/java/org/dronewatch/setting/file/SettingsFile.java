@@ -92,7 +92,7 @@ public final class SettingsFile {
                 new SettingsReader(kinds, directory, new FormerNames(), problems).read(settings.getClass(), document);
         problems.throwIfAny();
         if (!read.equals(Optional.of(moved))) {
-            throw new InputException(file + ": what would be written does not read back as it is: "
+            throw new InputException(file + ": what would be written reads back differently: "
                     + difference(moved, (Record) read.orElseThrow()));
         }
         return text;

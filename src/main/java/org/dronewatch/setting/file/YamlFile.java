@@ -99,7 +99,7 @@ final class YamlFile {
             end = end < 0 ? text.length() : end;
             if (end - start > MAX_LINE) {
                 throw new InputException(
-                        name + ":" + number + ": has " + (end - start) + " characters, a line may have " + MAX_LINE);
+                        name + ":" + number + ": has " + (end - start) + " characters; a line may have " + MAX_LINE);
             }
             start = end + 1;
         }
