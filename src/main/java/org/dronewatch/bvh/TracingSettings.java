@@ -6,16 +6,16 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How the trees of models are built and rays go through them. This changes speed, not results.
+ * How the trees of models are built, and how rays traverse them. This changes speed, not results.
  *
- * @param traversal {@code fastest}, or {@code stack} or {@code sequential} for one ray at a time, also in pictures and for sound
- * @param costs what the surface area heuristic assumes that a step and a triangle test cost
+ * @param traversal {@code fastest}; or {@code stack} or {@code sequential}: one ray at a time, for pictures and sound, too
+ * @param costs costs of a traversal step and of a triangle test assumed by the surface area heuristic
  */
 public record TracingSettings(RayTraversal traversal, SahCost costs) {
     /** The fastest traversal, of trees built by the library's costs. */
     public static final TracingSettings DEFAULT = new TracingSettings(RayTraversal.FASTEST, SahCost.DEFAULT);
 
-    /** Checks that both are there. */
+    /** Checks that both are given. */
     public TracingSettings {
         Limits.check(TracingSettings.class, traversal, costs);
     }

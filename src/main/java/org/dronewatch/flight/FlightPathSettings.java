@@ -170,7 +170,7 @@ public interface FlightPathSettings {
      * @param to where the glide ends, below the release, with a glide ratio of at most 30, m
      */
     record Glide(Position from, Position release, Position to) implements FlightPathSettings {
-        /** What the best gliders of a drone's size reach, and more. */
+        /** More than the best gliders of a drone's size reach. */
         private static final double FLATTEST = 30.0;
 
         /** Checks the limits. */

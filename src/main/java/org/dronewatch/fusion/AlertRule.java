@@ -34,7 +34,7 @@ public sealed interface AlertRule {
      * As soon as several sensors detect the drone, each with the confirmation required.
      *
      * @param count number of sensors, 1 to 1000
-     * @param within within what time, 0 to 3600 s
+     * @param within time within which they must detect it, 0 to 3600 s
      */
     record SeveralSensors(
             @In(value = Quantity.NUMBER, from = 1, to = 1000) int count,
@@ -66,7 +66,7 @@ public sealed interface AlertRule {
      * hill or one bank of fog hides the drone from all of them: then the rule is too optimistic. A sensor that decides
      * by a fixed threshold counts as 0 or 1.
      *
-     * @param probability the probability that is enough, above 0 and at most 1
+     * @param probability the combined probability that raises the alert, above 0 and at most 1
      * @param within how long a look counts, 0 to 3600 s
      */
     record UnionOfProbabilities(

@@ -9,8 +9,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.world.Ground;
 
 /**
- * Creates the paths of a scene's drones; a swarm shares its leader's, which may have been costly to lay over the
- * ground.
+ * Creates the paths of a scene's drones; a swarm shares its leader's, which may have been costly to fit to the ground.
  */
 final class FlightPaths {
     private final Ground ground;

@@ -3,7 +3,7 @@ package org.dronewatch.run;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * A run that begins.
+ * A run that is about to begin.
  *
  * @param run its number in the sweep, from 0
  * @param runs how many runs there are

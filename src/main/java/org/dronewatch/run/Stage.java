@@ -132,7 +132,7 @@ public final class Stage {
      * Reports all rays traced from one drone to one sensor in its first look, without early termination.
      *
      * @param time where the drone is, seconds since the start of the run
-     * @return whether there are such a drone and such a sensor, and the sensor traces rays
+     * @return whether both exist, and the sensor traces rays
      */
     public boolean traceRays(double time, String sensor, String drone, RayRecorder target) {
         for (Drone one : dronesAt(time)) {
@@ -157,7 +157,7 @@ public final class Stage {
     }
 
     /**
-     * Has every sensor draw its curves for each drone.
+     * Lets every sensor draw its curves for each drone.
      *
      * @param time where the drones are, seconds since the start of the run
      * @param target receives each sensor's name with a curve

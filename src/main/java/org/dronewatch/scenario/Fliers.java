@@ -14,7 +14,7 @@ final class Fliers {
     private Fliers() {}
 
     /**
-     * All that fly, by id: the drones of swarm {@code x} are {@code x-1}, {@code x-2} and so on.
+     * All drones that fly, by id: the drones of swarm {@code x} are {@code x-1}, {@code x-2} and so on.
      *
      * @throws IllegalArgumentException when two get the same id, or when there are too many
      */

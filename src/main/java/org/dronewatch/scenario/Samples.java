@@ -16,7 +16,7 @@ import org.dronewatch.world.GroundPoint;
 /** Instantiates a settings record with only its required components filled in, to find the defaults of the others. */
 public final class Samples {
     private static final Position SOMEWHERE = new Position(1, 2, 3);
-    /** How deep lists hold something: those of records that hold themselves would never end. */
+    /** How deep nested lists are filled: those of records that contain themselves would never end. */
     private static final int DEEPEST = 8;
 
     private Samples() {}

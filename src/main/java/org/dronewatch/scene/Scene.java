@@ -47,7 +47,7 @@ import org.dronewatch.world.Light;
  * are run by {@link SceneRunner}; under another simulator the scene runs with its settings as they are.
  */
 public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInterface<Double>> {
-    /** The event of one sensor having looked at one drone, with the {@link Observation}. */
+    /** Fired when one sensor has looked at one drone, with the {@link Observation}. */
     public static final EventType OBSERVATION = new EventType(
             "OBSERVATION",
             new MetaData(
@@ -71,7 +71,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         super(simulator);
     }
 
-    /** Describes the scene: calls {@code loadWorld}, {@code add}, {@code runFor}. Called once for each description. */
+    /** Describes the scene: calls {@code loadWorld}, {@code add}, {@code setRun}. Called once for each description. */
     protected abstract void build();
 
     /**
@@ -270,7 +270,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         scheduleNextLook();
     }
 
-    /** A run under a simulator of the user's, which says how long it lasts. All replications have the same settings. */
+    /** A run under the user's own simulator, which determines how long it lasts. All replications have the same settings. */
     private RunSession openSession() {
         if (models == null) {
             models = new ModelCache(directory(), note -> {});

@@ -33,7 +33,7 @@ final class SceneModels {
         return models.loadSeconds() + models.buildSeconds();
     }
 
-    /** Reads the models of a run, so that what is wrong with one names the setting that asks for it. */
+    /** Reads the models of a run, so that an error in one names the setting that refers to it. */
     void load(SceneSettings settings) {
         List<ModelSettings> world = settings.world().models();
         for (int i = 0; i < world.size(); i++) {

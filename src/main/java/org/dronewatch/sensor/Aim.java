@@ -13,7 +13,7 @@ public sealed interface Aim {
     double NEAREST = 0.001;
 
     /**
-     * The vector from a sensor to where it points, of any length but 0.
+     * A vector from a sensor to where it points, of any non-zero length.
      *
      * @param sensor where the sensor is, m
      * @throws IllegalArgumentException when the point at which it aims is less than a millimetre away

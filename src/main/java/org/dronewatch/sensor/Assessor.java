@@ -12,7 +12,7 @@ import org.dronewatch.world.World;
 /**
  * Assesses sensors of every kind. For one that is not an {@link AssessableSensor} it takes one look, and finds the
  * cause of a miss from the sensor's field of view and from what hides the drone: then the probability is that of the
- * look, 0 or 1 where it states none; of a drone that the look leaves out the quantity is 0 and the threshold 1. One thread at a time.
+ * look, 0 or 1 where it states none; for a drone that the look omits the quantity is 0 and the threshold 1. One thread at a time.
  */
 public final class Assessor {
     private final String id;
@@ -46,7 +46,7 @@ public final class Assessor {
         return new Assessment(signal, signal.isDetected() ? Explanation.DETECTED : explainByOutline(drone, pointing));
     }
 
-    /** The observation of a drone, one that detects it first: a look may leave it out, and report false alarms. */
+    /** The observation of a drone, preferably one that detects it: a look may omit it, and report false alarms. */
     private static Optional<Observation> ofDrone(List<Observation> look, Drone drone) {
         return look.stream()
                 .filter(one -> one.drone().equals(drone.id()))

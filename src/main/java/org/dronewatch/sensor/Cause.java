@@ -3,8 +3,7 @@ package org.dronewatch.sensor;
 import org.dronewatch.mesh.io.ModelRole;
 
 /**
- * Why a sensor does not detect a drone. Where several causes hold, the first in this order counts; words for them are made
- * by reports.
+ * Why a sensor does not detect a drone. Where several causes hold, the first in this order counts; reports put them into words.
  */
 public enum Cause {
     /** Nearer than the sensor's minimum range, or beyond its maximum range. */
@@ -33,7 +32,7 @@ public enum Cause {
     /** It is detected: there is nothing to explain. */
     DETECTED;
 
-    /** The cause of a drone that a model of some role hides. */
+    /** The cause for a drone that is hidden by a model of a given role. */
     public static Cause hiddenBy(ModelRole role) {
         return switch (role) {
             case TERRAIN -> HIDDEN_BY_TERRAIN;

@@ -19,7 +19,7 @@ public record Explanation(Cause cause, Optional<Obstacle> obstacle, OptionalDoub
     /**
      * Checks that an obstacle is named where one hides the drone, and only there.
      *
-     * @throws IllegalArgumentException when it is not so
+     * @throws IllegalArgumentException otherwise
      */
     public Explanation {
         if (obstacle.isPresent() != cause.isHidden()) {

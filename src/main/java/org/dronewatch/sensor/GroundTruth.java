@@ -1,7 +1,7 @@
 package org.dronewatch.sensor;
 
 /**
- * The drone that an observation came from: for scoring, and never read by what judges measurements.
+ * The drone that an observation came from: for scoring, and never read by code that evaluates measurements.
  *
  * @param drone name of the drone; empty for a false measurement
  * @param range distance from the sensor to the drone's origin at {@code time}, m; not a number for a false measurement

@@ -19,7 +19,7 @@ public record Look(String sensor, long index, double time, long seed, Optional<P
     /** The purpose of the numbers that decide whether a drone is detected. */
     public static final String DETECTION = "detection";
 
-    /** The purpose of the numbers that make the errors of a measurement. */
+    /** The purpose of the numbers that determine measurement errors. */
     public static final String ERROR = "error";
 
     /** A look along the sensor's own aim. */

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dronewatch.positioner.Sighting;
 
 /**
- * What a sensor reports of one look, without the truth: it does not say which drone was measured, or whether it was a drone at
+ * What a sensor reports from one look, without the truth: it does not say which drone was measured, or whether it was a drone at
  * all.
  *
  * @param look which look of which sensor it was made in
@@ -18,7 +18,7 @@ public record Measurement(LookId look, Reading reading, Optional<Sighting> sight
         return look.sensor();
     }
 
-    /** When the sensor knew, seconds since the start of the run. */
+    /** When the sensor obtained it, seconds since the start of the run. */
     public double time() {
         return look.time();
     }

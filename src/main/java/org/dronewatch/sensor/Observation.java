@@ -111,7 +111,7 @@ public record Observation(
         return truth.isNothing();
     }
 
-    /** What the sensor reports of this look: nothing of a drone that it neither detected nor sighted. */
+    /** What the sensor reports from this look: nothing about a drone that it neither detected nor sighted. */
     public List<Measurement> measurements() {
         return isDetected() || sighting.isPresent() ? List.of(new Measurement(look, reading, sighting)) : List.of();
     }

@@ -55,7 +55,7 @@ public sealed interface Outline {
     }
 
     /**
-     * Everything within angles about a direction, and between two distances.
+     * Everything within given angles of a direction and between two distances.
      *
      * @param azimuth of its centre, clockwise from north, rad
      * @param elevation of its centre, above the horizon, rad
@@ -94,7 +94,7 @@ public sealed interface Outline {
     }
 
     /**
-     * A sphere about it.
+     * A sphere around the sensor.
      *
      * @param radius m
      */

@@ -8,7 +8,7 @@ import org.dronewatch.world.World;
  * Settings of a sensor of any kind: what every sensor has. Implementations are records, so that a scene file and
  * {@code --set} reach every field. What only some sensors have is a capability, an interface that the record implements
  * as well: {@link Aimed}, {@link Mounted}, {@link Outlined}, {@link Imaging}, {@link DirectionFinding},
- * {@link SoundTracing}. Ask for one by {@link #as}.
+ * {@link SoundTracing}. Obtain one by {@link #as}.
  *
  * @param <S> the sensor that they create
  */
@@ -48,7 +48,7 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
     }
 
     /**
-     * These settings as those of a sensor that has a capability; empty for one that has not. A record whose
+     * These settings as those of a sensor that has a capability; empty for one that does not. A record whose
      * capabilities depend on its components overrides this.
      *
      * @param capability such as {@code Mounted.class}

@@ -1,7 +1,7 @@
 package org.dronewatch.world;
 
 /**
- * What stands first in a line of sight.
+ * The first thing that stands in a line of sight.
  *
  * @param model to which it belongs
  * @param material name of its material; empty where the mesh names none

@@ -10,7 +10,7 @@ import org.dronewatch.mesh.io.ModelSettings;
  * @param role what it is to the site
  */
 public record SiteModel(String file, ModelRole role) {
-    /** A model of which nothing is known: a building without a file. */
+    /** A model about which nothing is known: a building without a file. */
     static final SiteModel UNNAMED = new SiteModel("", ModelRole.BUILDING);
 
     /** As its settings name it. */

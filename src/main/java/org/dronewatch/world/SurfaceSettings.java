@@ -39,7 +39,7 @@ public record SurfaceSettings(Map<String, String> materials, @Formerly("otherwis
         }
     }
 
-    /** These settings with one more material of the model files named. */
+    /** These settings with a surface for one more material of the model files. */
     public SurfaceSettings with(String ofTheModel, String ofTheTable) {
         Map<String, String> more = new LinkedHashMap<>(materials);
         more.put(ofTheModel, ofTheTable);

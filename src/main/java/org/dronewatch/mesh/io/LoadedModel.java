@@ -44,7 +44,7 @@ public record LoadedModel(
         AABB bounds = mesh.bounds();
         return String.format(
                 Locale.ROOT,
-                "%s: %,d triangles (%d without area dropped), %.2f x %.2f x %.2f m along x, y, z, %d materials%s",
+                "%s: %,d triangles (%d of zero area dropped), %.2f x %.2f x %.2f m along x, y, z, %d materials%s",
                 name,
                 mesh.triangleCount(),
                 dropped,
