@@ -29,9 +29,22 @@ public sealed interface Outline {
      * @param up unit vector to the top of the image
      * @param halfWidth half the width of the field at 1 m along the axis, m
      * @param halfHeight half the height of the field at 1 m along the axis, m
+     * @param middleRight how far the middle of the field is to the right of the axis there, m; 0 unless the lens is shifted
+     * @param middleUp how far it is above the axis there, m
      */
-    record Pyramid(Position forward, Position right, Position up, double halfWidth, double halfHeight)
+    record Pyramid(
+            Position forward,
+            Position right,
+            Position up,
+            double halfWidth,
+            double halfHeight,
+            double middleRight,
+            double middleUp)
             implements Outline {
+        /** The vector to the middle of the field 1 m along the axis, m. */
+        public Position middle() {
+            return forward.plus(right.times(middleRight)).plus(up.times(middleUp));
+        }
 
         /** The corners of the field at a distance along its axis, in order, m. */
         public List<Position> corners(Position sensor, double distance) {
@@ -40,7 +53,7 @@ public sealed interface Outline {
                 double aside = i == 0 || i == 3 ? -halfWidth : halfWidth;
                 double above = i < 2 ? halfHeight : -halfHeight;
                 corners.add(sensor.plus(
-                        forward.plus(right.times(aside)).plus(up.times(above)).times(distance)));
+                        middle().plus(right.times(aside)).plus(up.times(above)).times(distance)));
             }
             return corners;
         }
@@ -49,8 +62,8 @@ public sealed interface Outline {
         public boolean contains(Position vector) {
             double ahead = vector.dot(forward);
             return ahead > 0.0
-                    && Math.abs(vector.dot(right)) <= halfWidth * ahead
-                    && Math.abs(vector.dot(up)) <= halfHeight * ahead;
+                    && Math.abs(vector.dot(right) - middleRight * ahead) <= halfWidth * ahead
+                    && Math.abs(vector.dot(up) - middleUp * ahead) <= halfHeight * ahead;
         }
     }
 

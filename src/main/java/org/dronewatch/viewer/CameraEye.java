@@ -65,12 +65,7 @@ final class CameraEye {
         int columns = Math.max(1, Math.min(settings.width(), width));
         int rows = Math.max(1, Math.min(settings.height(), height));
         if (background == null || background.getWidth() != columns || background.getHeight() != rows) {
-            CameraObject shown = new CameraObject(
-                    pointed.position(),
-                    pointed.aim().from(pointed.position()),
-                    columns,
-                    rows,
-                    pointed.focalLength() * rows / settings.height());
+            CameraObject shown = picture.camera().withPixels(columns, rows);
             background =
                     new DronePicture(shown).depthImage(stage.world(), List.of()).toImage();
         }

@@ -17,6 +17,8 @@ final class Footprint {
     /** Number of line segments of a full circle. */
     static final int STEPS = 72;
 
+    private static final Position UP = new Position(0.0, 0.0, 1.0);
+
     private static final double TURN = 2.0 * Math.PI;
 
     private Footprint() {}
@@ -41,20 +43,18 @@ final class Footprint {
 
     /** All compass bearings that lie in a pyramid; a camera that looks straight up or down sees all of them. */
     private static List<List<Position>> wedge(Position at, Outline.Pyramid pyramid, double reach) {
-        Position forward = pyramid.forward();
-        double ahead = Math.abs(forward.z());
-        if (Math.abs(pyramid.right().z()) < pyramid.halfWidth() * ahead
-                && Math.abs(pyramid.up().z()) < pyramid.halfHeight() * ahead) {
+        if (pyramid.contains(UP) || pyramid.contains(UP.times(-1.0))) {
             return rings(at, 0.0, TURN, 0.0, reach);
         }
-        double axis = Math.atan2(forward.x(), forward.y());
+        Position middle = pyramid.middle();
+        double axis = Math.atan2(middle.x(), middle.y());
         double left = 0.0;
         double right = 0.0;
         for (int corner = 0; corner < 4; corner++) {
             double aside = corner < 2 ? pyramid.halfWidth() : -pyramid.halfWidth();
             double above = corner % 2 == 0 ? pyramid.halfHeight() : -pyramid.halfHeight();
             Position vector =
-                    forward.plus(pyramid.right().times(aside)).plus(pyramid.up().times(above));
+                    middle.plus(pyramid.right().times(aside)).plus(pyramid.up().times(above));
             double bearing = Math.IEEEremainder(Math.atan2(vector.x(), vector.y()) - axis, TURN);
             left = Math.min(left, bearing);
             right = Math.max(right, bearing);

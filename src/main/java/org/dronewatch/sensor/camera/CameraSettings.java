@@ -7,8 +7,10 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.SensorDescription;
+import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
+import org.dronewatch.sensor.optics.Projection;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -20,11 +22,13 @@ import org.dronewatch.world.Light;
  * A camera, on a fixed mount or on a positioner.
  *
  * @param position where its centre of projection is, m
- * @param aim where its axis points, without roll
+ * @param aim where its axis points
+ * @param roll how far it is turned about its axis, its right side down; the horizon is level at 0, rad
  * @param width pixels per row, 1 to 16384; at most 67,108,864 in the image
  * @param height rows of pixels, 1 to 16384
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the axis of the image along which the field of view is measured
+ * @param projection where its axis meets the image
  * @param rate frames per second, above 0, Hz
  * @param detection how a detection is decided
  * @param positioner the positioner that turns it; omit it for a fixed mount
@@ -32,10 +36,12 @@ import org.dronewatch.world.Light;
 public record CameraSettings(
         Position position,
         Aim aim,
+        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double roll,
         @In(value = Quantity.PIXELS, from = 1, to = 16_384) int width,
         @In(value = Quantity.PIXELS, from = 1, to = 16_384) int height,
         @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double fov,
         FieldOfView fovAxis,
+        Projection projection,
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         DetectionFunction detection,
         Optional<PositionerSettings> positioner)
@@ -46,7 +52,19 @@ public record CameraSettings(
      * @throws IllegalArgumentException if a value is out of range
      */
     public CameraSettings {
-        Limits.check(CameraSettings.class, position, aim, width, height, fov, fovAxis, rate, detection, positioner);
+        Limits.check(
+                CameraSettings.class,
+                position,
+                aim,
+                roll,
+                width,
+                height,
+                fov,
+                fovAxis,
+                projection,
+                rate,
+                detection,
+                positioner);
         aim.from(position);
         PictureSensorSettings.checkPixels(width, height);
         PictureSensorSettings.checkZoom(fov, positioner);
@@ -60,10 +78,12 @@ public record CameraSettings(
         return new CameraSettings(
                 position,
                 Aim.Direction.DEFAULT,
+                0.0,
                 1920,
                 1080,
                 0.6918,
                 FieldOfView.VERTICAL,
+                Projection.DEFAULT,
                 10.0,
                 PixelThreshold.DEFAULT,
                 Optional.empty());
@@ -112,6 +132,25 @@ public record CameraSettings(
     /** These settings on a positioner. */
     public CameraSettings withPositioner(PositionerSettings mount) {
         return SettingsForm.with(this, "positioner", Optional.of(mount));
+    }
+
+    /** These settings turned about the camera's axis by an angle, its right side down, rad. */
+    public CameraSettings withRoll(double angle) {
+        return SettingsForm.with(this, "roll", angle);
+    }
+
+    /**
+     * These settings turned about the axis in which the camera points now, so that a vector points to the top of the image.
+     *
+     * @throws IllegalArgumentException when the vector is parallel to that axis
+     */
+    public CameraSettings withUp(Position up) {
+        return withRoll(CameraObject.roll(aim.from(position), up));
+    }
+
+    /** These settings with another projection. */
+    public CameraSettings withProjection(Projection other) {
+        return SettingsForm.with(this, "projection", other);
     }
 
     @Override

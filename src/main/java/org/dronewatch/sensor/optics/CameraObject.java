@@ -20,24 +20,44 @@ public final class CameraObject {
     /** Beyond this fraction of the vertical the camera counts as looking straight up or down. */
     private static final double VERTICAL = 1.0 - 1e-12;
 
+    /** A roll this near to a quarter turn is one, rad: then images are turned without rounding. */
+    private static final double QUARTER = 1e-12;
+
     private final Position position;
     private final int width;
     private final int height;
     private final double focalLength;
+    private final double roll;
+    private final Projection lens;
+
+    /** Where the axis meets the image, in pixels from its left and its top edge. */
+    private final double axisColumn;
+
+    private final double axisRow;
+
+    private final double cosRoll;
+    private final double sinRoll;
+
+    /** To the right and up with a level horizon. */
+    private final Position levelRight;
+
+    private final Position levelUp;
     private final Position right;
     private final Position up;
     private final Position forward;
     private final Matrix4d view;
     private final Matrix4d projection;
 
-    /** The camera of some settings. The horizon is level; a camera that looks straight down has north at the top. */
+    /** The camera of some settings. Without roll, one that looks straight down has north at the top. */
     public CameraObject(PictureSettings settings) {
         this(
                 settings.position(),
                 settings.aim().from(settings.position()),
+                settings.roll(),
                 settings.width(),
                 settings.height(),
-                settings.focalLength());
+                settings.focalLength(),
+                settings.projection());
     }
 
     /**
@@ -50,15 +70,51 @@ public final class CameraObject {
      * @param focalLength in pixels
      */
     public CameraObject(Position position, Position direction, int width, int height, double focalLength) {
+        this(position, direction, 0.0, width, height, focalLength, Projection.DEFAULT);
+    }
+
+    /**
+     * A camera.
+     *
+     * @param position where its centre of projection is, m
+     * @param direction where it looks, of any length but 0
+     * @param roll how far its right side is turned down about that direction from where the horizon is level, rad; a camera
+     *     that looks straight down has north at the top at 0
+     * @param width pixels in a row
+     * @param height rows
+     * @param focalLength in pixels
+     * @param lens where its axis meets the image
+     */
+    public CameraObject(
+            Position position,
+            Position direction,
+            double roll,
+            int width,
+            int height,
+            double focalLength,
+            Projection lens) {
         this.position = position;
         this.width = width;
         this.height = height;
         this.focalLength = focalLength;
+        this.roll = roll;
+        this.lens = lens;
+        this.axisColumn = (0.5 - lens.shiftRight()) * width;
+        this.axisRow = (0.5 + lens.shiftUp()) * height;
+
+        double quarters = Math.rint(roll / (0.5 * Math.PI));
+        boolean exact = Math.abs(roll - quarters * 0.5 * Math.PI) < QUARTER;
+        this.cosRoll = exact ? Math.rint(Math.cos(roll)) : Math.cos(roll);
+        this.sinRoll = exact ? Math.rint(Math.sin(roll)) : Math.sin(roll);
 
         this.forward = direction.unit();
-        Position top = Math.abs(forward.z()) < VERTICAL ? new Position(0, 0, 1) : new Position(0, 1, 0);
-        this.right = forward.cross(top).unit();
-        this.up = right.cross(forward);
+        Position top = top(forward);
+        this.levelRight = forward.cross(top).unit();
+        this.levelUp = levelRight.cross(forward);
+        boolean level = sinRoll == 0.0 && cosRoll == 1.0;
+        this.right = level ? levelRight : levelRight.times(cosRoll).minus(levelUp.times(sinRoll));
+        this.up = level ? levelUp : levelUp.times(cosRoll).plus(levelRight.times(sinRoll));
+        top = level ? top : up;
 
         this.view = new Matrix4d()
                 .lookAt(
@@ -71,8 +127,51 @@ public final class CameraObject {
                         top.x(),
                         top.y(),
                         top.z());
-        double fovY = 2.0 * Math.atan(0.5 * height / focalLength);
-        this.projection = new Matrix4d().perspective(fovY, (double) width / height, NEAR, Double.POSITIVE_INFINITY);
+        this.projection = newProjection();
+    }
+
+    private static Position top(Position forward) {
+        return Math.abs(forward.z()) < VERTICAL ? new Position(0, 0, 1) : new Position(0, 1, 0);
+    }
+
+    private Matrix4d newProjection() {
+        if (lens.equals(Projection.DEFAULT)) {
+            double fovY = 2.0 * Math.atan(0.5 * height / focalLength);
+            return new Matrix4d().perspective(fovY, (double) width / height, NEAR, Double.POSITIVE_INFINITY);
+        }
+        double scale = NEAR / focalLength;
+        return new Matrix4d()
+                .frustum(
+                        -axisColumn * scale,
+                        (width - axisColumn) * scale,
+                        (axisRow - height) * scale,
+                        axisRow * scale,
+                        NEAR,
+                        Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * The roll with which a camera has a vector at the top of its image.
+     *
+     * @param direction where it looks, of any length but 0
+     * @param up the vector, not along that direction
+     * @return rad, -pi to pi
+     * @throws IllegalArgumentException when the two vectors are parallel, or one of them is 0
+     */
+    public static double roll(Position direction, Position up) {
+        Position forward = direction.unit();
+        Position levelRight = forward.cross(top(forward)).unit();
+        double aside = up.dot(levelRight);
+        double above = up.dot(levelRight.cross(forward));
+        if (!(Math.hypot(aside, above) > QUARTER * up.length())) {
+            throw new IllegalArgumentException("up " + up + " must not point along the axis of the camera");
+        }
+        return Math.atan2(aside, above);
+    }
+
+    /** This camera with another number of pixels, whose picture is as high. */
+    public CameraObject withPixels(int columns, int rows) {
+        return new CameraObject(position, forward, roll, columns, rows, focalLength * rows / height, lens);
     }
 
     /** The matrix from the world to the camera's frame. */
@@ -102,12 +201,15 @@ public final class CameraObject {
 
     /** Writes the unit direction of a pixel's ray in the world's frame; allocates nothing. */
     public void direction(int column, int row, double[] target) {
-        double x = (column + 0.5 - 0.5 * width) / focalLength;
-        double y = (0.5 * height - row - 0.5) / focalLength;
+        double a = (column + 0.5 - axisColumn) / focalLength;
+        double b = (axisRow - row - 0.5) / focalLength;
+        // As the pixel of a level camera that looks there: so a quarter turn gives the same directions bit for bit.
+        double x = a * cosRoll + b * sinRoll;
+        double y = b * cosRoll - a * sinRoll;
         double scale = 1.0 / Math.sqrt(1.0 + x * x + y * y);
-        target[0] = scale * (forward.x() + x * right.x() + y * up.x());
-        target[1] = scale * (forward.y() + x * right.y() + y * up.y());
-        target[2] = scale * (forward.z() + x * right.z() + y * up.z());
+        target[0] = scale * (forward.x() + x * levelRight.x() + y * levelUp.x());
+        target[1] = scale * (forward.y() + x * levelRight.y() + y * levelUp.y());
+        target[2] = scale * (forward.z() + x * levelRight.z() + y * levelUp.z());
     }
 
     /**
@@ -116,8 +218,8 @@ public final class CameraObject {
      * directions by {@link #obliqueness}.
      */
     public double[][] grid() {
-        double x = (0.5 - 0.5 * width) / focalLength;
-        double y = (0.5 * height - 0.5) / focalLength;
+        double x = (0.5 - axisColumn) / focalLength;
+        double y = (axisRow - 0.5) / focalLength;
         return new double[][] {
             {
                 forward.x() + x * right.x() + y * up.x(),
@@ -131,8 +233,8 @@ public final class CameraObject {
 
     /** Distance along a pixel's ray over that along the camera's axis, 1 or more. */
     public double obliqueness(int column, int row) {
-        double x = (column + 0.5 - 0.5 * width) / focalLength;
-        double y = (0.5 * height - row - 0.5) / focalLength;
+        double x = (column + 0.5 - axisColumn) / focalLength;
+        double y = (axisRow - row - 0.5) / focalLength;
         return Math.sqrt(1.0 + x * x + y * y);
     }
 
@@ -154,13 +256,29 @@ public final class CameraObject {
         double dy = y - position.y();
         double dz = z - position.z();
         double depth = dx * forward.x() + dy * forward.y() + dz * forward.z();
-        double across = Math.abs(dx * right.x() + dy * right.y() + dz * right.z());
-        double above = Math.abs(dx * up.x() + dy * up.y() + dz * up.z());
-        double halfWidth = 0.5 * width / focalLength;
-        double halfHeight = 0.5 * height / focalLength;
+        double across = dx * right.x() + dy * right.y() + dz * right.z();
+        double above = dx * up.x() + dy * up.y() + dz * up.z();
         return depth < -radius
-                || across - halfWidth * depth > radius * Math.sqrt(1.0 + halfWidth * halfWidth)
-                || above - halfHeight * depth > radius * Math.sqrt(1.0 + halfHeight * halfHeight);
+                || isBeyond(across, depth, width - axisColumn, radius)
+                || isBeyond(-across, depth, axisColumn, radius)
+                || isBeyond(above, depth, axisRow, radius)
+                || isBeyond(-above, depth, height - axisRow, radius);
+    }
+
+    /** Whether a sphere lies wholly beyond an edge of the image, which is a number of pixels away from the axis. */
+    private boolean isBeyond(double aside, double depth, double pixels, double radius) {
+        double slope = pixels / focalLength;
+        return aside - slope * depth > radius * Math.sqrt(1.0 + slope * slope);
+    }
+
+    /** Column of a point that lies to the right and ahead of the camera, in pixels from the left edge. */
+    double column(double across, double ahead) {
+        return axisColumn + focalLength * across / ahead;
+    }
+
+    /** Row of a point that lies above and ahead of the camera, in pixels from the top edge. */
+    double row(double above, double ahead) {
+        return axisRow - focalLength * above / ahead;
     }
 
     /**
@@ -186,7 +304,14 @@ public final class CameraObject {
 
     /** What the image shows of the world. */
     public Outline.Pyramid outline() {
-        return new Outline.Pyramid(forward, right, up, 0.5 * width / focalLength, 0.5 * height / focalLength);
+        return new Outline.Pyramid(
+                forward,
+                right,
+                up,
+                0.5 * width / focalLength,
+                0.5 * height / focalLength,
+                (0.5 * width - axisColumn) / focalLength,
+                (axisRow - 0.5 * height) / focalLength);
     }
 
     /** Where the camera is, m. */

@@ -11,9 +11,22 @@ public interface PictureSettings extends Aimed, Imaging {
     /** Where its centre of projection is, m. */
     Position position();
 
-    /** Where its axis points, without roll. */
+    /** Where its axis points. */
     @Override
     Aim aim();
+
+    /**
+     * How far it is turned about its axis: its right side down, so that the image turns counterclockwise, rad. At 0 the
+     * horizon is level.
+     */
+    default double roll() {
+        return 0.0;
+    }
+
+    /** Where its axis meets the image. */
+    default Projection projection() {
+        return Projection.DEFAULT;
+    }
 
     /** Pixels in a row. */
     int width();

@@ -86,8 +86,8 @@ final class SignificantPixels {
     }
 
     private void add(double across, double above, double ahead) {
-        double column = 0.5 * camera.width() + camera.focalLength() * across / ahead;
-        double row = 0.5 * camera.height() - camera.focalLength() * above / ahead;
+        double column = camera.column(across, ahead);
+        double row = camera.row(above, ahead);
         left = Math.min(left, column);
         right = Math.max(right, column);
         top = Math.min(top, row);

@@ -113,7 +113,9 @@ public final class VisibleArea {
         double x = along(outline.right(), rayX, rayY, rayZ) / ahead;
         double y = along(outline.up(), rayX, rayY, rayZ) / ahead;
         double focal = camera.focalLength();
-        if (Math.abs(x) * focal > 0.5 * camera.width() || Math.abs(y) * focal > 0.5 * camera.height()) {
+        double fromMiddle = Math.abs(x - outline.middleRight());
+        double overMiddle = Math.abs(y - outline.middleUp());
+        if (fromMiddle * focal > 0.5 * camera.width() || overMiddle * focal > 0.5 * camera.height()) {
             return 0.0;
         }
         // Solid angle of the ray's cell, then of a pixel there: both shrink with the cube of the length.

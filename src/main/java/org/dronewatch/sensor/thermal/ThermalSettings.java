@@ -9,8 +9,10 @@ import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.SensorDescription;
+import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
+import org.dronewatch.sensor.optics.Projection;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
@@ -22,11 +24,13 @@ import org.dronewatch.setting.SettingsForm;
  * A thermal camera, on a fixed mount or on a positioner.
  *
  * @param position where its centre of projection is, m
- * @param aim where its axis points, without roll
+ * @param aim where its axis points
+ * @param roll how far it is turned about its axis, its right side down; the horizon is level at 0, rad
  * @param width pixels per row, 1 to 16384; at most 67,108,864 in the image
  * @param height rows of pixels, 1 to 16384
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the axis of the image along which the field of view is measured
+ * @param projection where its axis meets the image
  * @param rate frames per second, above 0, Hz
  * @param netd noise-equivalent temperature difference (NETD), 1e-6 to 100 K
  * @param transmission transmittance of a kilometre of air in its band and in the weather assumed, 1e-6 to 1
@@ -40,10 +44,12 @@ import org.dronewatch.setting.SettingsForm;
 public record ThermalSettings(
         Position position,
         Aim aim,
+        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double roll,
         @In(value = Quantity.PIXELS, from = 1, to = 16_384) int width,
         @In(value = Quantity.PIXELS, from = 1, to = 16_384) int height,
         @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double fov,
         FieldOfView fovAxis,
+        Projection projection,
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         @In(value = Quantity.TEMPERATURE_DIFFERENCE, from = 1e-6, to = 100) @Formerly("noise") double netd,
         @In(value = Quantity.RATIO, from = 1e-6, to = 1) double transmission,
@@ -63,10 +69,12 @@ public record ThermalSettings(
                 ThermalSettings.class,
                 position,
                 aim,
+                roll,
                 width,
                 height,
                 fov,
                 fovAxis,
+                projection,
                 rate,
                 netd,
                 transmission,
@@ -89,10 +97,12 @@ public record ThermalSettings(
         return new ThermalSettings(
                 position,
                 Aim.Direction.DEFAULT,
+                0.0,
                 640,
                 512,
                 Math.toRadians(24.0),
                 FieldOfView.HORIZONTAL,
+                Projection.DEFAULT,
                 25.0,
                 0.05,
                 0.85,
@@ -146,6 +156,25 @@ public record ThermalSettings(
     /** These settings on a positioner. */
     public ThermalSettings withPositioner(PositionerSettings mount) {
         return SettingsForm.with(this, "positioner", Optional.of(mount));
+    }
+
+    /** These settings turned about the camera's axis by an angle, its right side down, rad. */
+    public ThermalSettings withRoll(double angle) {
+        return SettingsForm.with(this, "roll", angle);
+    }
+
+    /**
+     * These settings turned about the axis in which the camera points now, so that a vector points to the top of the image.
+     *
+     * @throws IllegalArgumentException when the vector is parallel to that axis
+     */
+    public ThermalSettings withUp(Position up) {
+        return withRoll(CameraObject.roll(aim.from(position), up));
+    }
+
+    /** These settings with another projection. */
+    public ThermalSettings withProjection(Projection other) {
+        return SettingsForm.with(this, "projection", other);
     }
 
     @Override

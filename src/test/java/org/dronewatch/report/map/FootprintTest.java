@@ -10,6 +10,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.optics.Projection;
 import org.junit.jupiter.api.Test;
 
 class FootprintTest {
@@ -40,6 +41,30 @@ class FootprintTest {
 
     private static Offset<Double> percent(double value) {
         return within(0.01 * value);
+    }
+
+    /** On its side a camera is as wide as it was high; a shifted lens moves the wedge, not its tip. */
+    @Test
+    void aRolledCameraIsAsWideAsItWasHighAndAShiftedOneLooksAside() {
+        CameraSettings level = CameraSettings.at(AT)
+                .withResolution(400, 300)
+                .withHorizontalFov(Math.toRadians(60))
+                .withAim(new Aim.Direction(0.0, 0.0));
+        double high = 2 * Math.atan(0.75 * Math.tan(Math.toRadians(30)));
+        List<List<Position>> rolled = rings(level.withRoll(Math.PI / 2).outline());
+        assertThat(area(rolled.get(0))).isEqualTo(0.5 * high * 1e4, percent(0.5 * high * 1e4));
+
+        List<Position> ring =
+                rings(level.withProjection(new Projection(0.75, 0)).outline()).get(0);
+        double edge = Math.tan(Math.toRadians(30));
+        double least = ring.stream()
+                .filter(point -> point.distance(AT) > 1)
+                .mapToDouble(point -> Math.atan2(point.x() - AT.x(), point.y() - AT.y()))
+                .min()
+                .orElseThrow();
+        assertThat(least).isEqualTo(Math.atan(0.5 * edge), within(1e-9));
+        double width = Math.atan(2.5 * edge) - Math.atan(0.5 * edge);
+        assertThat(area(ring)).isEqualTo(0.5 * width * 1e4, percent(0.5 * width * 1e4));
     }
 
     @Test
