@@ -1,5 +1,7 @@
 package org.dronewatch.sensor.acoustic.level;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
@@ -12,6 +14,9 @@ import org.dronewatch.world.World;
 
 /** Hears by the level model: the highest level received, which is not divided among branches. One thread at a time. */
 public final class LevelHearing implements SoundTracer {
+    /** Name of a figure: fraction of the emitted energy that all rays together bring to the microphone. */
+    static final String CUMULATED_ENERGY = "cumulated_energy";
+
     private final LevelModel model;
     private final Position microphone;
     private final double threshold;
@@ -40,8 +45,13 @@ public final class LevelHearing implements SoundTracer {
 
     @Override
     public Heard hear(Drone drone, RandomGenerator random) {
-        LevelReading reading = listen(drone, random);
-        return new Heard(reading.bestLevel(), threshold, reading.figures());
+        boolean fully = model.listening() == Listening.THOROUGH;
+        LevelReading reading = listen(drone, random, fully, RayRecorder.NONE);
+        Map<String, Double> figures = new LinkedHashMap<>(reading.figures());
+        if (fully) {
+            figures.put(CUMULATED_ENERGY, reading.energy());
+        }
+        return new Heard(reading.bestLevel(), threshold, figures);
     }
 
     @Override

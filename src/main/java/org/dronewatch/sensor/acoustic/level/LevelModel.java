@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.level;
 
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.acoustic.propagation.Microphone;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
@@ -22,18 +23,29 @@ import org.dronewatch.world.World;
  * @param attenuation loss of level in the air, 0 to 1000 dB/m
  * @param maxOrder how many surfaces a ray may hit before it ends, 0 to 100
  * @param rayBudget how many ray segments one look may trace, 1 to 50,000,000
+ * @param listening {@code fast}: a look ends with the first ray that is loud enough; {@code thorough}: it traces all rays, and
+ *     reports the highest level and the cumulated energy
+ * @param diffraction fraction of the reflected and of the transmitted energy that is scattered, 0 to 1; the specular and the
+ *     refracted ray carry the rest; without it all rays carry the same. It changes the cumulated energy, not the levels, which
+ *     are not divided
+ * @param transmittedRays rays that leave the far side of a wall that lets sound through, 1 to 10,000: one refracted, the others
+ *     scattered
  */
 public record LevelModel(
         @In(value = Quantity.NUMBER, from = 1, to = 100_000) int initialRays,
         @In(value = Quantity.NUMBER, from = 1, to = 10_000) int reflectionsPerHit,
         @In(value = Quantity.ATTENUATION, from = 0, to = 1000) double attenuation,
         @In(value = Quantity.NUMBER, from = 0, to = 100) int maxOrder,
-        @In(value = Quantity.NUMBER, from = 1, to = 50_000_000) int rayBudget)
+        @In(value = Quantity.NUMBER, from = 1, to = 50_000_000) int rayBudget,
+        Listening listening,
+        @In(value = Quantity.RATIO, from = 0, to = 1) Optional<Double> diffraction,
+        @In(value = Quantity.NUMBER, from = 1, to = 10_000) int transmittedRays)
         implements Propagation {
 
     /** 10 initial rays, 10 reflections per hit, 0.05 dB/m, three orders, 200,000 ray segments. */
     @Defaults
-    public static final LevelModel DEFAULT = new LevelModel(10, 10, 0.05, 3, 200_000);
+    public static final LevelModel DEFAULT =
+            new LevelModel(10, 10, 0.05, 3, 200_000, Listening.FAST, Optional.empty(), 1);
 
     /**
      * Checks the limits.
@@ -41,7 +53,16 @@ public record LevelModel(
      * @throws IllegalArgumentException if a value is out of range
      */
     public LevelModel {
-        Limits.check(LevelModel.class, initialRays, reflectionsPerHit, attenuation, maxOrder, rayBudget);
+        Limits.check(
+                LevelModel.class,
+                initialRays,
+                reflectionsPerHit,
+                attenuation,
+                maxOrder,
+                rayBudget,
+                listening,
+                diffraction,
+                transmittedRays);
     }
 
     /** This model with other numbers of rays from the drone and from each surface. */
@@ -57,6 +78,21 @@ public record LevelModel(
     /** This model with other limits: order and number of ray segments. */
     public LevelModel withLimits(int orders, int budget) {
         return SettingsForm.with(this, Map.of("maxOrder", orders, "rayBudget", budget));
+    }
+
+    /** This model with looks that end early, or trace everything. */
+    public LevelModel withListening(Listening other) {
+        return SettingsForm.with(this, "listening", other);
+    }
+
+    /** This model with another fraction of the energy scattered, 0 to 1. */
+    public LevelModel withDiffraction(double fraction) {
+        return SettingsForm.with(this, "diffraction", Optional.of(fraction));
+    }
+
+    /** This model with another number of rays behind a wall. */
+    public LevelModel withTransmittedRays(int count) {
+        return SettingsForm.with(this, "transmittedRays", count);
     }
 
     @Override

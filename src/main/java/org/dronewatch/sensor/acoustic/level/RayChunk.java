@@ -43,7 +43,7 @@ final class RayChunk {
         this.radius = radius;
         this.detectionLevel = detectionLevel;
         this.traversal = world.newRayTracer();
-        this.reflections = new ReflectionGenerator(world.mesh(), surfaces, sensor);
+        this.reflections = new ReflectionGenerator(model, world.mesh(), surfaces, sensor);
     }
 
     /**
@@ -125,7 +125,7 @@ final class RayChunk {
             cutByOrder += model.reflectionsPerHit();
             return;
         }
-        reflections.branch(ray, distance, triangle, arriving, model.reflectionsPerHit(), random, this::keep);
+        reflections.acousticDistribution(ray, distance, triangle, arriving, random, this::keep);
     }
 
     /** Too quiet a ray is not worth tracing: nothing that comes of it can be detected. */

@@ -6,19 +6,21 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
+import org.dronewatch.world.World;
 
 /**
  * Makes the rays that leave a surface: first the specular one, then one straight at the sensor if it lies on the same
- * side, the rest at random over the hemisphere; and, where the material lets sound through, one on the other side. One
- * per thread.
+ * side, the rest at random over the hemisphere; and, where the material lets sound through, some on the other side, of which the
+ * first is refracted and the rest are scattered. After the thesis, sections 5.2.3 and 6.2.11. One per thread.
  */
-final class ReflectionGenerator {
+public final class ReflectionGenerator {
     /**
      * How far origins are moved off the surface, as a fraction of their coordinates: above rounding, negligible
      * otherwise.
      */
     private static final double STAND_OFF = 1e-9;
 
+    private final LevelModel model;
     private final TriangleMesh mesh;
     private final SurfaceLevels surfaces;
     private final Position sensor;
@@ -35,62 +37,108 @@ final class ReflectionGenerator {
     private double hitY;
     private double hitZ;
 
-    ReflectionGenerator(TriangleMesh mesh, SurfaceLevels surfaces, Position sensor) {
+    /**
+     * A generator for the surfaces of a world.
+     *
+     * @param model how many rays leave a surface, and how they divide its energy
+     * @param sensor where the second ray is aimed, m
+     */
+    public ReflectionGenerator(LevelModel model, World world, Position sensor) {
+        this(model, world.mesh(), new SurfaceLevels(world), sensor);
+    }
+
+    ReflectionGenerator(LevelModel model, TriangleMesh mesh, SurfaceLevels surfaces, Position sensor) {
+        this.model = model;
         this.mesh = mesh;
         this.surfaces = surfaces;
         this.sensor = sensor;
     }
 
-    /** Is given each branch of a hit; the carrier is reused. */
-    interface Branches {
+    /** Receives each ray that leaves a hit. */
+    @FunctionalInterface
+    public interface Branches {
+        /**
+         * Receives one.
+         *
+         * @param branch the ray; the carrier is reused, so copy what is to be kept
+         */
         void accept(AcousticRay branch);
     }
 
     /**
-     * The branches of a ray that hits a triangle.
+     * The rays that leave a triangle that a ray hits. Every reflected ray has the level of the ray that arrives less the loss of
+     * the reflection, every transmitted one less the loss of the wall; their energies divide what is reflected and what is
+     * transmitted.
      *
      * @param ray the ray that arrives
      * @param distance from its origin to the triangle, m
+     * @param triangle index in the world's mesh
      * @param arriving its level there, dB
-     * @param count how many rays are reflected
+     * @param random draws the directions of scattered rays
+     * @param target receives the rays, the specular one first
      */
-    void branch(
-            AcousticRay ray,
-            double distance,
-            int triangle,
-            double arriving,
-            int count,
-            RandomGenerator random,
-            Branches target) {
+    public void acousticDistribution(
+            AcousticRay ray, double distance, int triangle, double arriving, RandomGenerator random, Branches target) {
         setHit(ray, distance, triangle);
         int material = mesh.material(triangle);
         branch.order = ray.order + 1;
         branch.travelled = ray.travelled + distance;
+        reflect(ray, material, arriving, random, target);
+        if (surfaces.transmits(material) && refract(ray, material)) {
+            transmit(ray, material, arriving, random, target);
+        }
+    }
 
+    private void reflect(AcousticRay ray, int material, double arriving, RandomGenerator random, Branches target) {
+        int count = model.reflectionsPerHit();
+        double reflected = ray.energy * surfaces.reflectedFraction(material);
         branch.level = arriving - surfaces.reflectionLoss(material);
-        branch.energy = ray.energy * surfaces.reflectedFraction(material) / count;
         branch.medium = ray.medium;
         standOff(1.0);
         reflectSpecular(ray);
+        branch.energy = ofStraightRay(reflected, count);
         target.accept(branch);
+        branch.energy = ofScatteredRay(reflected, count);
         int made = 1;
         if (made < count && aimAtSensor()) {
             target.accept(branch);
             made++;
         }
         for (; made < count; made++) {
-            drawOverHemisphere(random);
+            drawOverHemisphere(random, 1.0);
             target.accept(branch);
         }
+    }
 
-        if (surfaces.transmits(material) && refract(ray, material)) {
-            standOff(-1.0);
-            boolean entering = ray.medium == AcousticRay.AIR;
-            branch.level = arriving - (entering ? surfaces.transmissionLoss(material) : 0.0);
-            branch.energy = ray.energy * surfaces.transmittedFraction(material);
-            branch.medium = entering && !surfaces.isSheet(material) ? material : AcousticRay.AIR;
+    /** The rays on the far side, of which the branch is the refracted one already. */
+    private void transmit(AcousticRay ray, int material, double arriving, RandomGenerator random, Branches target) {
+        int count = model.transmittedRays();
+        double transmitted = ray.energy * surfaces.transmittedFraction(material);
+        boolean entering = ray.medium == AcousticRay.AIR;
+        standOff(-1.0);
+        branch.level = arriving - (entering ? surfaces.transmissionLoss(material) : 0.0);
+        branch.medium = entering && !surfaces.isSheet(material) ? material : AcousticRay.AIR;
+        branch.energy = ofStraightRay(transmitted, count);
+        target.accept(branch);
+        branch.energy = ofScatteredRay(transmitted, count);
+        for (int made = 1; made < count; made++) {
+            drawOverHemisphere(random, -1.0);
             target.accept(branch);
         }
+    }
+
+    /** What the specular or the refracted ray of a number of rays carries of their energy; all of it if it is the only one. */
+    private double ofStraightRay(double energy, int count) {
+        return count == 1 || model.diffraction().isEmpty()
+                ? energy / count
+                : energy * (1.0 - model.diffraction().get());
+    }
+
+    /** What each other ray carries. */
+    private double ofScatteredRay(double energy, int count) {
+        return model.diffraction().isEmpty()
+                ? energy / count
+                : energy * model.diffraction().get() / (count - 1);
     }
 
     private void setHit(AcousticRay ray, double distance, int triangle) {
@@ -135,11 +183,11 @@ final class ReflectionGenerator {
         return true;
     }
 
-    /** Uniform over the sphere, turned over to the surface's side. */
-    private void drawOverHemisphere(RandomGenerator random) {
+    /** Uniform over the sphere, turned over to the near (1) or the far side (-1) of the surface. */
+    private void drawOverHemisphere(RandomGenerator random, double side) {
         Directions.draw(random, branch);
         double along = branch.directionX * normalX + branch.directionY * normalY + branch.directionZ * normalZ;
-        if (along < 0.0) {
+        if (side * along < 0.0) {
             branch.directionX = -branch.directionX;
             branch.directionY = -branch.directionY;
             branch.directionZ = -branch.directionZ;

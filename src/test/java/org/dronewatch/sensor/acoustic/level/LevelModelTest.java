@@ -15,7 +15,10 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sound.Atmosphere;
@@ -82,6 +85,35 @@ class LevelModelTest {
         }
     }
 
+    /** Sources about the threshold, so that some looks detect and some do not. */
+    @Test
+    void fastAndThoroughLooksDetectTheSameAndOnlyThoroughOnesGiveTheEnergy() {
+        World room = room();
+        AcousticSensor fast = sensor(TEN);
+        AcousticSensor thorough = sensor(TEN.withListening(Listening.THOROUGH));
+        int detections = 0;
+        int looks = 0;
+        for (long seed = 0; seed < 40; seed++) {
+            for (double level : new double[] {QUIET + 14.9, QUIET + 15.1, QUIET + 20}) {
+                List<Drone> drones = List.of(drone(level, new Position(3, 1, -2)));
+                Look look = Look.of(seed, "ear", 0, 10.0);
+                Observation quick = fast.observe(room, drones, look).get(0);
+                Observation whole = thorough.observe(room, drones, look).get(0);
+                assertThat(whole.isDetected()).as("seed %d", seed).isEqualTo(quick.isDetected());
+                assertThat(whole.value()).isGreaterThanOrEqualTo(quick.value());
+                assertThat(whole.figures().get("rays_traced"))
+                        .isGreaterThanOrEqualTo(quick.figures().get("rays_traced"));
+                assertThat(quick.figures()).doesNotContainKey("cumulated_energy");
+                LevelReading same = thorough.listenFully(
+                        room, drones.get(0), look.random("drone", RaySensor.RAYS), RayRecorder.NONE);
+                assertThat(whole.figures()).containsEntry("cumulated_energy", same.energy());
+                detections += quick.isDetected() ? 1 : 0;
+                looks++;
+            }
+        }
+        assertThat(detections).isBetween(1, looks - 1);
+    }
+
     @Test
     void theRangeIsTheMarginOverTheLossInTheAir() {
         World open = farGround();
@@ -134,8 +166,10 @@ class LevelModelTest {
     @Test
     void whatIsCutIsCountedByOrder() {
         Drone drone = drone(90, new Position(3, 2, 1));
-        LevelReading all = fully(room(), drone, new LevelModel(5, 4, 0.05, 2, 1_000_000));
-        LevelReading cut = fully(room(), drone, new LevelModel(5, 4, 0.05, 2, 30));
+        LevelReading all =
+                fully(room(), drone, LevelModel.DEFAULT.withRays(5, 4).withLimits(2, 1_000_000));
+        LevelReading cut =
+                fully(room(), drone, LevelModel.DEFAULT.withRays(5, 4).withLimits(2, 30));
 
         assertThat(all.cutByBudget()).isZero();
         assertThat(all.cutByOrder()).isPositive();

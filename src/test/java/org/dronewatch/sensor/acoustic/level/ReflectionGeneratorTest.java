@@ -18,6 +18,8 @@ import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Branches at a level plane at z = 0 whose material is told by its name in the table. */
 class ReflectionGeneratorTest {
@@ -50,15 +52,18 @@ class ReflectionGeneratorTest {
     }
 
     private static List<Branch> branches(String material, AcousticRay ray, int count) {
+        return branches(material, ray, LevelModel.DEFAULT.withRays(1, count));
+    }
+
+    private static List<Branch> branches(String material, AcousticRay ray, LevelModel model) {
         World world = plane(material);
         List<Branch> branches = new ArrayList<>();
-        new ReflectionGenerator(world.mesh(), new SurfaceLevels(world), SENSOR)
-                .branch(
+        new ReflectionGenerator(model, world, SENSOR)
+                .acousticDistribution(
                         ray,
                         2.0,
                         0,
                         50.0,
-                        count,
                         new SplittableRandom(1),
                         b -> branches.add(new Branch(
                                 new Vector3d(b.directionX, b.directionY, b.directionZ),
@@ -132,6 +137,56 @@ class ReflectionGeneratorTest {
         assertThat(outside.direction().z).isPositive();
         assertThat(outside.medium()).isEqualTo(AcousticRay.AIR);
         assertThat(outside.level()).isEqualTo(50.0);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.0, 0.25, 1.0})
+    void diffractionIsTheFractionOfTheEnergyThatIsScattered(double diffraction) {
+        LevelModel model =
+                LevelModel.DEFAULT.withRays(1, 20).withTransmittedRays(5).withDiffraction(diffraction);
+        List<Branch> branches = branches("door_wood_solid", towardsOrigin(60, AcousticRay.AIR), model);
+
+        SurfaceMaterial door = SurfaceMaterials.get("door_wood_solid");
+        assertThat(branches).hasSize(25);
+        List<Branch> reflected = branches.subList(0, 20);
+        List<Branch> transmitted = branches.subList(20, 25);
+        assertThat(reflected.get(0).energy()).isCloseTo((1 - diffraction) * door.reflected(4), within(EXACT));
+        assertThat(transmitted.get(0).energy()).isCloseTo((1 - diffraction) * door.transmitted(4), within(EXACT));
+        assertThat(energyOf(reflected)).isCloseTo(door.reflected(4), within(EXACT));
+        assertThat(energyOf(transmitted)).isCloseTo(door.transmitted(4), within(EXACT));
+        for (List<Branch> side : List.of(reflected, transmitted)) {
+            assertThat(side).extracting(Branch::level).containsOnly(side.get(0).level());
+            assertThat(side.subList(1, side.size()))
+                    .extracting(Branch::energy)
+                    .containsOnly(side.get(1).energy());
+        }
+    }
+
+    private static double energyOf(List<Branch> branches) {
+        return branches.stream().mapToDouble(Branch::energy).sum();
+    }
+
+    @Test
+    void transmittedRaysFillTheHemisphereBehindTheWallAndTheFirstIsRefracted() {
+        LevelModel model = LevelModel.DEFAULT.withRays(1, 1).withTransmittedRays(10_000);
+        List<Branch> branches = branches("wall_concrete_200mm", towardsOrigin(5, AcousticRay.AIR), model);
+
+        double sin = Math.sin(Math.toRadians(5)) * 3400 / 343.2;
+        assertThat(branches.get(1).direction().x).isCloseTo(sin, within(EXACT));
+        Vector3d mean = new Vector3d();
+        List<Branch> scattered = branches.subList(2, branches.size());
+        for (Branch branch : scattered) {
+            assertThat(branch.direction().z).isNotPositive();
+            assertThat(branch.z()).isNegative();
+            assertThat(branch.medium()).isZero();
+            mean.scaleAdd(1.0 / scattered.size(), branch.direction(), mean);
+        }
+        // Uniform over a hemisphere; the standard error of the mean height is 1 / sqrt(12 * 10,000).
+        assertThat(scattered).hasSize(9_999);
+        assertThat(mean.epsilonEquals(new Vector3d(0, 0, -0.5), 0.02)).isTrue();
+        assertThat(branches("wall_concrete_200mm", towardsOrigin(5.9, AcousticRay.AIR), model))
+                .as("total reflection")
+                .hasSize(1);
     }
 
     @Test
