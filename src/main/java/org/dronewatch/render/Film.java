@@ -6,7 +6,7 @@ import java.util.Locale;
  * The times of a run shown in a video.
  *
  * @param from simulated time of its first frame, 0 or more, s
- * @param to simulated time that it does not pass, from {@code from} on, s
+ * @param to simulated time at which it ends, not before {@code from}, s
  * @param fps frames a second, {@value #LEAST_FPS} to {@value #MOST_FPS}
  * @param speed playback speed as a multiple of real time, 0.01 to 1000
  */
@@ -20,7 +20,7 @@ public record Film(double from, double to, int fps, double speed) {
     /** Maximum number of frames of a video: 24 minutes at 25 frames per second. */
     public static final int MOST_FRAMES = 36_000;
 
-    /** The longest side of a frame, pixels: what players decode. */
+    /** The longest side of a frame that players decode, pixels. */
     public static final int LONGEST_SIDE = 4096;
 
     private static final double SLOWEST = 0.01;

@@ -55,7 +55,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return flat(box, Math.PI, 0.5 * Math.PI, high);
     }
 
-    /** From the level, with all of a box in the picture; the eye stands on a bearing from the box. */
+    /** A level view, with all of a box in the picture; the eye stands on a bearing from the box. */
     public static Orbit side(AABB box, double aspect, double bearing) {
         double across = Math.abs(Math.cos(bearing)) * (box.maxX() - box.minX())
                 + Math.abs(Math.sin(bearing)) * (box.maxY() - box.minY());
@@ -104,7 +104,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return at(target.plus(new Position(x, y, 0.0)));
     }
 
-    /** This orbit with its eye where it is and turned about: the target goes round. */
+    /** This orbit turned about its eye, which stays where it is: the target moves round it. */
     public Orbit lookedAbout(double clockwise, double upwards) {
         Orbit next = turned(clockwise, -upwards);
         return next.at(target.plus(eye().minus(next.eye())));

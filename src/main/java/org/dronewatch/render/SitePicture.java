@@ -29,7 +29,7 @@ import org.dronewatch.world.World;
 
 /**
  * Draws pictures of a run's site: first the site alone, which takes the longest and is the same at all times, then over a
- * copy of it what is there at one time. Lines are hidden by what stands before them. One picture at a time.
+ * copy of it what is there at one time. Lines are hidden by what stands in front of them. One picture at a time.
  */
 public final class SitePicture {
     private static final int TRACK = 0xd62f1f;
@@ -159,7 +159,7 @@ public final class SitePicture {
      * @param width columns of the picture
      * @param height rows of the picture
      * @param cut what is cut away
-     * @param abandoned asked again and again: once it says true, the result is of no use
+     * @param abandoned queried repeatedly: once it is true, the result is no longer needed
      */
     public Backdrop backdrop(
             Orbit orbit, int width, int height, Optional<Cut> cut, Fineness fineness, BooleanSupplier abandoned) {

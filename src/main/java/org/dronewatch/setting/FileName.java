@@ -7,7 +7,7 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Says that a text in a settings record names a file. In a settings file it is taken from that file's directory, and may not
+ * States that a text in a settings record names a file. In a settings file it is taken from that file's directory, and may not
  * lead out of it.
  */
 @Documented

@@ -11,7 +11,7 @@ public final class FormerNames {
     private final Map<Renamed, Set<String>> places = new LinkedHashMap<>();
 
     /**
-     * A setting that has another name than in earlier versions.
+     * A setting whose name was different in earlier versions.
      *
      * @param record the settings record that has it
      */

@@ -1,7 +1,7 @@
 package org.dronewatch.setting;
 
 /**
- * One kind of something of which a scene may choose among several: a kind of sensor, of flight, of propagation. A provider
+ * One of several kinds among which a scene may choose: a kind of sensor, of flight, of propagation. A provider
  * implements this interface, has a public constructor without parameters, and is named in its jar's
  * {@code META-INF/services/org.dronewatch.setting.Kind}, where {@link java.util.ServiceLoader} finds it. Files name kinds, never
  * classes: which code runs is decided by the class path alone.

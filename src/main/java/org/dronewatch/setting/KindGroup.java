@@ -3,7 +3,7 @@ package org.dronewatch.setting;
 import java.util.List;
 
 /**
- * Several kinds at once, for a jar that brings many: found as a single {@link Kind} is, by
+ * Several kinds at once, for a jar that has many: found as a single {@link Kind} is, by
  * {@code META-INF/services/org.dronewatch.setting.KindGroup}. The library's own kinds come as one.
  */
 public interface KindGroup {

@@ -54,7 +54,7 @@ public final class Limits {
 
     /**
      * Checks every number in a tree of settings: those of all records in it, in lists, maps and optional parts, too. So the
-     * limits of {@link In} hold even for records whose constructors do not ask for them.
+     * limits of {@link In} hold even for records whose constructors do not check them.
      *
      * @param tree settings
      * @throws IllegalArgumentException when one is missing or out of its limits; the message begins with its path, as in

@@ -26,7 +26,7 @@ public final class SettingsPath {
     }
 
     /**
-     * The tree with another value at this path; every record along the path is made anew, so all limits are checked.
+     * The tree with another value at this path; every record along the path is created anew, so all limits are checked.
      *
      * @param tree settings
      * @param text the value, with a unit or without
