@@ -11,7 +11,7 @@ import org.dronewatch.setting.Quantity;
  * left)} and {@code (bottom + top) / 2 / (top - bottom)}, and a vertical field of view of {@code 2 atan((top - bottom) / 2 /
  * near)}.
  *
- * @param shiftRight how far the image is shifted to the right, so that it shows more of what is there, as a fraction of its
+ * @param shiftRight how far the image is shifted to the right, so that it shows more of that side, as a fraction of its
  *     width, -5 to 5; the field of view is that of the image without a shift
  * @param shiftUp how far it is shifted upwards, as a fraction of its height, -5 to 5
  */

@@ -26,7 +26,7 @@ import org.dronewatch.world.World;
  * @param listening {@code fast}: a look ends with the first ray that is loud enough; {@code thorough}: it traces all rays, and
  *     reports the highest level and the cumulated energy
  * @param diffraction fraction of the reflected and of the transmitted energy that is scattered, 0 to 1; the specular and the
- *     refracted ray carry the rest; without it all rays carry the same. It changes the cumulated energy, not the levels, which
+ *     refracted ray carry the rest; without it all rays carry equal energy. It changes the cumulated energy, not the levels, which
  *     are not divided
  * @param transmittedRays rays that leave the far side of a wall that lets sound through, 1 to 10,000: one refracted, the others
  *     scattered
