@@ -13,17 +13,27 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
 import org.dronewatch.positioner.Pointing;
+import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.sensor.optics.PictureSettings;
 
 /**
  * The view of one camera: distances in blues, nearer darker, the sky pale, the drone's pixels in orange, its significant pixels
  * framed, and how many there are against how many it takes. A frame of a drone far away is drawn larger than it is; a large
- * view magnifies it in a corner.
+ * view magnifies it in a corner. For your own window, and for Swing's event thread as any of its components:
+ *
+ * <pre>{@code
+ * CameraVisual visual = CameraVisual.of("gate", cameraSettings, stage);
+ * frame.add(visual);
+ * visual.showTime(12.5);
+ * }</pre>
  */
-final class CameraVisual extends JPanel {
+public final class CameraVisual extends JPanel {
     static final Color HIT = new Color(0xff6a00);
     static final Color DETECTED = new Color(0xffd23f);
     private static final long serialVersionUID = 1L;
@@ -49,6 +59,31 @@ final class CameraVisual extends JPanel {
     private transient Map<String, PairReading> readings = Map.of();
     private boolean selected;
     private transient Consumer<String> hint = text -> {};
+
+    /**
+     * The view through a fixed camera, or a thermal one; empty until {@link #showTime}.
+     *
+     * @param id name that it shows
+     * @param sensor settings of the camera
+     * @param stage world and drones
+     * @throws IllegalArgumentException when the sensor sees no image
+     */
+    public static CameraVisual of(String id, SensorSettings<?> sensor, Stage stage) {
+        if (sensor.as(PictureSettings.class).isEmpty()) {
+            throw new IllegalArgumentException("sensor '" + id + "' of kind " + sensor.kind() + " sees no image");
+        }
+        return new CameraVisual(new CameraEye(id, sensor, stage, time -> Optional.empty()));
+    }
+
+    /**
+     * Shows what the camera sees in its last frame up to a time.
+     *
+     * @param time seconds since the start of the run, 0 or more
+     */
+    public void showTime(double time) {
+        Rectangle frame = frame();
+        show(eye.look(time, Math.max(1, frame.width), Math.max(1, frame.height)));
+    }
 
     CameraVisual(CameraEye eye) {
         this.eye = eye;

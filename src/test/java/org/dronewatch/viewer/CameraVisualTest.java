@@ -1,9 +1,11 @@
 package org.dronewatch.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
@@ -17,6 +19,7 @@ import org.dronewatch.render.Yard;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.DronePixels;
@@ -45,6 +48,43 @@ class CameraVisualTest {
         visual.setSize(width, height);
         visual.show(shot);
         return Exports.picture(visual);
+    }
+
+    @Test
+    void aProgramOfOnesOwnShowsACamera() {
+        CameraVisual visual = CameraVisual.of("camera", settings, stage);
+        visual.setSize(320, 240);
+        visual.showTime(8.0);
+        BufferedImage image = Exports.picture(visual);
+        BufferedImage same = painted(new CameraVisual(eye), eye.look(8.0, 320, 240), 320, 240);
+
+        for (int row = 0; row < 240; row++) {
+            for (int column = 0; column < 320; column++) {
+                assertThat(image.getRGB(column, row)).isEqualTo(same.getRGB(column, row));
+            }
+        }
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> CameraVisual.of("ear", AcousticSettings.at(new Position(0, 0, 2)), stage))
+                .withMessage("sensor 'ear' of kind acoustic sees no image");
+    }
+
+    @Test
+    void aDepthImageIsShownWithoutDistortion() {
+        DepthImage image = settings.create().depthImage(stage.world(), stage.dronesAt(8.0));
+        DepthImageFrame.Canvas canvas = new DepthImageFrame.Canvas();
+        BufferedImage picture = image.toImage();
+        canvas.show(picture);
+        assertThat(canvas.getPreferredSize()).isEqualTo(new Dimension(image.width(), image.height()));
+        canvas.setSize(2 * image.width() + 100, 2 * image.height());
+        BufferedImage shown = Exports.picture(canvas);
+
+        for (int row = 0; row < image.height(); row++) {
+            for (int column = 0; column < image.width(); column++) {
+                assertThat(shown.getRGB(50 + 2 * column, 2 * row))
+                        .as("pixel %d, %d", column, row)
+                        .isEqualTo(picture.getRGB(column, row));
+            }
+        }
     }
 
     @Test

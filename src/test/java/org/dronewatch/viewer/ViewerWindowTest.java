@@ -32,6 +32,7 @@ import org.dronewatch.render.Yard;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.camera.CameraSettings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -390,5 +391,22 @@ class ViewerWindowTest {
 
         assertThat(running[0].isAlive()).isFalse();
         assertThat(outcome[0]).isInstanceOf(java.util.concurrent.CancellationException.class);
+    }
+
+    @Test
+    void aCameraOfAnotherProgramHasAWindowOfItsOwn() throws Exception {
+        Yard yard = new Yard(directory);
+        CameraSettings settings = (CameraSettings) yard.settings().sensors().get("camera");
+        DepthImageFrame frame = onEventThread(() -> new DepthImageFrame("gate"));
+        frame.show(settings.create(), yard.stage().world(), yard.stage().dronesAt(8.0));
+        SwingUtilities.invokeAndWait(() -> {});
+
+        assertThat(frame.isShowing()).isTrue();
+        assertThat(frame.getTitle()).isEqualTo("gate");
+        assertThat(frame.getContentPane().getWidth()).isEqualTo(settings.width());
+        onEventThread(() -> {
+            frame.dispose();
+            return null;
+        });
     }
 }
