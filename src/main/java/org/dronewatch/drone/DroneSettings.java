@@ -18,6 +18,7 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.Settings;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSound;
@@ -63,7 +64,11 @@ public record DroneSettings(
         String sound,
         Directivity directivity,
         Optional<Swarm> swarm,
-        ThreatLabel label) {
+        ThreatLabel label)
+        implements Settings<Drone> {
+    /** The name of a drone that is created without one. */
+    private static final String UNNAMED = "drone";
+
     /**
      * Checks the limits.
      *
@@ -222,6 +227,17 @@ public record DroneSettings(
     public FlightPath createFlight(Ground ground) {
         FlightPath path = flight.create(speed, acceleration, ground);
         return lean ? airframe.leaning(path) : path;
+    }
+
+    /**
+     * A drone named {@code drone}, whose model is looked for in the working directory: as {@link #create(String, Path)}.
+     *
+     * @throws IllegalArgumentException when the flight follows the ground
+     * @throws org.dronewatch.setting.InputException when the model cannot be loaded
+     */
+    @Override
+    public Drone create() {
+        return create(UNNAMED, Path.of(""));
     }
 
     /**

@@ -2,6 +2,7 @@ package org.dronewatch.sensor;
 
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Settings;
 import org.dronewatch.world.World;
 
 /**

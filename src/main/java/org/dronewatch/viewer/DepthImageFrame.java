@@ -90,7 +90,8 @@ public final class DepthImageFrame extends JFrame {
             if (picture == null) {
                 return;
             }
-            double scale = Math.min(getWidth() / (double) picture.getWidth(), getHeight() / (double) picture.getHeight());
+            double scale =
+                    Math.min(getWidth() / (double) picture.getWidth(), getHeight() / (double) picture.getHeight());
             int width = (int) Math.round(scale * picture.getWidth());
             int height = (int) Math.round(scale * picture.getHeight());
             graphics.drawImage(picture, (getWidth() - width) / 2, (getHeight() - height) / 2, width, height, null);

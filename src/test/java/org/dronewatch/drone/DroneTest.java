@@ -12,6 +12,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.setting.Settings;
 import org.jogamp.vecmath.Matrix4d;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
@@ -25,6 +26,18 @@ class DroneTest {
     private final Drone drone = new Drone(
             "drone", SETTINGS, KDTree.of(TriangleMesh.of(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2
             })));
+
+    @Test
+    void itsSettingsCreateItAsThoseOfSensorsDo() {
+        Settings<Drone> settings = DroneSettings.of(
+                ModelSettings.packaged("quadrotor.obj"), new Hover(new Position(1, 2, 3), Math.PI / 2));
+        Drone drone = settings.create();
+
+        assertThat(drone.id()).isEqualTo("drone");
+        assertThat(drone.settings()).isSameAs(settings);
+        assertThat(drone.origin()).isEqualTo(new Position(1, 2, 3));
+        assertThat(drone.tree().mesh().triangleCount()).isEqualTo(4904);
+    }
 
     @Test
     void turnsAreRightHanded() {

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor;
+package org.dronewatch.setting;
 
 /**
  * Everything needed to create an object: an immutable record, changed by its {@code with...} methods. One real sensor
