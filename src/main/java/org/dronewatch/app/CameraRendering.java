@@ -39,7 +39,8 @@ final class CameraRendering extends Rendering {
     String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {
         boolean turns = Mounted.positioner(camera).isPresent();
         double shown = turns ? CameraView.lookTime(camera, time) : time;
-        RunHistory history = turns ? simulation().until(shown, () -> false) : new RunHistory();
+        RunHistory history =
+                turns || Simulation.isSteered(settings) ? simulation().until(shown, () -> false) : new RunHistory();
         if (turns) {
             spec.commandLine().getErr().printf("camera '%s' as it was pointed at %.3f s%n", id, shown);
         }

@@ -1,6 +1,7 @@
 package org.dronewatch.app;
 
 import java.util.function.BooleanSupplier;
+import org.dronewatch.flight.Steered;
 import org.dronewatch.render.RunHistory;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -35,6 +36,11 @@ final class Simulation {
      */
     Stage stage(RunHistory history, SceneSettings settings) {
         return history.stage().orElseGet(() -> runner.stage(settings));
+    }
+
+    /** Whether a drone is steered, so that only a simulation tells where it is. */
+    static boolean isSteered(SceneSettings settings) {
+        return settings.drones().values().stream().anyMatch(drone -> drone.flight() instanceof Steered);
     }
 
     /**

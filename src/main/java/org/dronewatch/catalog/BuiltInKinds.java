@@ -6,6 +6,8 @@ import org.dronewatch.flight.Dive;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.flight.LowApproach;
 import org.dronewatch.flight.PopUp;
+import org.dronewatch.flight.Recorded;
+import org.dronewatch.flight.Steered;
 import org.dronewatch.flight.TerrainFollowing;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
@@ -57,7 +59,9 @@ public final class BuiltInKinds implements KindGroup {
                 flight("terrain-following", TerrainFollowing.class, "low over the ground, from point to point"),
                 flight("low-approach", LowApproach.class, "low over the ground towards a target"),
                 flight("dive", Dive.class, "level towards a target, then dives onto it"),
-                flight("pop-up", PopUp.class, "hovers behind cover, then rises"));
+                flight("pop-up", PopUp.class, "hovers behind cover, then rises"),
+                flight("steered", Steered.class, "is steered by a program during the run"),
+                flight("recorded", Recorded.class, "flies as in an earlier run, by its flights.csv"));
     }
 
     private static List<Kind<?>> propagations() {

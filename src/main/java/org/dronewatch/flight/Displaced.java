@@ -31,16 +31,25 @@ public final class Displaced implements FlightPathSettings {
      * The path beside a leader's path: what {@link #create} returns, for callers that already have the leader's path.
      */
     public FlightPath beside(FlightPath leading) {
-        double heading = leading.at(0.0).heading();
-        double east = Math.sin(heading);
-        double north = Math.cos(heading);
-        Position displacement = new Position(
-                offset.x() * north + offset.y() * east, offset.y() * north - offset.x() * east, offset.z());
+        Position displacement = turned(offset, leading.at(0.0).heading());
         return time -> {
             FlightState state = leading.at(time);
             return new FlightState(
                     state.position().plus(displacement), state.velocity(), state.attitude(), state.gliding());
         };
+    }
+
+    /** An offset to the right, ahead and above, in the world, m. */
+    static Position turned(Position offset, double heading) {
+        double east = Math.sin(heading);
+        double north = Math.cos(heading);
+        return new Position(
+                offset.x() * north + offset.y() * east, offset.y() * north - offset.x() * east, offset.z());
+    }
+
+    /** Its place beside the leader: to the right, ahead and above by the leader's heading at time 0, m. */
+    public Position offset() {
+        return offset;
     }
 
     @Override

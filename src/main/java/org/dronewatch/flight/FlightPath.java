@@ -2,7 +2,10 @@ package org.dronewatch.flight;
 
 import org.dronewatch.geometry.Position;
 
-/** Where a drone is at any time. Immutable. */
+/**
+ * Where a drone is at any time. Immutable, except for {@link SteeredFlight}, which any thread may ask all the same. A path
+ * never changes what it said of a time.
+ */
 @FunctionalInterface
 public interface FlightPath {
     /** Half the interval over which {@link #acceleration} is a mean, s. */

@@ -10,7 +10,10 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
-/** The paths of a scene's drones, sampled evenly in time. Immutable. */
+/**
+ * The paths of a scene's drones, sampled evenly in time. While a run with steered drones goes on, they are sampled as far as
+ * they have flown. Any thread may ask.
+ */
 public final class Flights {
     private static final int STEPS = 600;
 
@@ -18,23 +21,34 @@ public final class Flights {
     private static final double ROOM = 5.0;
 
     private final Map<String, List<Position>> positions = new LinkedHashMap<>();
+    private final Stage stage;
     private final double step;
+    private int sampled;
 
     /** The flights of one run. */
     public Flights(SceneSettings settings, Stage stage) {
+        this.stage = stage;
         this.step = settings.run().duration() / STEPS;
-        for (int i = 0; i <= STEPS; i++) {
-            for (Drone drone : stage.dronesAt(i * step)) {
+        sample();
+    }
+
+    /** Samples what is known by now, and was not before. */
+    private void sample() {
+        double known = stage.known();
+        while (sampled <= STEPS && sampled * step <= known) {
+            for (Drone drone : stage.dronesAt(sampled * step)) {
                 positions.computeIfAbsent(drone.id(), id -> new ArrayList<>()).add(drone.origin());
             }
+            sampled++;
         }
     }
 
     /** A drone as it is at a time, with its path. */
-    public DroneMark mark(Drone drone, double time, boolean detected) {
+    public synchronized DroneMark mark(Drone drone, double time, boolean detected) {
+        sample();
         List<Position> path = positions.get(drone.id());
         Position now = drone.origin();
-        int next = (int) Math.min(STEPS, Math.floor(time / step) + 1.0);
+        int next = (int) Math.min(Math.min(STEPS, path.size()), Math.floor(time / step) + 1.0);
         List<Position> flown = new ArrayList<>(path.subList(0, next));
         flown.add(now);
         List<Position> toCome = new ArrayList<>();
@@ -44,7 +58,7 @@ public final class Flights {
     }
 
     /** The box around all sensors and all flights, with some room about it. */
-    public AABB interest(SceneSettings settings) {
+    public synchronized AABB interest(SceneSettings settings) {
         List<Position> all = new ArrayList<>();
         positions.values().forEach(all::addAll);
         settings.enabledSensors().values().forEach(sensor -> all.add(sensor.position()));

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.dronewatch.flight.FlightsFile;
 import org.dronewatch.report.html.Looks;
 import org.dronewatch.report.html.RunLooks;
 import org.dronewatch.report.map.SiteMap;
@@ -32,19 +33,21 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
- * Writes the files of a run: {@code detections.csv} and, when asked for, {@code observations.csv} while it goes on,
- * {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end, and if it was not cut
+ * Writes the files of a run: {@code detections.csv}, {@code flights.csv} and, when asked for, {@code observations.csv} while
+ * it goes on, {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end, and if it was not cut
  * short, {@code report.html} and, of a scene with an origin on earth, {@code map.geojson} and {@code map.kml}. They appear in
  * the directory together, once all is done.
  */
 public final class RunReport implements SceneListener, AutoCloseable {
     private static final String DETECTIONS = "detections.csv";
+    private static final String FLIGHTS = "flights.csv";
     private static final String OBSERVATIONS = "observations.csv";
 
     private final Scene scene;
     private final OutputDirectory directory;
     private final Table detections;
     private final Table observations;
+    private final FlightTable flights;
     private final Map<String, String> captions = new LinkedHashMap<>();
     private final RangePlots rangePlots = new RangePlots();
     private final Looks looks = new Looks();
@@ -64,6 +67,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         this.scene = scene;
         this.directory = new OutputDirectory(target);
         Table opened = null;
+        Table flown = null;
         try {
             opened = new Table(
                     directory.file(DETECTIONS),
@@ -79,6 +83,8 @@ public final class RunReport implements SceneListener, AutoCloseable {
                     "unit",
                     "heard_s");
             this.detections = opened;
+            flown = new Table(directory.file(FLIGHTS), FlightsFile.COLUMNS.toArray(String[]::new));
+            this.flights = new FlightTable(flown);
             this.observations = withObservations
                     ? new Table(
                             directory.file(OBSERVATIONS),
@@ -98,6 +104,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
                     : null;
         } catch (IOException | RuntimeException e) {
             close(opened);
+            close(flown);
             directory.close();
             throw directory.refusal(e);
         }
@@ -118,11 +125,14 @@ public final class RunReport implements SceneListener, AutoCloseable {
     @Override
     public void runStarted(RunInfo run, Stage stage) {
         looks.runStarted(run, stage);
+        flights.runStarted(run, stage);
     }
 
+    /** @throws org.dronewatch.setting.InputException when the rows cannot be written */
     @Override
     public void runEnded(RunResult result) {
         looks.runEnded(result);
+        directory.write(() -> flights.runEnded(result));
     }
 
     /** @throws org.dronewatch.setting.InputException when the rows cannot be written */
@@ -272,8 +282,12 @@ public final class RunReport implements SceneListener, AutoCloseable {
         try {
             detections.close();
         } finally {
-            if (observations != null) {
-                observations.close();
+            try {
+                flights.close();
+            } finally {
+                if (observations != null) {
+                    observations.close();
+                }
             }
         }
     }

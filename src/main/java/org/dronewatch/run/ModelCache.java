@@ -1,5 +1,6 @@
 package org.dronewatch.run;
 
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -13,26 +14,31 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.bvh.TracingSettings;
+import org.dronewatch.flight.FlightsFile;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.LoadedModel;
 import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
 
 /**
- * Loads each model and builds each tree once, however many runs need them, and measures how long that takes.
- * Thread-safe; one thread at a time is served.
+ * Loads each model and builds each tree once, however many runs need them, and measures how long that takes; reads each
+ * file of recorded flights once. Thread-safe; one thread at a time is served.
  */
 public final class ModelCache {
     private static final double NANO = 1e-9;
 
+    private final Path directory;
     private final ModelLoader loader;
     private final Consumer<String> notes;
     private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
     private final Map<Site, TracingIndex> indexes = new HashMap<>();
     private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
+    private final Map<String, FlightsFile> flights = new HashMap<>();
     private final Set<String> noted = new HashSet<>();
     private double loadSeconds;
     private double buildSeconds;
@@ -47,6 +53,7 @@ public final class ModelCache {
      * @param notes receives a line for each file read, and each warning
      */
     public ModelCache(Path directory, Consumer<String> notes) {
+        this.directory = directory;
         this.loader = new ModelLoader(directory);
         this.notes = notes;
     }
@@ -54,6 +61,31 @@ public final class ModelCache {
     /** Reads a model, once. */
     public synchronized void read(ModelSettings settings) {
         models.computeIfAbsent(settings, this::load);
+    }
+
+    /**
+     * The recorded flights of a file.
+     *
+     * @param file its name in the settings
+     * @throws InputException when it cannot be read, or is wrong
+     */
+    public synchronized FlightsFile flights(String file) {
+        FlightsFile known = flights.get(file);
+        if (known == null) {
+            known = FlightsFile.read(resolved(file), file);
+            flights.put(file, known);
+            files.put(file, List.of(known.hash()));
+            notes.accept("read " + file);
+        }
+        return known;
+    }
+
+    private Path resolved(String file) {
+        try {
+            return directory.resolve(file);
+        } catch (InvalidPathException e) {
+            throw new InputException(PlainText.value(file) + ": not a path: " + e.getReason(), e);
+        }
     }
 
     /** The ray-tracing index over some models, merged into one mesh. */
@@ -81,7 +113,10 @@ public final class ModelCache {
         return starts;
     }
 
-    /** The files that were read of each model, by its name in the settings, in the order in which they were read. */
+    /**
+     * The files that were read of each model or recorded flight, by its name in the settings, in the order in which they
+     * were read.
+     */
     public synchronized Map<String, List<FileHash>> files() {
         return new LinkedHashMap<>(files);
     }

@@ -21,6 +21,9 @@ import org.dronewatch.sensor.Observation;
  *     return session.result();
  * }
  * }</pre>
+ *
+ * <p>Steered drones are commanded between the looks: {@code session.stage().flight("hunter")} is a {@link
+ * org.dronewatch.flight.SteeredFlight}, whose commands take their time.
  */
 public final class RunSession implements AutoCloseable {
     private final RunInfo info;
@@ -110,6 +113,11 @@ public final class RunSession implements AutoCloseable {
         return over ? OptionalDouble.empty() : OptionalDouble.of(next);
     }
 
+    /** When sensors last looked, seconds since the start of the run; 0 before they have. */
+    public double reached() {
+        return reached;
+    }
+
     private boolean isPastEnd(double next) {
         return next > control.until() || Double.isInfinite(next);
     }
@@ -132,6 +140,7 @@ public final class RunSession implements AutoCloseable {
         }
         control.pace().await(time);
         Workers.checkInterrupted();
+        stage.flyTo(time);
         List<Drone> drones = stage.dronesAt(time);
         List<Observation> observations = stage.look(time, drones, control.times());
         Frame frame = new Frame(info.run(), time, drones, observations, stage.pointings());
@@ -164,6 +173,7 @@ public final class RunSession implements AutoCloseable {
                 && isPastEnd(stage.nextLook())
                 && !control.cancelled().getAsBoolean();
         double simulated = whole ? control.until() : reached;
+        stage.flyTo(simulated);
         return new RunResult(
                 info.run(), info.settings(), simulated, log.events(), log.pairs(), alerts.results(stage, simulated));
     }

@@ -8,8 +8,10 @@ import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightPath;
+import org.dronewatch.flight.SteeredFlight;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.positioner.Pointing;
@@ -54,7 +56,7 @@ public final class Stage {
         this.colours = Map.copyOf(models.colours(site.models()));
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
-        FlightPaths paths = new FlightPaths(world.newGround());
+        FlightPaths paths = new FlightPaths(world.newGround(), models::flights);
         settings.fliers().forEach((id, drone) -> {
             Drone created = new Drone(
                     id,
@@ -76,6 +78,7 @@ public final class Stage {
      */
     void release() {
         active.clear();
+        steered().forEach(SteeredFlight::end);
     }
 
     /** The world. */
@@ -88,7 +91,11 @@ public final class Stage {
         return colours;
     }
 
-    /** The drones at a time, seconds since the start of the run. */
+    /**
+     * The drones at a time, seconds since the start of the run.
+     *
+     * @throws IllegalStateException when one of them is steered, and the time is after {@link #known()}
+     */
     public List<Drone> dronesAt(double time) {
         return fliers.stream().map(flier -> flier.drone.at(flier.path.at(time))).toList();
     }
@@ -98,15 +105,48 @@ public final class Stage {
      *
      * @param time seconds since the start of the run
      * @throws IllegalArgumentException when there is no such drone
+     * @throws IllegalStateException when it is steered, and the time is after {@link #known()}
      */
     public Position placeOf(String drone, double time) {
+        return flight(drone).at(time).position();
+    }
+
+    /**
+     * The flight of a drone; a {@link SteeredFlight} if it is steered.
+     *
+     * @throws IllegalArgumentException when there is no such drone
+     */
+    public FlightPath flight(String drone) {
+        FlightPath path = flights().get(drone);
+        if (path == null) {
+            throw new IllegalArgumentException("no drone '" + drone + "'; the drones are "
+                    + (fliers.isEmpty() ? "none" : String.join(", ", flights().keySet())));
+        }
+        return path;
+    }
+
+    /** The flights by id of the drone, in the order of the scene. */
+    public Map<String, FlightPath> flights() {
+        Map<String, FlightPath> paths = new LinkedHashMap<>();
+        fliers.forEach(flier -> paths.put(flier.drone.id(), flier.path));
+        return paths;
+    }
+
+    private Stream<SteeredFlight> steered() {
         return fliers.stream()
-                .filter(flier -> flier.drone.id().equals(drone))
-                .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'"))
-                .path
-                .at(time)
-                .position();
+                .map(Flier::path)
+                .filter(SteeredFlight.class::isInstance)
+                .map(SteeredFlight.class::cast);
+    }
+
+    /** Up to when it is known where all drones are, s: infinity unless one is steered. */
+    public double known() {
+        return steered().mapToDouble(SteeredFlight::known).min().orElse(Double.POSITIVE_INFINITY);
+    }
+
+    /** Steered drones have flown on to this time. */
+    void flyTo(double time) {
+        steered().forEach(flight -> flight.advance(time));
     }
 
     /**
@@ -181,6 +221,7 @@ public final class Stage {
 
     /** Runs the looks of every sensor that is due at a time. */
     List<Observation> look(double time, List<Drone> drones, LookTimes times) {
+        steered().forEach(flight -> flight.look(time));
         pointings.clear();
         List<Supplier<List<Observation>>> looks = new ArrayList<>();
         for (ActiveSensor one : active) {

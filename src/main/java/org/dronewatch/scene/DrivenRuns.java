@@ -3,6 +3,7 @@ package org.dronewatch.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
 import org.dronewatch.parallel.Interrupts;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.RunControl;
@@ -18,10 +19,16 @@ import org.dronewatch.run.SceneListener;
  * @param simulator the scene's own simulator
  * @param models where models come from
  * @param listeners are notified of each run
+ * @param pilots gives the pilot of each run
  * @param control of each run, which ends no later than its settings state
  */
 record DrivenRuns(
-        Scene scene, SceneSimulator simulator, ModelCache models, List<SceneListener> listeners, RunControl control) {
+        Scene scene,
+        SceneSimulator simulator,
+        ModelCache models,
+        List<SceneListener> listeners,
+        Supplier<Pilot> pilots,
+        RunControl control) {
 
     /**
      * Runs them.
@@ -63,7 +70,7 @@ record DrivenRuns(
     private void simulate(RunSession session, double until) {
         try {
             Interrupts.surfacing(() -> {
-                simulator.run(scene, new SceneReplication(scene.name(), until), session);
+                simulator.run(scene, new SceneReplication(scene.name(), until), session, pilots.get());
                 return null;
             });
         } catch (CancellationException e) {

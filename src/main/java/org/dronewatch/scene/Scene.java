@@ -44,7 +44,8 @@ import org.dronewatch.world.Light;
  *
  * <p>A scene is a DSOL model: given to your own DSOL simulator, it runs beside other DSOL models and under DSOL's
  * experiments, whose replications each have their own seed. It then fires {@link #OBSERVATION} to its listeners. Sweeps
- * are run by {@link SceneRunner}; under another simulator the scene runs with its settings as they are.
+ * are run by {@link SceneRunner}; under another simulator the scene runs with its settings as they are. Drones whose flight
+ * is {@code steered} are steered by the scene's {@link #pilot()}, or by another model through {@link #drone}.
  */
 public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInterface<Double>> {
     /** Fired when one sensor has looked at one drone, with the {@link Observation}. */
@@ -262,11 +263,36 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         return new SceneRunner(this).run();
     }
 
-    /** Opens a run and schedules its first look; DSOL calls this for each replication. */
+    /**
+     * Gives the pilot of a run, who steers the drones whose flight is {@code steered}: a new one for each call, as each run
+     * has its own. Nobody steers unless overridden.
+     */
+    protected Pilot pilot() {
+        return Pilot.NONE;
+    }
+
+    /**
+     * A drone of the run that is going on, at the simulator's time: for DSOL models that hold this scene.
+     *
+     * @param id its name in the scene
+     * @throws IllegalArgumentException when the scene has no such drone
+     * @throws IllegalStateException when no run is going on
+     */
+    public final DroneInFlight drone(String id) {
+        if (session == null) {
+            throw new IllegalStateException("drone '" + id + "' does not fly: no run of the scene is going on");
+        }
+        return new PilotedRun(session, getSimulator()).drone(id);
+    }
+
+    /** Opens a run, lets its pilot begin and schedules its first look; DSOL calls this for each replication. */
     @Override
     public final void constructModel() {
-        Optional<RunSession> given = getSimulator() instanceof SceneSimulator own ? own.session() : Optional.empty();
-        session = given.orElseGet(this::openSession);
+        Optional<SceneSimulator> own =
+                getSimulator() instanceof SceneSimulator simulator ? Optional.of(simulator) : Optional.empty();
+        session = own.flatMap(SceneSimulator::session).orElseGet(this::openSession);
+        Pilot steering = own.flatMap(SceneSimulator::pilot).orElseGet(this::pilot);
+        steering.begin(new PilotedRun(session, getSimulator()));
         scheduleNextLook();
     }
 
@@ -291,12 +317,13 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         session = null;
     }
 
+    /** Looks have the lowest priority: what other models do at the same time comes before. */
     private void scheduleNextLook() {
         OptionalDouble next = session.nextTime();
         if (next.isPresent()) {
             double time = getSimulator().getReplication().getStartTime() + next.getAsDouble();
             if (time <= getSimulator().getReplication().getEndTime()) {
-                getSimulator().scheduleEventAbs(time, SimEventInterface.NORMAL_PRIORITY, this::look);
+                getSimulator().scheduleEventAbs(time, SimEventInterface.MIN_PRIORITY, this::look);
             }
         }
     }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.scenario.InputFiles;
@@ -28,6 +29,12 @@ public final class SceneFile extends Scene {
      * @param file of at most 1 MiB, in UTF-8; file names in it are relative to its directory
      */
     public SceneFile(Path file) {
+        this.file = file;
+    }
+
+    /** The scene of a file as a model for a DSOL simulator. */
+    public SceneFile(Path file, DevsSimulatorInterface<Double> simulator) {
+        super(simulator);
         this.file = file;
     }
 

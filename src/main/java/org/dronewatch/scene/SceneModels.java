@@ -2,6 +2,7 @@ package org.dronewatch.scene;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.dronewatch.flight.Recorded;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.ConditionAdvice;
@@ -39,12 +40,21 @@ final class SceneModels {
         for (int i = 0; i < world.size(); i++) {
             load("world.models." + i, world.get(i));
         }
-        settings.drones().forEach((id, drone) -> load("drones." + id + ".model", drone.model()));
+        settings.drones().forEach((id, drone) -> {
+            load("drones." + id + ".model", drone.model());
+            if (drone.flight() instanceof Recorded recorded) {
+                placing("drones." + id + ".flight", () -> models.flights(recorded.file()));
+            }
+        });
     }
 
     private void load(String path, ModelSettings model) {
+        placing(path, () -> models.read(model));
+    }
+
+    private void placing(String path, Runnable reading) {
         try {
-            models.read(model);
+            reading.run();
         } catch (InputException e) {
             throw new InputException(scene.placeOfFile(path) + path + ": " + e.getMessage(), e);
         }

@@ -10,6 +10,8 @@ import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.dronewatch.flight.Steered;
 import org.dronewatch.parallel.Interrupts;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Frame;
@@ -44,6 +46,7 @@ public final class SceneRunner {
     private Pace pace = Pace.AS_FAST_AS_POSSIBLE;
     private BooleanSupplier cancelled = () -> false;
     private Consumer<String> notes = NOBODY;
+    private Supplier<Pilot> pilots;
     private final Set<FormerNames.Renamed> renamed = new HashSet<>();
     private SceneModels models;
     private Optional<InputFiles> inputs = Optional.empty();
@@ -54,6 +57,7 @@ public final class SceneRunner {
     public SceneRunner(Scene scene) {
         this.scene = scene;
         this.configured = new ConfiguredScene(scene);
+        this.pilots = scene::pilot;
     }
 
     /** Overrides a setting, by its current or a former name; overriding the swept setting ends the sweep. */
@@ -91,6 +95,16 @@ public final class SceneRunner {
     /** Sets the pace; as fast as possible unless set. */
     public SceneRunner pace(Pace newPace) {
         this.pace = newPace;
+        return this;
+    }
+
+    /**
+     * Sets who steers the drones whose flight is {@code steered}, instead of the scene's own pilot.
+     *
+     * @param source gives a new pilot for each run
+     */
+    public SceneRunner pilot(Supplier<Pilot> source) {
+        this.pilots = source;
         return this;
     }
 
@@ -223,7 +237,7 @@ public final class SceneRunner {
      * interrupted this runner can run again.
      *
      * @throws CancellationException when the thread is interrupted, before the run or at any moment of it; it stays so
-     * @throws InputException when an override or a model is wrong
+     * @throws InputException when an override or a model is wrong, or a drone is steered and there is no pilot
      * @throws IllegalArgumentException when the scene has no run of the index given to {@link #only}
      * @throws IllegalStateException when the scene was created for another simulator
      */
@@ -239,12 +253,13 @@ public final class SceneRunner {
         inputs = Optional.of(configured.inputs(settings));
         List<SceneSettings> all = configured.settingsOfRuns(settings);
         List<RunInfo> runs = chosen(all);
+        runs.forEach(info -> checkPiloted(info.settings()));
         double before = models().seconds();
         LookTimes times = new LookTimes();
         long start = System.nanoTime();
         all.forEach(models()::load);
         RunControl control = new RunControl(until, pace, cancelled, times);
-        DrivenRuns driven = new DrivenRuns(scene, simulator, models().cache(), List.copyOf(listeners), control);
+        DrivenRuns driven = new DrivenRuns(scene, simulator, models().cache(), List.copyOf(listeners), pilots, control);
         List<RunResult> results;
         try (Workers workers = new Workers(threads)) {
             results = workers.call(() -> driven.run(runs));
@@ -256,6 +271,18 @@ public final class SceneRunner {
                 && results.stream()
                         .allMatch(run -> until >= run.settings().run().duration());
         return new SceneResult(scene.name(), settings.run().seed(), threads, complete, results, timing);
+    }
+
+    /** A drone that nobody steers would only hover: that is not what its scene means. */
+    private void checkPiloted(SceneSettings settings) {
+        settings.drones().forEach((id, drone) -> {
+            if (drone.flight() instanceof Steered && pilots.get() == Pilot.NONE) {
+                String path = "drones." + id + ".flight";
+                throw new InputException(configured.placeOfFile(path) + path + ": drone '" + id
+                        + "' is steered, and this scene has no pilot: run it from a Java scene that overrides pilot(),"
+                        + " or give it another kind of flight");
+            }
+        });
     }
 
     /** All runs, or the single one that is to run. */

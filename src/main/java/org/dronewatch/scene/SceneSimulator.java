@@ -24,6 +24,7 @@ final class SceneSimulator extends DevsSimulator<Double> {
     private transient Thread caller;
     private transient RuntimeException failure;
     private transient RunSession session;
+    private transient Pilot pilot;
 
     private SceneSimulator(String id) {
         super(id);
@@ -40,17 +41,24 @@ final class SceneSimulator extends DevsSimulator<Double> {
      * Drives a run of a scene from start to end on this thread, and leaves no thread behind.
      *
      * @param open the run, which the caller closes
+     * @param steering who steers its drones
      */
-    void run(DsolModel<Double, DevsSimulatorInterface<Double>> scene, SceneReplication replication, RunSession open) {
+    void run(
+            DsolModel<Double, DevsSimulatorInterface<Double>> scene,
+            SceneReplication replication,
+            RunSession open,
+            Pilot steering) {
         caller = Thread.currentThread();
         failure = null;
         session = open;
+        pilot = steering;
         try {
             initializeApart(scene, replication);
             runToEnd();
         } finally {
             cleanUp();
             session = null;
+            pilot = null;
             caller = null;
         }
     }
@@ -58,6 +66,11 @@ final class SceneSimulator extends DevsSimulator<Double> {
     /** The run to drive; empty when this simulator is started like any other. */
     Optional<RunSession> session() {
         return Optional.ofNullable(session);
+    }
+
+    /** Who steers the drones of {@link #session()}. */
+    Optional<Pilot> pilot() {
+        return Optional.ofNullable(pilot);
     }
 
     /** DSOL swallows interrupts while it initializes, which takes a millisecond: so another thread does that. */

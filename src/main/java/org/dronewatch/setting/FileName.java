@@ -14,6 +14,6 @@ import java.lang.annotation.Target;
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)
 public @interface FileName {
-    /** The prefix of names that are not files on disk. */
-    String unless();
+    /** The prefix of names that are not files on disk; none if empty. */
+    String unless() default "";
 }

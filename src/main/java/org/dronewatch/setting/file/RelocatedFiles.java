@@ -74,7 +74,7 @@ final class RelocatedFiles {
     }
 
     private String name(String name, FileName rule, String path) {
-        if (name.startsWith(rule.unless())) {
+        if (!rule.unless().isEmpty() && name.startsWith(rule.unless())) {
             return name;
         }
         Path file = resolved(name, path);

@@ -273,7 +273,7 @@ final class SettingsReader {
             return false;
         }
         FileName rule = part.getAnnotation(FileName.class);
-        if (rule == null || value.toString().startsWith(rule.unless())) {
+        if (rule == null || !rule.unless().isEmpty() && value.toString().startsWith(rule.unless())) {
             return true;
         }
         String wrong = files.wrongWith(value.toString());

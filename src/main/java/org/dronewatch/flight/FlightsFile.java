@@ -1,0 +1,236 @@
+package org.dronewatch.flight;
+
+import de.siegmar.fastcsv.reader.CsvParseException;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.NamedCsvRecord;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Spelling;
+import org.dronewatch.setting.file.BoundedFile;
+import org.dronewatch.setting.file.FileHash;
+
+/**
+ * The flights of a run's {@code flights.csv}: one row for each leg, with all digits of its numbers. Times are seconds since
+ * the start of the run, positions m, velocities m/s, angles rad, and {@code gliding_s} is how long the motors have been off,
+ * empty while they run. Columns may be in any order.
+ */
+public final class FlightsFile {
+    /** The columns, in the order in which a run writes them. */
+    public static final List<String> COLUMNS = List.of(
+            "run",
+            "drone",
+            "time_s",
+            "x_m",
+            "y_m",
+            "z_m",
+            "vx_m_s",
+            "vy_m_s",
+            "vz_m_s",
+            "yaw_rad",
+            "pitch_rad",
+            "roll_rad",
+            "gliding_s");
+
+    /** The largest file that is read, bytes. */
+    static final int LARGEST = 64 << 20;
+
+    /** The most rows that are read. */
+    static final int MOST_ROWS = 1_000_000;
+
+    /** The highest number of a run. */
+    private static final int LAST_RUN = 1_000_000;
+
+    /** The longest time, s: more than three years. */
+    private static final double LONGEST = 1e8;
+
+    /** The largest velocity along an axis: more than any drone's speed, m/s. */
+    private static final double FASTEST = 1000.0;
+
+    private final String name;
+    private final FileHash hash;
+    private final Map<Flight, List<Leg>> flights = new LinkedHashMap<>();
+
+    private record Flight(int run, String drone) {}
+
+    private FlightsFile(String name, byte[] bytes) {
+        this.name = PlainText.value(name);
+        this.hash = hash(name, bytes);
+        try (CsvReader<NamedCsvRecord> rows =
+                CsvReader.builder().ofNamedCsvRecord(new String(bytes, StandardCharsets.UTF_8))) {
+            int number = 0;
+            for (NamedCsvRecord row : rows) {
+                if (number == 0) {
+                    checkHeader(row.getHeader());
+                }
+                number++;
+                if (number > MOST_ROWS) {
+                    throw new InputException(at(row) + "more than " + MOST_ROWS + " rows");
+                }
+                add(row);
+            }
+        } catch (CsvParseException e) {
+            throw new InputException(this.name + ": not a table: " + PlainText.value(reason(e)), e);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static FileHash hash(String name, byte[] bytes) {
+        try {
+            return FileHash.of(name, new ByteArrayInputStream(bytes));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static String reason(Throwable problem) {
+        return problem.getCause() == null ? problem.getMessage() : reason(problem.getCause());
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @param shown its name in messages and in the provenance of a run
+     * @throws InputException when it cannot be read, is too large or a row is wrong; the message gives its line
+     */
+    public static FlightsFile read(Path file, String shown) {
+        return new FlightsFile(shown, BoundedFile.read(file, LARGEST));
+    }
+
+    private void checkHeader(List<String> header) {
+        Set<String> seen = new HashSet<>();
+        for (String column : header) {
+            if (!seen.add(column)) {
+                throw new InputException(name + ":1: column '" + PlainText.value(column) + "' is there twice");
+            }
+        }
+        for (String column : COLUMNS) {
+            if (!seen.contains(column)) {
+                throw new InputException(
+                        name + ":1: no column '" + column + "'; needs " + String.join(",", COLUMNS));
+            }
+        }
+    }
+
+    private void add(NamedCsvRecord row) {
+        if (row.getFieldCount() != row.getHeader().size()) {
+            throw new InputException(at(row) + row.getFieldCount() + " values, needs "
+                    + row.getHeader().size() + ", one for each column");
+        }
+        double run = number(row, "run", 0.0, LAST_RUN);
+        if (run != Math.rint(run)) {
+            throw new InputException(at(row) + "run " + run + " must be a whole number");
+        }
+        double time = number(row, "time_s", 0.0, LONGEST);
+        String glide = row.getField("gliding_s");
+        FlightState state = new FlightState(
+                new Position(place(row, "x_m"), place(row, "y_m"), place(row, "z_m")),
+                new Position(velocity(row, "vx_m_s"), velocity(row, "vy_m_s"), velocity(row, "vz_m_s")),
+                new Attitude(angle(row, "yaw_rad"), angle(row, "pitch_rad"), angle(row, "roll_rad")),
+                glide.isEmpty()
+                        ? OptionalDouble.empty()
+                        : OptionalDouble.of(number(row, "gliding_s", 0.0, LONGEST)));
+        List<Leg> legs =
+                flights.computeIfAbsent(new Flight((int) run, row.getField("drone")), flight -> new ArrayList<>());
+        if (legs.isEmpty() && time != 0.0) {
+            throw new InputException(at(row) + "time_s " + time + " must be 0 in the first row of a flight");
+        }
+        if (!legs.isEmpty() && time <= legs.get(legs.size() - 1).time()) {
+            throw new InputException(at(row) + "time_s " + time + " must be after "
+                    + legs.get(legs.size() - 1).time() + ", that of the flight's row before");
+        }
+        legs.add(new Leg(time, state));
+    }
+
+    /** Computed positions may lie a little outside of what settings allow. */
+    private double place(NamedCsvRecord row, String column) {
+        return number(row, column, -10 * In.FARTHEST, 10 * In.FARTHEST);
+    }
+
+    private double velocity(NamedCsvRecord row, String column) {
+        return number(row, column, -FASTEST, FASTEST);
+    }
+
+    private double angle(NamedCsvRecord row, String column) {
+        // An orbit's heading grows with every turn.
+        return number(row, column, -1e9, 1e9);
+    }
+
+    private double number(NamedCsvRecord row, String column, double from, double to) {
+        String text = row.getField(column);
+        double value;
+        try {
+            value = Double.parseDouble(text);
+        } catch (NumberFormatException e) {
+            throw new InputException(at(row) + column + " '" + PlainText.value(text) + "' must be a number", e);
+        }
+        if (!(value >= from && value <= to)) {
+            throw new InputException(at(row) + column + " " + value + " must be " + from + " to " + to);
+        }
+        return value;
+    }
+
+    private String at(NamedCsvRecord row) {
+        return name + ":" + row.getStartingLineNumber() + ": ";
+    }
+
+    /** Its name and the hash of its bytes, as it was read. */
+    public FileHash hash() {
+        return hash;
+    }
+
+    /**
+     * A flight.
+     *
+     * @throws InputException when the file has none of that run and drone
+     */
+    public FlownPath flight(int run, String drone) {
+        List<Leg> legs = flights.get(new Flight(run, drone));
+        if (legs != null) {
+            return new RecordedFlight(legs);
+        }
+        List<String> drones = flights.keySet().stream()
+                .filter(flight -> flight.run() == run)
+                .map(flight -> PlainText.value(flight.drone()))
+                .toList();
+        throw new InputException(name + ": "
+                + (drones.isEmpty()
+                        ? "has no flight of run " + run
+                        : "has no flight of drone '" + drone + "' in run " + run + "; "
+                                + Spelling.nearestAre(drone, drones)));
+    }
+
+    /** The row of a leg, which reads back as the same numbers. */
+    public static String[] row(int run, String drone, Leg leg) {
+        FlightState state = leg.start();
+        return new String[] {
+            Integer.toString(run),
+            drone,
+            Double.toString(leg.time()),
+            Double.toString(state.position().x()),
+            Double.toString(state.position().y()),
+            Double.toString(state.position().z()),
+            Double.toString(state.velocity().x()),
+            Double.toString(state.velocity().y()),
+            Double.toString(state.velocity().z()),
+            Double.toString(state.attitude().yaw()),
+            Double.toString(state.attitude().pitch()),
+            Double.toString(state.attitude().roll()),
+            state.gliding().isPresent() ? Double.toString(state.gliding().getAsDouble()) : ""
+        };
+    }
+}

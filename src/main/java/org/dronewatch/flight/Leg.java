@@ -1,0 +1,45 @@
+package org.dronewatch.flight;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.geometry.Position;
+
+/**
+ * A part of a flight in which neither velocity nor attitude changes: from its start until the next leg begins. Steered
+ * and recorded flights are made of legs, and compute where a drone is by the same arithmetic, so that a recorded flight
+ * repeats the steered one bit by bit.
+ *
+ * @param time when it begins, seconds since the start of the run
+ * @param start the drone's state then
+ */
+public record Leg(double time, FlightState start) {
+
+    /** The state at a time within the leg: its start plus velocity times the time since, attitude unchanged. */
+    public FlightState at(double when) {
+        double since = when - time;
+        Position moved = start.position().plus(start.velocity().times(since));
+        OptionalDouble gliding = start.gliding().isPresent()
+                ? OptionalDouble.of(start.gliding().getAsDouble() + since)
+                : OptionalDouble.empty();
+        return new FlightState(moved, start.velocity(), start.attitude(), gliding);
+    }
+
+    /**
+     * The state at a time, in the last of some legs that has begun by then, or in the first.
+     *
+     * @param legs at least one, in order of time
+     */
+    static FlightState at(List<Leg> legs, double time) {
+        int low = 0;
+        int high = legs.size() - 1;
+        while (low < high) {
+            int middle = (low + high + 1) >>> 1;
+            if (legs.get(middle).time <= time) {
+                low = middle;
+            } else {
+                high = middle - 1;
+            }
+        }
+        return legs.get(low).at(time);
+    }
+}

@@ -1,0 +1,71 @@
+package org.dronewatch.flight;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.geometry.Position;
+
+/** Flights cut into legs, to be written down. */
+public final class Legs {
+    /** A leg goes on while the flight is where the leg says, m. */
+    private static final double CLOSE = 1e-6;
+
+    /** The same for angles, rad, and for the time of gliding, s. */
+    private static final double ALIKE = 1e-9;
+
+    private Legs() {}
+
+    /**
+     * The legs of a flight. One that is made of legs has its own. Of any other, samples at even steps are joined: where it
+     * flies straight and evenly they become one leg, which is exact but for rounding. In a bend, or where it speeds up by
+     * the acceleration a, it is cut at each step, and between two cuts it is at most a step^2 / 8 away from where it was.
+     *
+     * @param path the flight
+     * @param until its end, s
+     * @param step between two samples, above 0, s
+     */
+    public static List<Leg> of(FlightPath path, double until, double step) {
+        if (path instanceof FlownPath flown) {
+            return flown.legs().stream().filter(leg -> leg.time() <= until).toList();
+        }
+        List<Leg> legs = new ArrayList<>();
+        FlightState here = path.at(0.0);
+        for (int i = 0; i * step < until || i == 0; i++) {
+            double time = i * step;
+            FlightState next = path.at(Math.min(until, time + step));
+            Leg leg = leg(time, here, next, Math.min(until, time + step));
+            if (legs.isEmpty() || !goesOn(legs.get(legs.size() - 1), leg, next, Math.min(until, time + step))) {
+                legs.add(leg);
+            }
+            here = next;
+        }
+        return legs;
+    }
+
+    /** From one sample to the next: with the flight's own velocity if that leads there, otherwise with the mean of both. */
+    private static Leg leg(double time, FlightState here, FlightState next, double nextTime) {
+        Leg own = new Leg(time, here);
+        if (nextTime <= time || isClose(own.at(nextTime), next)) {
+            return own;
+        }
+        Position velocity = next.position().minus(here.position()).times(1.0 / (nextTime - time));
+        return new Leg(time, new FlightState(here.position(), velocity, here.attitude(), here.gliding()));
+    }
+
+    private static boolean isClose(FlightState one, FlightState other) {
+        return one.position().distance(other.position()) <= CLOSE;
+    }
+
+    /** Whether a leg before also covers the next. */
+    private static boolean goesOn(Leg before, Leg next, FlightState end, double endTime) {
+        FlightState expected = before.at(next.time());
+        FlightState state = next.start();
+        return isClose(expected, state)
+                && isClose(before.at(endTime), end)
+                && Math.abs(expected.attitude().yaw() - state.attitude().yaw()) <= ALIKE
+                && Math.abs(expected.attitude().pitch() - state.attitude().pitch()) <= ALIKE
+                && Math.abs(expected.attitude().roll() - state.attitude().roll()) <= ALIKE
+                && expected.isPowered() == state.isPowered()
+                && Math.abs(expected.gliding().orElse(0.0) - state.gliding().orElse(0.0)) <= CLOSE
+                && expected.velocity().distance(state.velocity()) <= CLOSE;
+    }
+}

@@ -1,0 +1,49 @@
+package org.dronewatch.flight;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.FileName;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Ground;
+
+/**
+ * Flies as a drone flew in an earlier run, which wrote its {@code flights.csv}: a steered flight is repeated bit by bit. After
+ * the last row it flies on as that row says. The drone's speed does not matter.
+ *
+ * @param file path of the {@code flights.csv}
+ * @param drone id of the drone in the file; the drone's own id unless given
+ * @param run number of the run in the file, 0 to 1,000,000
+ */
+public record Recorded(
+        @FileName String file, Optional<String> drone, @In(value = Quantity.NUMBER, from = 0, to = 1_000_000) int run)
+        implements FlightPathSettings {
+    /** Checks the limits. */
+    public Recorded {
+        Limits.check(Recorded.class, file, drone, run);
+        if (file.isBlank()) {
+            throw new IllegalArgumentException("file is empty: it must name a flights.csv");
+        }
+    }
+
+    /** The drone's own flight in the first run. */
+    @Defaults("file")
+    public static Recorded of(String file) {
+        return new Recorded(file, Optional.empty(), 0);
+    }
+
+    /**
+     * The flight of a named drone, from a file that is found from the working directory. A run, which finds the file from its
+     * scene's directory and knows the drone's id, does not use this.
+     *
+     * @throws IllegalArgumentException when no drone is named
+     * @throws org.dronewatch.setting.InputException when the file cannot be read, is wrong or has no such flight
+     */
+    @Override
+    public FlightPath create(double speed, double acceleration, Ground ground) {
+        String named = drone.orElseThrow(() -> new IllegalArgumentException("drone must be named outside of a scene"));
+        return FlightsFile.read(Path.of(file), file).flight(run, named);
+    }
+}

@@ -1,0 +1,45 @@
+package org.dronewatch.flight;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Ground;
+
+/**
+ * Is steered by a program while the run goes on: hovers until the first command, then flies as commanded, at no more than
+ * the drone's speed. Each drone of a swarm starts at its place in the formation and is steered by itself.
+ *
+ * @param start where it is at time 0, m
+ * @param heading where the nose points before the first command, clockwise from north, rad
+ */
+public record Steered(
+        Position start, @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading)
+        implements FlightPathSettings {
+    /** Checks the limits. */
+    public Steered {
+        Limits.check(Steered.class, start, heading);
+    }
+
+    /** Starts with the nose to the north. */
+    @Defaults("start")
+    public static Steered from(Position start) {
+        return new Steered(start, 0.0);
+    }
+
+    /**
+     * The same beside this one.
+     *
+     * @param offset to the right, ahead and above, by the heading at the start, m
+     */
+    public Steered beside(Position offset) {
+        return new Steered(start.plus(Displaced.turned(offset, heading)), heading);
+    }
+
+    /** A new flight that nobody has steered yet. The acceleration does not matter: velocity changes with each command. */
+    @Override
+    public SteeredFlight create(double speed, double acceleration, Ground ground) {
+        return new SteeredFlight(start, heading, speed);
+    }
+}

@@ -1,0 +1,175 @@
+package org.dronewatch.flight;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.dronewatch.geometry.Position;
+
+/**
+ * The flight of one drone in one run that is steered while the run goes on. Between two commands its velocity and its
+ * attitude are constant; its position is never set but follows from where it started and how it flew. What has been
+ * flown is kept: a microphone hears the drone where it was. What comes is not known: to ask for it fails.
+ *
+ * <p>A command counts from its time on, that time included. Of several at one time the last counts. A command at a time
+ * at which sensors have already looked, as the answer to what they saw, counts from the next instant that a double can
+ * tell from that time; so what they saw stays true. Only the thread that runs the scene steers; any thread may ask.
+ */
+public final class SteeredFlight implements FlownPath {
+    /** By how much a commanded speed may be above the limit, as the length of a rounded vector may. */
+    private static final double ROUNDING = 1e-9;
+
+    private static final Position REST = new Position(0, 0, 0);
+
+    private final double fastest;
+    private final List<Leg> legs = new ArrayList<>();
+    private double now;
+    private double looked = -1.0;
+    private boolean over;
+
+    /**
+     * At rest at the start of a run.
+     *
+     * @param start where it is, m
+     * @param heading of its nose, clockwise from north, rad
+     * @param fastest largest speed that may be commanded, m/s
+     */
+    SteeredFlight(Position start, double heading, double fastest) {
+        this.fastest = fastest;
+        legs.add(new Leg(0.0, new FlightState(start, REST, heading)));
+    }
+
+    /**
+     * Flies on with a velocity, its nose level and where it is going; straight up, straight down and at rest the nose stays
+     * as it is.
+     *
+     * @param time seconds since the start of the run
+     * @param velocity m/s
+     * @throws IllegalArgumentException when the velocity is above the drone's speed, or a later time is already known
+     * @throws IllegalStateException when the run is over
+     */
+    public synchronized void fly(double time, Position velocity) {
+        double from = begun(time, velocity);
+        add(from, velocity, along(velocity, Leg.at(legs, from)));
+    }
+
+    /**
+     * Flies on with a velocity and an attitude.
+     *
+     * @param time seconds since the start of the run
+     * @param velocity m/s
+     * @param attitude yaw, pitch and roll; does not depend on the velocity
+     * @throws IllegalArgumentException when the velocity is above the drone's speed, or a later time is already known
+     * @throws IllegalStateException when the run is over
+     */
+    public synchronized void fly(double time, Position velocity, Attitude attitude) {
+        add(begun(time, velocity), velocity, attitude);
+    }
+
+    /**
+     * Flies straight and evenly to a point, its nose as by {@link #fly(double, Position)}, and hovers there unless another
+     * command comes before.
+     *
+     * @param time seconds since the start of the run
+     * @param target the point, m
+     * @param arrival when it is to be there, after the command, seconds since the start of the run
+     * @throws IllegalArgumentException when that takes more than the drone's speed, or the arrival is not after the command,
+     *     or a later time is already known
+     * @throws IllegalStateException when the run is over
+     */
+    public synchronized void flyTo(double time, Position target, double arrival) {
+        double from = effective(time);
+        if (!(arrival > from) || !Double.isFinite(arrival)) {
+            throw new IllegalArgumentException("arrival at " + arrival + " s must be after the command, at " + from + " s");
+        }
+        FlightState here = Leg.at(legs, from);
+        Position velocity = target.minus(here.position()).times(1.0 / (arrival - from));
+        checkSpeed(velocity);
+        now = from;
+        Attitude attitude = along(velocity, here);
+        add(from, velocity, attitude);
+        Leg way = legs.get(legs.size() - 1);
+        legs.add(new Leg(arrival, new FlightState(way.at(arrival).position(), REST, attitude, OptionalDouble.empty())));
+    }
+
+    private static Attitude along(Position velocity, FlightState here) {
+        boolean isVertical = velocity.x() == 0.0 && velocity.y() == 0.0;
+        return Attitude.level(isVertical ? here.heading() : Math.atan2(velocity.x(), velocity.y()));
+    }
+
+    /** Checks a command before anything is changed. */
+    private double begun(double time, Position velocity) {
+        double from = effective(time);
+        checkSpeed(velocity);
+        now = from;
+        return from;
+    }
+
+    /** From when a command counts. */
+    private double effective(double time) {
+        if (over) {
+            throw new IllegalStateException("the run is over: nobody can steer any more");
+        }
+        double from = time <= looked ? Math.nextUp(looked) : time;
+        if (!(time >= looked && from >= now) || !Double.isFinite(time)) {
+            throw new IllegalArgumentException("a command at " + time + " s must not be before " + now
+                    + " s, up to when the flight is already known");
+        }
+        return from;
+    }
+
+    private void checkSpeed(Position velocity) {
+        double speed = velocity.length();
+        if (speed > fastest * (1.0 + ROUNDING)) {
+            throw new IllegalArgumentException(
+                    String.format(Locale.ROOT, "speed %s m/s must be at most %s m/s, the drone's", speed, fastest));
+        }
+    }
+
+    /** A new leg from where it is then; what was still to come of the last command no longer counts. */
+    private void add(double from, Position velocity, Attitude attitude) {
+        Position here = Leg.at(legs, from).position();
+        legs.removeIf(leg -> leg.time() >= from);
+        legs.add(new Leg(from, new FlightState(here, velocity, attitude, OptionalDouble.empty())));
+    }
+
+    /** Time goes on: up to this time, and including it unless a command changes it, the flight is known. */
+    public synchronized void advance(double time) {
+        now = Math.max(now, time);
+    }
+
+    /** Sensors look at a time: up to it, and including it, nothing changes any more. */
+    public synchronized void look(double time) {
+        advance(time);
+        looked = Math.max(looked, time);
+    }
+
+    /** The run is over: no more commands. */
+    public synchronized void end() {
+        over = true;
+    }
+
+    /** Up to when the flight is known, seconds since the start of the run. */
+    public synchronized double known() {
+        return now;
+    }
+
+    /**
+     * The state at a time that has come.
+     *
+     * @throws IllegalStateException when it is yet to come
+     */
+    @Override
+    public synchronized FlightState at(double time) {
+        // Fractions of a run that are added up may end beside its end.
+        if (time > now * (1.0 + 1e-12)) {
+            throw new IllegalStateException("where a steered drone will be at " + time + " s is not known at " + now + " s");
+        }
+        return Leg.at(legs, Math.min(time, now));
+    }
+
+    @Override
+    public synchronized List<Leg> legs() {
+        return legs.stream().filter(leg -> leg.time() <= now).toList();
+    }
+}

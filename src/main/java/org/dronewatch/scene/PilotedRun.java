@@ -1,0 +1,43 @@
+package org.dronewatch.scene;
+
+import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
+import org.dronewatch.run.RunSession;
+import org.dronewatch.scenario.SceneSettings;
+
+/** A run whose drones are steered: its drones, its time and its simulator. For the thread of the simulator. */
+public final class PilotedRun {
+    private final RunSession session;
+    private final DevsSimulatorInterface<Double> simulator;
+
+    PilotedRun(RunSession session, DevsSimulatorInterface<Double> simulator) {
+        this.session = session;
+        this.simulator = simulator;
+    }
+
+    /** What drives the run: here a pilot schedules its events, as in {@code scheduleEventRel(0.1, this::steer)}. */
+    public DevsSimulatorInterface<Double> simulator() {
+        return simulator;
+    }
+
+    /** The settings of the run, with the value of a sweep. */
+    public SceneSettings settings() {
+        return session.info().settings();
+    }
+
+    /** Now, seconds since the start of the run. */
+    public double time() {
+        double now = simulator.getSimulatorTime() - simulator.getReplication().getStartTime();
+        // Where a replication does not start at 0 the difference is rounded: never past a look that is still to come.
+        return Math.max(session.reached(), Math.min(now, session.nextTime().orElse(now)));
+    }
+
+    /**
+     * A drone as it flies now.
+     *
+     * @param id its name in the scene; {@code x-1} for the first drone of a swarm {@code x}
+     * @throws IllegalArgumentException when there is no such drone
+     */
+    public DroneInFlight drone(String id) {
+        return new DroneInFlight(id, session.stage().flight(id), this::time);
+    }
+}

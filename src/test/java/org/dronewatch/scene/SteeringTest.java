@@ -1,0 +1,168 @@
+package org.dronewatch.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.flight.FlightPathSettings;
+import org.dronewatch.flight.Recorded;
+import org.dronewatch.flight.SteeredFlight;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.report.RunReport;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.RunInfo;
+import org.dronewatch.run.SceneListener;
+import org.dronewatch.run.SceneResult;
+import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.setting.InputException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A drone that a DSOL model steers is observed as it flew; recorded and replayed it is observed as before. */
+class SteeringTest {
+    @TempDir
+    private Path directory;
+
+    /** Runs into a directory. */
+    private SceneResult run(Scene scene, int threads, String name) {
+        SceneRunner runner = new SceneRunner(scene).directory(directory).threads(threads);
+        try (RunReport report = new RunReport(scene, directory.resolve(name), true)) {
+            SceneResult result = runner.listener(report).run();
+            report.inputs(runner.inputs());
+            report.finish(result);
+            return result;
+        }
+    }
+
+    private byte[] bytes(String file) throws IOException {
+        return Files.readAllBytes(directory.resolve(file));
+    }
+
+    @Test
+    void recordedAndReplayedItIsObservedAsBefore() throws IOException {
+        run(new Pursuit(), 1, "one");
+        run(new Pursuit(), 4, "four");
+        run(new Pursuit(new Recorded("one/flights.csv", Optional.empty(), 0)), 1, "replayed");
+        run(new Pursuit(new Recorded("four/flights.csv", Optional.of("hunter"), 0)), 4, "replayed-four");
+
+        String observed = Files.readString(directory.resolve("one/observations.csv"));
+        for (String sensor : List.of("camera", "ear", "far-ear", "radar")) {
+            assertThat(observed.lines().filter(row -> row.contains("," + sensor + ",") && row.contains(",hunter,")))
+                    .as(sensor)
+                    .isNotEmpty();
+        }
+        assertThat(observed.lines().filter(row -> row.contains(",camera,camera,hunter,") && row.contains(",true,")))
+                .as("the camera sees the hunter")
+                .isNotEmpty();
+        for (String name : List.of("four", "replayed", "replayed-four")) {
+            for (String file : List.of("observations.csv", "detections.csv", "flights.csv")) {
+                assertThat(bytes(name + "/" + file)).as(name + "/" + file).isEqualTo(bytes("one/" + file));
+            }
+        }
+        assertThat(Files.readString(directory.resolve("replayed/provenance.json")))
+                .as("what it was run from")
+                .contains("one/flights.csv");
+    }
+
+    /** The same in all digits, not only in those of the tables. */
+    @Test
+    void theReplayedObservationsAreTheSameInAllDigits() {
+        run(new Pursuit(), 2, "steered");
+        List<Observation> steered = observations(new SceneRunner(new Pursuit()));
+        List<Observation> replayed = observations(
+                new SceneRunner(new Pursuit(Recorded.of("steered/flights.csv"))).directory(directory));
+        assertThat(replayed).isEqualTo(steered).isNotEmpty();
+    }
+
+    private static List<Observation> observations(SceneRunner runner) {
+        List<Observation> all = new ArrayList<>();
+        runner.onFrame(frame -> all.addAll(frame.observations())).run();
+        return all;
+    }
+
+    /** Where the hunter is at 6 s, by the pursuit integrated here step by step. */
+    @Test
+    void theHunterFliesAsItIsSteered() {
+        List<Position> flown = new ArrayList<>();
+        new SceneRunner(new Pursuit())
+                .onFrame(frame -> frame.drones().stream()
+                        .filter(drone -> drone.id().equals("hunter"))
+                        .forEach(drone -> flown.add(drone.origin())))
+                .run();
+        Position hunter = Pursuit.START;
+        for (int i = 0; i < 60; i++) {
+            double angle = 15.0 / 40.0 * 0.1 * i;
+            Position prey = new Position(40 * Math.sin(angle), 40 * Math.cos(angle), 175);
+            hunter = hunter.plus(prey.minus(hunter).unit().times(Pursuit.SPEED * 0.1));
+        }
+        assertThat(flown.get(flown.size() - 1).distance(hunter)).isLessThan(1e-9);
+    }
+
+    @Test
+    void aSoundIsHeardFromWhereTheHunterWas() {
+        List<Observation> heard = new ArrayList<>();
+        Stage[] stage = new Stage[1];
+        new SceneRunner(new Pursuit())
+                .listener(new SceneListener() {
+                    @Override
+                    public void runStarted(RunInfo run, Stage itsStage) {
+                        stage[0] = itsStage;
+                    }
+
+                    @Override
+                    public void observed(Frame frame) {
+                        frame.observations().stream()
+                                .filter(one -> one.sensor().equals("ear") && one.drone().equals("hunter"))
+                                .forEach(heard::add);
+                    }
+                })
+                .run();
+        assertThat(heard).isNotEmpty().allSatisfy(one -> {
+            Position then = stage[0].flight("hunter").at(one.time()).position();
+            assertThat(one.range()).isCloseTo(then.distance(Pursuit.EAR), within(1e-9));
+            assertThat(one.arrival() - one.time()).isGreaterThan(0.05);
+        });
+        assertThat(stage[0].known()).isEqualTo(Pursuit.DURATION);
+        assertThat(((SteeredFlight) stage[0].flight("hunter")).legs()).hasSize(61);
+    }
+
+    @Test
+    void theFutureOfASteeredDroneIsNotKnownDuringARun() {
+        List<Double> refused = new ArrayList<>();
+        Stage[] stage = new Stage[1];
+        new SceneRunner(new Pursuit())
+                .until(1.0)
+                .listener(new SceneListener() {
+                    @Override
+                    public void runStarted(RunInfo run, Stage itsStage) {
+                        stage[0] = itsStage;
+                    }
+
+                    @Override
+                    public void observed(Frame frame) {
+                        stage[0].dronesAt(frame.time());
+                        assertThatIllegalStateException().isThrownBy(() -> stage[0].dronesAt(frame.time() + 0.05));
+                        refused.add(frame.time());
+                    }
+                })
+                .run();
+        assertThat(refused).isNotEmpty();
+    }
+
+    @Test
+    void withoutAPilotNothingIsRun() {
+        FlightPathSettings steered = new Pursuit().describe().drones().get("hunter").flight();
+        SceneRunner runner = new SceneRunner(new Pursuit(steered)).pilot(() -> Pilot.NONE);
+        assertThatThrownBy(runner::run)
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("drones.hunter.flight: drone 'hunter' is steered, and this scene has no pilot");
+    }
+}
