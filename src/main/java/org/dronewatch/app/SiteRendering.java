@@ -44,7 +44,8 @@ final class SiteRendering extends Rendering {
     String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {
         boolean turns = settings.sensors().values().stream()
                 .anyMatch(sensor -> Mounted.positioner(sensor).isPresent());
-        RunHistory history = turns || Simulation.isSteered(settings) ? simulation().until(time, () -> false) : new RunHistory();
+        RunHistory history =
+                turns || Simulation.isSteered(settings) ? simulation().until(time, () -> false) : new RunHistory();
         BufferedImage image = threads.call(() -> pictures(history, time, false).apply(time));
         target.write(stream -> ImageIO.write(image, "png", stream));
         return image.getWidth() + " x " + image.getHeight() + " pixels";

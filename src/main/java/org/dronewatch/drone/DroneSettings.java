@@ -225,7 +225,11 @@ public record DroneSettings(
      * @throws IllegalArgumentException when the flight follows the ground and there is none
      */
     public FlightPath createFlight(Ground ground) {
-        FlightPath path = flight.create(speed, acceleration, ground);
+        return leaning(flight.create(speed, acceleration, ground));
+    }
+
+    /** A path as this drone flies it: leaning, if it does. */
+    public FlightPath leaning(FlightPath path) {
         return lean ? airframe.leaning(path) : path;
     }
 

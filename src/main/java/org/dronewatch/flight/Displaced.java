@@ -43,8 +43,7 @@ public final class Displaced implements FlightPathSettings {
     static Position turned(Position offset, double heading) {
         double east = Math.sin(heading);
         double north = Math.cos(heading);
-        return new Position(
-                offset.x() * north + offset.y() * east, offset.y() * north - offset.x() * east, offset.z());
+        return new Position(offset.x() * north + offset.y() * east, offset.y() * north - offset.x() * east, offset.z());
     }
 
     /** Its place beside the leader: to the right, ahead and above by the leader's heading at time 0, m. */

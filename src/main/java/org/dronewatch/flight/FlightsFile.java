@@ -120,8 +120,7 @@ public final class FlightsFile {
         }
         for (String column : COLUMNS) {
             if (!seen.contains(column)) {
-                throw new InputException(
-                        name + ":1: no column '" + column + "'; needs " + String.join(",", COLUMNS));
+                throw new InputException(name + ":1: no column '" + column + "'; needs " + String.join(",", COLUMNS));
             }
         }
     }
@@ -141,9 +140,7 @@ public final class FlightsFile {
                 new Position(place(row, "x_m"), place(row, "y_m"), place(row, "z_m")),
                 new Position(velocity(row, "vx_m_s"), velocity(row, "vy_m_s"), velocity(row, "vz_m_s")),
                 new Attitude(angle(row, "yaw_rad"), angle(row, "pitch_rad"), angle(row, "roll_rad")),
-                glide.isEmpty()
-                        ? OptionalDouble.empty()
-                        : OptionalDouble.of(number(row, "gliding_s", 0.0, LONGEST)));
+                glide.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(number(row, "gliding_s", 0.0, LONGEST)));
         List<Leg> legs =
                 flights.computeIfAbsent(new Flight((int) run, row.getField("drone")), flight -> new ArrayList<>());
         if (legs.isEmpty() && time != 0.0) {

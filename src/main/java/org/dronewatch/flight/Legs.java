@@ -2,6 +2,7 @@ package org.dronewatch.flight;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 
 /** Flights cut into legs, to be written down. */
@@ -15,7 +16,7 @@ public final class Legs {
     private Legs() {}
 
     /**
-     * The legs of a flight. One that is made of legs has its own. Of any other, samples at even steps are joined: where it
+     * The legs of a flight. One that is made of legs has its own, before the drone leans. Of any other, samples at even steps are joined: where it
      * flies straight and evenly they become one leg, which is exact but for rounding. In a bend, or where it speeds up by
      * the acceleration a, it is cut at each step, and between two cuts it is at most a step^2 / 8 away from where it was.
      *
@@ -24,8 +25,11 @@ public final class Legs {
      * @param step between two samples, above 0, s
      */
     public static List<Leg> of(FlightPath path, double until, double step) {
-        if (path instanceof FlownPath flown) {
-            return flown.legs().stream().filter(leg -> leg.time() <= until).toList();
+        Optional<FlownPath> flown = FlownPath.in(path);
+        if (flown.isPresent()) {
+            return flown.get().legs().stream()
+                    .filter(leg -> leg.time() <= until)
+                    .toList();
         }
         List<Leg> legs = new ArrayList<>();
         FlightState here = path.at(0.0);

@@ -3,6 +3,7 @@ package org.dronewatch.flight;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
@@ -80,7 +81,8 @@ public final class SteeredFlight implements FlownPath {
     public synchronized void flyTo(double time, Position target, double arrival) {
         double from = effective(time);
         if (!(arrival > from) || !Double.isFinite(arrival)) {
-            throw new IllegalArgumentException("arrival at " + arrival + " s must be after the command, at " + from + " s");
+            throw new IllegalArgumentException(
+                    "arrival at " + arrival + " s must be after the command, at " + from + " s");
         }
         FlightState here = Leg.at(legs, from);
         Position velocity = target.minus(here.position()).times(1.0 / (arrival - from));
@@ -154,6 +156,11 @@ public final class SteeredFlight implements FlownPath {
         return now;
     }
 
+    /** The flight of a drone that is steered, whether it leans or not; empty for any other path. */
+    public static Optional<SteeredFlight> in(FlightPath path) {
+        return FlownPath.in(path).filter(SteeredFlight.class::isInstance).map(SteeredFlight.class::cast);
+    }
+
     /**
      * The state at a time that has come.
      *
@@ -163,7 +170,8 @@ public final class SteeredFlight implements FlownPath {
     public synchronized FlightState at(double time) {
         // Fractions of a run that are added up may end beside its end.
         if (time > now * (1.0 + 1e-12)) {
-            throw new IllegalStateException("where a steered drone will be at " + time + " s is not known at " + now + " s");
+            throw new IllegalStateException(
+                    "where a steered drone will be at " + time + " s is not known at " + now + " s");
         }
         return Leg.at(legs, Math.min(time, now));
     }

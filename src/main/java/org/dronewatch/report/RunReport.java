@@ -43,6 +43,11 @@ public final class RunReport implements SceneListener, AutoCloseable {
     private static final String FLIGHTS = "flights.csv";
     private static final String OBSERVATIONS = "observations.csv";
 
+    private static final String DETECTION_COLUMNS =
+            "run,time_s,event,sensor,kind,drone,range_m,value,threshold,unit,heard_s";
+    private static final String OBSERVATION_COLUMNS =
+            "run,time_s,sample,sensor,kind,drone,range_m,value,threshold,unit,detected,heard_s,figures";
+
     private final Scene scene;
     private final OutputDirectory directory;
     private final Table detections;
@@ -69,39 +74,12 @@ public final class RunReport implements SceneListener, AutoCloseable {
         Table opened = null;
         Table flown = null;
         try {
-            opened = new Table(
-                    directory.file(DETECTIONS),
-                    "run",
-                    "time_s",
-                    "event",
-                    "sensor",
-                    "kind",
-                    "drone",
-                    "range_m",
-                    "value",
-                    "threshold",
-                    "unit",
-                    "heard_s");
+            opened = new Table(directory.file(DETECTIONS), DETECTION_COLUMNS.split(","));
             this.detections = opened;
             flown = new Table(directory.file(FLIGHTS), FlightsFile.COLUMNS.toArray(String[]::new));
             this.flights = new FlightTable(flown);
-            this.observations = withObservations
-                    ? new Table(
-                            directory.file(OBSERVATIONS),
-                            "run",
-                            "time_s",
-                            "sample",
-                            "sensor",
-                            "kind",
-                            "drone",
-                            "range_m",
-                            "value",
-                            "threshold",
-                            "unit",
-                            "detected",
-                            "heard_s",
-                            "figures")
-                    : null;
+            this.observations =
+                    withObservations ? new Table(directory.file(OBSERVATIONS), OBSERVATION_COLUMNS.split(",")) : null;
         } catch (IOException | RuntimeException e) {
             close(opened);
             close(flown);

@@ -62,7 +62,8 @@ final class FlightPaths {
 
     private FlightPath alone(String id, DroneSettings drone) {
         return drone.flight() instanceof Recorded recorded
-                ? files.apply(recorded.file()).flight(recorded.run(), recorded.drone().orElse(id))
+                ? drone.leaning(files.apply(recorded.file())
+                        .flight(recorded.run(), recorded.drone().orElse(id)))
                 : drone.createFlight(ground);
     }
 }

@@ -22,8 +22,8 @@ import org.dronewatch.sensor.Observation;
  * }
  * }</pre>
  *
- * <p>Steered drones are commanded between the looks: {@code session.stage().flight("hunter")} is a {@link
- * org.dronewatch.flight.SteeredFlight}, whose commands take their time.
+ * <p>Steered drones are commanded between the looks: {@code SteeredFlight.in(session.stage().flight("hunter"))} takes
+ * commands with their times. Whoever drives the run gives them; without commands such a drone hovers.
  */
 public final class RunSession implements AutoCloseable {
     private final RunInfo info;

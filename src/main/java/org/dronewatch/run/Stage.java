@@ -112,7 +112,7 @@ public final class Stage {
     }
 
     /**
-     * The flight of a drone; a {@link SteeredFlight} if it is steered.
+     * The flight of a drone; {@link SteeredFlight#in} gives the one that is steered.
      *
      * @throws IllegalArgumentException when there is no such drone
      */
@@ -133,10 +133,7 @@ public final class Stage {
     }
 
     private Stream<SteeredFlight> steered() {
-        return fliers.stream()
-                .map(Flier::path)
-                .filter(SteeredFlight.class::isInstance)
-                .map(SteeredFlight.class::cast);
+        return fliers.stream().flatMap(flier -> SteeredFlight.in(flier.path).stream());
     }
 
     /** Up to when it is known where all drones are, s: infinity unless one is steered. */

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.dronewatch.catalog.Catalog;
+import org.dronewatch.flight.Steered;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.Overrides;
 import org.dronewatch.scenario.SceneSettings;
@@ -152,6 +153,21 @@ final class ConfiguredScene {
             throw new InputException(placeOf(here) + "sweep of " + path + ": " + e.getMessage(), e);
         }
         return runs;
+    }
+
+    /**
+     * Checks a run that nobody steers: a steered drone would only hover, and that is not what its scene means.
+     *
+     * @throws InputException when a drone is steered
+     */
+    void checkUnpiloted(SceneSettings settings) {
+        settings.drones().forEach((id, drone) -> {
+            if (drone.flight() instanceof Steered) {
+                String path = "drones." + id + ".flight";
+                throw new InputException(placeOf(path) + path + ": is steered, but no pilot steers '" + id
+                        + "': run a Java scene that overrides pilot(), or use another kind of flight");
+            }
+        });
     }
 
     /** The beginning of a message about a setting: the option that set it or its parent, or its line in a file. */

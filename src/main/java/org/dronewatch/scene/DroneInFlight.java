@@ -1,5 +1,6 @@
 package org.dronewatch.scene;
 
+import java.util.Optional;
 import java.util.function.DoubleSupplier;
 import java.util.function.ObjDoubleConsumer;
 import org.dronewatch.flight.Attitude;
@@ -36,17 +37,14 @@ public final class DroneInFlight {
 
     /** Whether commands change how it flies. */
     public boolean isSteered() {
-        return path instanceof SteeredFlight;
+        return SteeredFlight.in(path).isPresent();
     }
 
     /** Where it is now and how it moves, with all commands so far. */
     public FlightState state() {
         double now = clock.getAsDouble();
-        if (path instanceof SteeredFlight flight) {
-            flight.advance(now);
-            return flight.at(flight.known());
-        }
-        return path.at(now);
+        SteeredFlight.in(path).ifPresent(flight -> flight.advance(now));
+        return path.at(SteeredFlight.in(path).map(SteeredFlight::known).orElse(now));
     }
 
     /**
@@ -56,9 +54,7 @@ public final class DroneInFlight {
      * @throws IllegalStateException when it is steered and the time is yet to come
      */
     public FlightState state(double time) {
-        if (path instanceof SteeredFlight flight) {
-            flight.advance(clock.getAsDouble());
-        }
+        SteeredFlight.in(path).ifPresent(flight -> flight.advance(clock.getAsDouble()));
         return path.at(time);
     }
 
@@ -99,14 +95,16 @@ public final class DroneInFlight {
     }
 
     private void command(ObjDoubleConsumer<SteeredFlight> command) {
-        if (path instanceof FlownPath && !isSteered()) {
-            return;
-        }
-        if (!(path instanceof SteeredFlight flight)) {
-            throw new IllegalStateException("drone '" + id + "' cannot be steered: its flight is not of the kind 'steered'");
+        Optional<SteeredFlight> flight = SteeredFlight.in(path);
+        if (flight.isEmpty()) {
+            if (FlownPath.in(path).isPresent()) {
+                return;
+            }
+            throw new IllegalStateException(
+                    "drone '" + id + "' cannot be steered: its flight is not of the kind 'steered'");
         }
         try {
-            command.accept(flight, clock.getAsDouble());
+            command.accept(flight.get(), clock.getAsDouble());
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("drone '" + id + "': " + e.getMessage(), e);
         }

@@ -1,5 +1,6 @@
 package org.dronewatch.scene;
 
+import nl.tudelft.simulation.dsol.SimRuntimeException;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.scenario.SceneSettings;
@@ -14,9 +15,26 @@ public final class PilotedRun {
         this.simulator = simulator;
     }
 
-    /** What drives the run: here a pilot schedules its events, as in {@code scheduleEventRel(0.1, this::steer)}. */
+    /** The DSOL simulator that drives the run. */
     public DevsSimulatorInterface<Double> simulator() {
         return simulator;
+    }
+
+    /**
+     * Does something later in the run, before sensors look at that time.
+     *
+     * @param seconds from now, 0 or more
+     * @throws IllegalArgumentException when negative or not a number
+     */
+    public void after(double seconds, Runnable action) {
+        if (!(seconds >= 0.0)) {
+            throw new IllegalArgumentException("after " + seconds + " s: must be 0 or more");
+        }
+        try {
+            simulator.scheduleEventRel(seconds, action::run);
+        } catch (SimRuntimeException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     /** The settings of the run, with the value of a sweep. */

@@ -11,7 +11,6 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.dronewatch.flight.Steered;
 import org.dronewatch.parallel.Interrupts;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Frame;
@@ -253,7 +252,9 @@ public final class SceneRunner {
         inputs = Optional.of(configured.inputs(settings));
         List<SceneSettings> all = configured.settingsOfRuns(settings);
         List<RunInfo> runs = chosen(all);
-        runs.forEach(info -> checkPiloted(info.settings()));
+        if (pilots.get() == Pilot.NONE) {
+            runs.forEach(info -> configured.checkUnpiloted(info.settings()));
+        }
         double before = models().seconds();
         LookTimes times = new LookTimes();
         long start = System.nanoTime();
@@ -271,18 +272,6 @@ public final class SceneRunner {
                 && results.stream()
                         .allMatch(run -> until >= run.settings().run().duration());
         return new SceneResult(scene.name(), settings.run().seed(), threads, complete, results, timing);
-    }
-
-    /** A drone that nobody steers would only hover: that is not what its scene means. */
-    private void checkPiloted(SceneSettings settings) {
-        settings.drones().forEach((id, drone) -> {
-            if (drone.flight() instanceof Steered && pilots.get() == Pilot.NONE) {
-                String path = "drones." + id + ".flight";
-                throw new InputException(configured.placeOfFile(path) + path + ": drone '" + id
-                        + "' is steered, and this scene has no pilot: run it from a Java scene that overrides pilot(),"
-                        + " or give it another kind of flight");
-            }
-        });
     }
 
     /** All runs, or the single one that is to run. */

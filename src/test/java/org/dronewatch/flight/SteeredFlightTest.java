@@ -79,7 +79,8 @@ class SteeredFlightTest {
         Position target = new Position(33, 36, 40);
         flight.flyTo(1.0, target, 6.0);
         flight.advance(9.0);
-        assertThat(flight.at(3.5).position().distance(START.plus(target).times(0.5))).isLessThan(1e-12);
+        assertThat(flight.at(3.5).position().distance(START.plus(target).times(0.5)))
+                .isLessThan(1e-12);
         assertThat(flight.at(3.5).velocity()).isEqualTo(target.minus(START).times(0.2));
         assertThat(flight.at(6.0).position().distance(target)).isLessThan(1e-12);
         assertThat(flight.at(6.0).velocity()).isEqualTo(new Position(0, 0, 0));

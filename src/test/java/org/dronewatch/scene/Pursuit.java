@@ -1,6 +1,5 @@
 package org.dronewatch.scene;
 
-import nl.tudelft.simulation.dsol.SimRuntimeException;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.Attitude;
@@ -82,16 +81,10 @@ class Pursuit extends Scene {
 
         private void steer() {
             DroneInFlight own = run.drone("hunter");
-            Position way = run.drone("prey")
-                    .state()
-                    .position()
-                    .minus(own.state().position());
+            Position way =
+                    run.drone("prey").state().position().minus(own.state().position());
             own.fly(way.unit().times(SPEED), attitude(way, own.state()));
-            try {
-                run.simulator().scheduleEventRel(0.1, this::steer);
-            } catch (SimRuntimeException e) {
-                throw new IllegalStateException(e);
-            }
+            run.after(0.1, this::steer);
         }
 
         /** Its nose where it is going, rolled as it turns. */

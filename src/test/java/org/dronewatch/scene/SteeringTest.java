@@ -77,8 +77,8 @@ class SteeringTest {
     void theReplayedObservationsAreTheSameInAllDigits() {
         run(new Pursuit(), 2, "steered");
         List<Observation> steered = observations(new SceneRunner(new Pursuit()));
-        List<Observation> replayed = observations(
-                new SceneRunner(new Pursuit(Recorded.of("steered/flights.csv"))).directory(directory));
+        List<Observation> replayed =
+                observations(new SceneRunner(new Pursuit(Recorded.of("steered/flights.csv"))).directory(directory));
         assertThat(replayed).isEqualTo(steered).isNotEmpty();
     }
 
@@ -120,7 +120,8 @@ class SteeringTest {
                     @Override
                     public void observed(Frame frame) {
                         frame.observations().stream()
-                                .filter(one -> one.sensor().equals("ear") && one.drone().equals("hunter"))
+                                .filter(one -> one.sensor().equals("ear")
+                                        && one.drone().equals("hunter"))
                                 .forEach(heard::add);
                     }
                 })
@@ -159,10 +160,12 @@ class SteeringTest {
 
     @Test
     void withoutAPilotNothingIsRun() {
-        FlightPathSettings steered = new Pursuit().describe().drones().get("hunter").flight();
+        FlightPathSettings steered =
+                new Pursuit().describe().drones().get("hunter").flight();
         SceneRunner runner = new SceneRunner(new Pursuit(steered)).pilot(() -> Pilot.NONE);
         assertThatThrownBy(runner::run)
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("drones.hunter.flight: drone 'hunter' is steered, and this scene has no pilot");
+                .hasMessageContaining(
+                        "drones.hunter.flight: is steered, but no pilot steers 'hunter': run a Java scene");
     }
 }
