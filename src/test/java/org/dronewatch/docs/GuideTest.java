@@ -104,13 +104,17 @@ class GuideTest {
         assertThat(Catalog.beside(directory).entry("mine").orElseThrow().kind()).isEqualTo("radar");
     }
 
+    /** The first is the inside of a class, the second a whole file. */
     @Test
-    void theJavaOfTheGuideIsThatOfTheExample() throws IOException {
+    void theJavaOfTheGuideIsThatOfTheExamples() throws IOException {
+        Path examples = Path.of("src/examples/java/org/dronewatch/examples");
         Matcher block = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL)
                 .matcher(Files.readString(PAGES.resolve("guide.md")));
         assertThat(block.find()).isTrue();
-        assertThat(Files.readString(Path.of("src/examples/java/org/dronewatch/examples/GuardSettings.java")))
-                .contains(block.group(1));
+        assertThat(Files.readString(examples.resolve("Chase.java")))
+                .contains(block.group(1).replaceAll("(?m)^(?=.)", "    "));
+        assertThat(block.find()).isTrue();
+        assertThat(Files.readString(examples.resolve("GuardSettings.java"))).contains(block.group(1));
     }
 
     @Test
