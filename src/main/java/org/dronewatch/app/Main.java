@@ -35,6 +35,7 @@ import picocli.CommandLine.Spec;
             SchemaCommand.class,
             RenderCommand.class,
             CoverageCommand.class,
+            CalibrateCommand.class,
             BenchCommand.class,
             CostsCommand.class,
             ModelsCommand.class

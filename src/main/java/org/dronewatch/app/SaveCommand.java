@@ -1,9 +1,6 @@
 package org.dronewatch.app;
 
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.dronewatch.report.WholeFile;
@@ -55,7 +52,7 @@ final class SaveCommand implements Callable<Integer> {
             throw new InputException("--out " + PlainText.value(out) + ": must end in .yaml or .yml");
         }
         WholeFile target = new WholeFile("--out", out);
-        if (choice.sceneFile().filter(file -> isSame(file, target.path())).isPresent()) {
+        if (choice.isSceneFile(target.path())) {
             throw new InputException("--out " + PlainText.value(out) + ": is the scene file itself; name another file");
         }
         Scene scene = choice.create();
@@ -68,15 +65,6 @@ final class SaveCommand implements Callable<Integer> {
         target.write(stream -> stream.write(text));
         spec.commandLine().getErr().println("scene in " + PlainText.value(out));
         return 0;
-    }
-
-    private static boolean isSame(Path one, Path other) {
-        try {
-            return Files.isSameFile(one, other);
-        } catch (IOException e) {
-            // One of them does not exist, and reading or writing will say so if it should.
-            return false;
-        }
     }
 
     private SceneSettings chosen(SceneRunner runner) {

@@ -1,7 +1,9 @@
 package org.dronewatch.app;
 
+import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Modifier;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -42,6 +44,17 @@ final class SceneChoice {
     /** The file that describes the scene; empty when it is packaged or a class. */
     Optional<Path> sceneFile() {
         return SceneFile.isFileName(name) ? Optional.of(file()) : Optional.empty();
+    }
+
+    /** Whether a path is that of the file that describes the scene, by whatever name. */
+    boolean isSceneFile(Path path) {
+        try {
+            Optional<Path> file = sceneFile();
+            return file.isPresent() && Files.isSameFile(file.get(), path);
+        } catch (IOException e) {
+            // One of them does not exist, and reading or writing will say so if it should.
+            return false;
+        }
     }
 
     private Path file() {

@@ -9,6 +9,7 @@ import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
+import org.dronewatch.sensor.Thresholded;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
 import org.dronewatch.setting.Defaults;
@@ -36,7 +37,7 @@ public record AcousticSettings(
         @In(value = Quantity.LEVEL, from = -100, to = 100) double threshold,
         @In(value = Quantity.LEVEL, from = 0, to = 60) double arrayGain,
         Propagation propagation)
-        implements SensorSettings<AcousticSensor>, Outlined, SoundTracing {
+        implements SensorSettings<AcousticSensor>, Outlined, SoundTracing, Thresholded {
     /**
      * Checks the limits.
      *
@@ -68,8 +69,14 @@ public record AcousticSettings(
     }
 
     /** These settings with another threshold above the background, dB. */
+    @Override
     public AcousticSettings withThreshold(double decibels) {
         return SettingsForm.with(this, "threshold", decibels);
+    }
+
+    @Override
+    public Scale thresholdScale() {
+        return new Scale("threshold", Quantity.LEVEL, -100.0, 100.0, Scale.FINE);
     }
 
     /** These settings with another gain of the array, dB. */

@@ -7,6 +7,7 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.SensorDescription;
+import org.dronewatch.sensor.Thresholded;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
@@ -45,7 +46,7 @@ public record CameraSettings(
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         DetectionFunction detection,
         Optional<PositionerSettings> positioner)
-        implements PictureSensorSettings<CameraSensor> {
+        implements PictureSensorSettings<CameraSensor>, Thresholded {
     /**
      * Checks the limits.
      *
@@ -127,6 +128,24 @@ public record CameraSettings(
     /** These settings with another detection function. */
     public CameraSettings withDetection(DetectionFunction function) {
         return SettingsForm.with(this, "detection", function);
+    }
+
+    /** Only a camera that counts pixels has a threshold to fit. */
+    @Override
+    public <C> Optional<C> as(Class<C> capability) {
+        boolean isMissing = capability == Thresholded.class && !(detection instanceof PixelThreshold);
+        return isMissing ? Optional.empty() : PictureSensorSettings.super.as(capability);
+    }
+
+    /** Whole pixels. */
+    @Override
+    public Scale thresholdScale() {
+        return new Scale("detection.pixels", Quantity.PIXELS, 1.0, (double) width * height, 1.0);
+    }
+
+    @Override
+    public CameraSettings withThreshold(double pixels) {
+        return withDetection(new PixelThreshold(pixels));
     }
 
     /** These settings on a positioner. */

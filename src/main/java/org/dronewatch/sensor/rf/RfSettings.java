@@ -5,6 +5,7 @@ import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.Thresholded;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
@@ -36,7 +37,7 @@ public record RfSettings(
         @In(value = Quantity.LEVEL, from = 0, to = 50) double noiseFigure,
         @In(value = Quantity.LEVEL, from = 0, to = 100) double clutter,
         @In(value = Quantity.LEVEL, from = -50, to = 100) double threshold)
-        implements SensorSettings<RfSensor> {
+        implements SensorSettings<RfSensor>, Thresholded {
     /** Power of thermal noise in 1 Hz at 290 K, dBm: 10 lg(k 290 K / 1 mW). */
     private static final double THERMAL = 10.0 * Math.log10(1.380649e-23 * 290.0 * 1000.0);
 
@@ -90,8 +91,14 @@ public record RfSettings(
     }
 
     /** These settings with another threshold, dB. */
+    @Override
     public RfSettings withThreshold(double decibels) {
         return SettingsForm.with(this, "threshold", decibels);
+    }
+
+    @Override
+    public Scale thresholdScale() {
+        return new Scale("threshold", Quantity.LEVEL, -50.0, 100.0, Scale.FINE);
     }
 
     /** Whether a link emits on a frequency that it receives. */

@@ -70,7 +70,8 @@ final class RelocatedFiles {
             map.forEach((key, inside) -> values.put(key, value(inside, path + "." + key)));
             return values;
         }
-        return value instanceof Record settings ? record(settings, path) : value;
+        boolean isWritten = value instanceof Node;
+        return value instanceof Record settings && !isWritten ? record(settings, path) : value;
     }
 
     private String name(String name, FileName rule, String path) {

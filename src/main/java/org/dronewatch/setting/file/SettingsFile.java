@@ -91,11 +91,27 @@ public final class SettingsFile {
         Optional<Object> read =
                 new SettingsReader(kinds, directory, new FormerNames(), problems).read(settings.getClass(), document);
         problems.throwIfAny();
-        if (!read.equals(Optional.of(moved))) {
+        boolean isSame = read.equals(Optional.of(moved))
+                || text.equals(YamlText.of(new SettingsWriter(kinds).write((Record) read.orElseThrow())));
+        if (!isSame) {
             throw new InputException(file + ": what would be written reads back differently: "
                     + difference(moved, (Record) read.orElseThrow()));
         }
         return text;
+    }
+
+    /**
+     * A record as it would stand in a file, as a part of a document.
+     *
+     * @param type the type of the setting that holds it: its own, or an interface with kinds
+     * @param kinds among which to choose
+     * @param from directory where names of files in the settings start
+     * @param file that is to hold the part; names of files in it start from its directory
+     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or below it
+     */
+    public static Node.Mapping part(Record settings, Class<?> type, Kinds kinds, Path from, Path file) {
+        Record moved = new RelocatedFiles(from, file.toAbsolutePath().resolveSibling("")).of(settings);
+        return new SettingsWriter(kinds).write(moved, type);
     }
 
     private static String difference(Record wanted, Record read) {

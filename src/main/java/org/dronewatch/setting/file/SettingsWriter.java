@@ -42,6 +42,15 @@ final class SettingsWriter {
         return mapping(parts(settings, ""));
     }
 
+    /**
+     * A record as a part of a document: with its kind, where the setting that holds it is of a type with kinds.
+     *
+     * @throws InputException when something in it cannot be written in a file
+     */
+    Node.Mapping write(Record settings, Class<?> type) {
+        return kinds.isChoice(type) ? choice(type, settings, "") : write(settings);
+    }
+
     private Map<String, Node> parts(Record settings, String path) {
         SettingsForm form = SettingsForm.of(settings.getClass());
         Optional<Record> plain = byDefault(form, settings);
@@ -88,6 +97,9 @@ final class SettingsWriter {
     }
 
     private Node node(Object value, Type type, String path) {
+        if (value instanceof Node ready) {
+            return ready;
+        }
         if (value instanceof Optional<?> optional) {
             return node(optional.orElseThrow(() -> refused(path, "being without a value")), inner(type, 0), path);
         }
@@ -112,7 +124,7 @@ final class SettingsWriter {
         return ((ParameterizedType) type).getActualTypeArguments()[index];
     }
 
-    private Node choice(Class<?> type, Object value, String path) {
+    private Node.Mapping choice(Class<?> type, Object value, String path) {
         String kind = kinds.of(type).entrySet().stream()
                 .filter(entry -> entry.getValue() == value.getClass())
                 .map(Map.Entry::getKey)

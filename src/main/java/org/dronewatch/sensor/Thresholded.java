@@ -1,0 +1,57 @@
+package org.dronewatch.sensor;
+
+import org.dronewatch.setting.Quantity;
+
+/**
+ * Settings of a sensor that compares what it receives with a threshold of its own, which can be fitted to a range that the sensor is
+ * known to have. A capability: {@link SensorSettings#as}.
+ */
+public interface Thresholded {
+
+    /** Which setting the threshold is, and what values it may take. */
+    Scale thresholdScale();
+
+    /**
+     * These settings with another threshold: a higher one is harder to reach.
+     *
+     * @param value a value of the scale
+     */
+    SensorSettings<?> withThreshold(double value);
+
+    /**
+     * The values of a threshold.
+     *
+     * @param setting path of the setting within those of the sensor, such as {@code detection.pixels}
+     * @param quantity what it is
+     * @param lowest least value, in the unit of the quantity
+     * @param highest greatest value, in the unit of the quantity
+     * @param step distance from one value to the next, above 0; 1 for whole numbers
+     */
+    record Scale(String setting, Quantity quantity, double lowest, double highest, double step) {
+        /** A millionth of a decibel: less than a tenth of a millimetre in a range of 100 m. */
+        public static final double FINE = 1e-6;
+
+        /**
+         * Checks that there are values.
+         *
+         * @throws IllegalArgumentException when the highest is not above the lowest, or the step not above 0
+         */
+        public Scale {
+            if (!(highest > lowest) || !(step > 0.0)) {
+                throw new IllegalArgumentException("scale of " + setting + " from " + lowest + " to " + highest + " by "
+                        + step + " has no values");
+            }
+        }
+
+        /** The number of its highest value; the lowest has number 0. */
+        public long last() {
+            return Math.round((highest - lowest) / step);
+        }
+
+        /** The value of a number from 0 to {@link #last()}, without the error of adding up steps. */
+        public double value(long number) {
+            double perUnit = 1.0 / step;
+            return (Math.rint(lowest * perUnit) + number) / perUnit;
+        }
+    }
+}

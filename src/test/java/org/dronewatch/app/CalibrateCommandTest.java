@@ -1,0 +1,274 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.catalog.CatalogEntry;
+import org.dronewatch.catalog.CatalogEntry.PublishedRange;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.OctaveBands;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** A calibrated sensor has the range to which it was fitted, and other conditions move it as they move a real one. */
+class CalibrateCommandTest {
+    /** Flown between two looks, m: 5 m/s, ten looks a second. */
+    private static final double LOOK = 0.5;
+
+    private static final double NOISE = 30.0;
+
+    @TempDir
+    private Path directory;
+
+    @BeforeEach
+    void anOpenSite() throws IOException {
+        // Nothing is in the open but a triangle of a square metre, 30 km away.
+        write("far.obj", "v 30000 0 30000\nv 30001 0 30000\nv 30000 0 30002\nf 1 2 3\n");
+        for (String sensor : List.of(
+                "level: {kind: acoustic, position: [0, 0, 20]}",
+                "energy: {kind: acoustic, position: [0, 0, 20], propagation: energy-model}",
+                "rf: {kind: rf, position: [0, 0, 20], rate: 10 Hz}",
+                "camera: {kind: camera, position: [0, 0, 20], aim: {azimuth: 30 deg, elevation: 0}, fov: 10 deg}",
+                "judge: {kind: camera, position: [0, 0, 20], detection: target-task}",
+                "radar: {use: blighter-a400, position: [0, 0, 20]}")) {
+            write(sensor.replaceFirst(":.*", "") + "-scene.yaml", scene(sensor, 100));
+        }
+    }
+
+    private void write(String name, String text) throws IOException {
+        Files.writeString(directory.resolve(name), text);
+    }
+
+    /** A drone that comes to the sensor from 30 degrees east of north. */
+    private static String scene(String sensor, double from) {
+        return "world: {models: [far.obj], surfaces: {materials: {default: solid}}, backgroundNoise: " + NOISE + "}\n"
+                + "drones:\n  drone:\n    model: packaged:quadrotor.obj\n    speed: 5 m/s\n"
+                + "    flight: {kind: approach, from: " + place(from) + ", to: " + place(0.5 * from) + "}\n"
+                + "sensors:\n  " + sensor + "\nrun: {duration: " + 0.5 * from / 5.0 + "}\n";
+    }
+
+    private static String place(double range) {
+        return "[" + 0.5 * range + ", " + Math.sqrt(0.75) * range + ", 20]";
+    }
+
+    private Outcome calibrate(String sensor, String range, String... more) {
+        Stream<String> words = Stream.of(
+                "calibrate",
+                directory.resolve(sensor + "-scene.yaml").toString(),
+                "--sensor",
+                sensor,
+                "--drone",
+                "drone",
+                "--range",
+                range,
+                "--out",
+                directory.resolve("fitted.yaml").toString());
+        return Program.run(Stream.concat(words, Stream.of(more)).toArray(String[]::new));
+    }
+
+    /** The range of the first detection in a run with the fitted sensor. */
+    private double firstRange(double from, String... settings) throws IOException {
+        String aim = Files.readString(directory.resolve("fitted.yaml")).contains("kind: camera")
+                ? ", aim: {azimuth: 30 deg, elevation: 0}"
+                : "";
+        write("open.yaml", scene("s: {use: fitted, position: [0, 0, 20]" + aim + "}", from));
+        List<Observation> seen = new ArrayList<>();
+        SceneRunner runner = new SceneRunner(new SceneFile(directory.resolve("open.yaml")));
+        for (String setting : settings) {
+            runner.set(setting.replaceFirst("=.*", ""), setting.replaceFirst(".*=", ""));
+        }
+        runner.onFrame(frame -> seen.addAll(frame.observations())).run();
+        return seen.stream()
+                .filter(Observation::isDetected)
+                .findFirst()
+                .orElseThrow(() -> new AssertionError("never detected, last " + seen.get(seen.size() - 1)))
+                .range();
+    }
+
+    private static void assertWithinALook(double found, double range) {
+        assertThat(found).isBetween(range - LOOK, range + 1e-4);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"level, 120.3", "level, 60", "energy, 120.3", "energy, 400", "rf, 900.1", "rf, 77"})
+    void aRunInTheOpenGivesTheRange(String sensor, double range) throws IOException {
+        assertThat(calibrate(sensor, range + " m")).extracting(Outcome::code).isEqualTo(0);
+
+        assertWithinALook(firstRange(1.5 * range), range);
+        // A look is half a metre: the fit itself is closer than that.
+        assertThat(firstRange(range + 1e-3)).isCloseTo(range, within(0.51));
+    }
+
+    /** Level model: W - m r falls by 5 dB in 5 dB / m. */
+    @Test
+    void moreNoiseShortensTheRangeOfTheLevelModelByTheAttenuation() throws IOException {
+        calibrate("level", "300 m");
+
+        assertWithinALook(firstRange(320, "world.backgroundNoise=" + (NOISE + 5.0)), 300.0 - 5.0 / 0.05);
+    }
+
+    /** Energy model: spreading and absorption by ISO 9613-1, added up over A-weighted octave bands. */
+    @Test
+    void moreNoiseShortensTheRangeOfTheEnergyModelBySpreadingAndAir() throws IOException {
+        double range = 300.0;
+        double wanted = aWeighted(range) + 5.0;
+        double near = 1.0;
+        double far = range;
+        while (far - near > 1e-9) {
+            double middle = 0.5 * (near + far);
+            near = aWeighted(middle) > wanted ? middle : near;
+            far = aWeighted(middle) > wanted ? far : middle;
+        }
+        // Neither spreading alone nor the attenuation of one band gives it.
+        assertThat(near).isBetween(range * Math.pow(10.0, -0.25) + 5.0, range - 5.0);
+        calibrate("energy", range + " m");
+
+        assertWithinALook(firstRange(320, "world.backgroundNoise=" + (NOISE + 5.0)), near);
+    }
+
+    private static double aWeighted(double range) {
+        List<Double> power = DroneSettings.of(
+                        ModelSettings.packaged("quadrotor.obj"),
+                        new FlightPathSettings.Hover(new Position(0, 0, 0), 0.0))
+                .soundPower();
+        double sum = 0.0;
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            double level = power.get(band)
+                    - 10.0 * Math.log10(4.0 * Math.PI * range * range)
+                    - Atmosphere.STANDARD.attenuation(OctaveBands.midband(band)) * range
+                    + OctaveBands.aWeight(band);
+            sum += Math.pow(10.0, 0.1 * level);
+        }
+        return 10.0 * Math.log10(sum);
+    }
+
+    /** Radio: 20 lg r rises by 5 dB. */
+    @Test
+    void moreNoiseShortensTheRangeOfAReceiverAsInFreeSpace() throws IOException {
+        calibrate("rf", "900 m");
+
+        assertWithinALook(firstRange(920, "sensors.s.noiseFigure=11"), 900.0 * Math.pow(10.0, -5.0 / 20.0));
+    }
+
+    @Test
+    void aCameraSaysWhatRangeItsWholePixelsGive() throws IOException {
+        Outcome outcome = calibrate("camera", "150 m");
+        List<String> lines = outcome.out().lines().toList();
+
+        assertThat(lines).hasSize(3);
+        assertThat(lines.get(1)).endsWith("(fitted)");
+        double[] ranges = lines.stream()
+                .mapToDouble(line -> Double.parseDouble(line.replaceFirst(".*: ([0-9.]+) m.*", "$1")))
+                .toArray();
+        assertThat(ranges[0]).isGreaterThan(ranges[1]);
+        assertThat(ranges[1]).isGreaterThan(ranges[2]);
+        for (double other : ranges) {
+            assertThat(Math.abs(ranges[1] - 150.0)).isLessThanOrEqualTo(Math.abs(other - 150.0));
+        }
+        double[] pixels = lines.stream()
+                .mapToDouble(line -> Double.parseDouble(line.replaceFirst("detection.pixels ([0-9]+) px.*", "$1")))
+                .toArray();
+        assertThat(pixels).containsExactly(pixels[1] - 1, pixels[1], pixels[1] + 1);
+        for (int i = 0; i < 3; i++) {
+            // A look may fall on a position farther out at which the drone happens to cover a pixel more, but for one
+            // of a pixel fewer.
+            assertThat(firstRange(200, "sensors.s.detection.pixels=" + pixels[i]))
+                    .as("%s px", pixels[i])
+                    .isBetween(ranges[i] - LOOK, i == 0 ? 1.03 * ranges[0] : ranges[i - 1]);
+        }
+    }
+
+    /** Noise is nothing to a camera; with twice the focal length the same pixels are seen from twice as far. */
+    @Test
+    void theRangeOfACameraFollowsItsFocalLengthAndNotTheNoise() throws IOException {
+        calibrate("camera", "150 m");
+        double range = firstRange(200);
+
+        assertThat(firstRange(200, "world.backgroundNoise=" + (NOISE + 5.0))).isEqualTo(range);
+        double half = 2.0 * Math.atan(0.5 * Math.tan(Math.toRadians(5.0)));
+        assertThat(firstRange(400, "sensors.s.fov=" + half)).isCloseTo(2.0 * range, within(0.01 * 2.0 * range));
+    }
+
+    @Test
+    void theEntryStatesTheRangeWithItsConditions() throws IOException {
+        calibrate("energy", "200 m", "--set", "world.rain=3", "--set", "drones.drone.soundPowerLevel=90");
+        CatalogEntry entry = Catalog.beside(directory).entry("fitted").orElseThrow();
+
+        PublishedRange range = entry.ranges().get(0);
+        assertThat(range.distance()).isEqualTo(200.0);
+        assertThat(range.droneOn(new FlightPathSettings.Hover(new Position(0, 0, 0), 0.0))
+                        .soundPowerLevel())
+                .isEqualTo(90.0);
+        assertThat(range.worldOf(ModelSettings.packaged("hill.obj")).rain()).isEqualTo(3.0);
+        assertThat(entry.sensor().values()).doesNotContainKeys("position", "aim");
+        assertThat(firstRange(250, "drones.drone.soundPowerLevel=90")).isBetween(200.0 - LOOK, 200.001);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "level | 5 km | --range 5 km: 5000 m cannot be reached by sensor 'level': with threshold from 100 dB to"
+                        + " -100 dB it detects drone 'drone' from 1 m to 2500 m",
+                "judge | 100 m | --range 100 m: sensor 'judge' of kind camera has no threshold to fit: 'calibrate' is for"
+                        + " acoustic and rf sensors, and for cameras with detection: pixel-threshold",
+                "radar | 100 m | --range 100 m: sensor 'radar' of kind radar has no threshold to fit: 'calibrate' is for"
+                        + " acoustic and rf sensors, and for cameras with detection: pixel-threshold",
+                "rf | 0.5 m | --range 0.5 m: must be from 1 m to 100000 m",
+                "rf | many | --range many: 'many' is not a number in m or another unit of length"
+            })
+    void whatCannotBeFittedIsRefusedInOneLine(String sensor, String range, String message) {
+        Outcome outcome = calibrate(sensor, range);
+
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.complaints()).containsExactly(message);
+        assertThat(directory.resolve("fitted.yaml")).doesNotExist();
+    }
+
+    @Test
+    void aSilentDroneIsDetectedAtNoRange() {
+        Outcome outcome = calibrate("rf", "100 m", "--set", "drones.drone.radio.control=fibre");
+
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.complaints())
+                .containsExactly(
+                        "--range 100 m: 100 m cannot be reached by sensor 'rf': whatever its threshold, it does"
+                                + " not detect drone 'drone' at 1 m or farther");
+    }
+
+    @Test
+    void theSceneFileItselfIsNotReplaced() throws IOException {
+        String scene = directory.resolve("rf-scene.yaml").toString();
+        String before = Files.readString(Path.of(scene));
+        Outcome outcome =
+                Program.run("calibrate", scene, "--sensor", "rf", "--drone", "drone", "--range", "9 m", "--out", scene);
+
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.err()).contains("is the scene file itself; name another file");
+        assertThat(Files.readString(Path.of(scene))).isEqualTo(before);
+    }
+
+    @Test
+    void anUnreachableProbabilityIsRefused() {
+        assertThat(calibrate("rf", "100 m", "--probability", "0").complaints())
+                .containsExactly("--probability 0: must be above 0 and at most 1");
+    }
+}
