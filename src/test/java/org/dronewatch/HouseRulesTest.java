@@ -153,6 +153,7 @@ class HouseRulesTest {
                             "|",
                             "bench\\..*",
                             "render\\.SitePainter",
+                            "render\\.photo\\.Shading",
                             "report\\.ReliefShade",
                             "sensor\\.acoustic\\.energy\\.(BackwardRay|FirstScattering|ReceiverSphere)",
                             "sensor\\.acoustic\\.level\\.RayChunk",

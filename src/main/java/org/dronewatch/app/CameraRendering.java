@@ -1,6 +1,8 @@
 package org.dronewatch.app;
 
 import java.awt.image.BufferedImage;
+import java.util.OptionalInt;
+import javax.imageio.ImageIO;
 import org.dronewatch.render.CameraView;
 import org.dronewatch.render.Film;
 import org.dronewatch.render.FilmMaker;
@@ -11,6 +13,7 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.PictureSettings;
+import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Model.CommandSpec;
 
 /** The view of one camera. */
@@ -18,16 +21,23 @@ final class CameraRendering extends Rendering {
     private final SceneSettings settings;
     private final String id;
     private final SensorSettings<?> camera;
+    private final OptionalInt samples;
 
-    CameraRendering(SceneSettings settings, Simulation simulation, String id) {
+    /** @param samples of a picture in colour; empty for one in shades of blue */
+    CameraRendering(SceneSettings settings, Simulation simulation, String id, OptionalInt samples) {
         super(simulation);
         this.settings = settings;
         this.id = id;
         this.camera = settings.sensors().get(id);
+        this.samples = samples;
     }
 
     @Override
     void check(String ending) {
+        if (samples.isPresent()
+                && !camera.as(PictureSettings.class).orElseThrow().seesColour()) {
+            throw new InputException("--colour: '" + id + "' (" + camera.kind() + ") does not take pictures in colour");
+        }
         if (ending.equals("mp4")) {
             camera.as(PictureSettings.class)
                     .ifPresent(picture -> checkFilm("--camera " + id, picture.width(), picture.height()));
@@ -44,23 +54,33 @@ final class CameraRendering extends Rendering {
         if (turns) {
             spec.commandLine().getErr().printf("camera '%s' as it was pointed at %.3f s%n", id, shown);
         }
-        DepthImage image = threads.call(
-                () -> new CameraView(id, camera, simulation().stage(history, settings), history).draw(shown));
+        if (samples.isPresent()) {
+            BufferedImage photo = threads.call(() -> view(history).photograph(shown, samples.getAsInt()));
+            target.write(stream -> ImageIO.write(photo, "png", stream));
+            return photo.getWidth() + " x " + photo.getHeight() + " pixels";
+        }
+        DepthImage image = threads.call(() -> view(history).draw(shown));
         target.write(ending.equals("png") ? image::writePng : image::writePfm);
         return image.width() + " x " + image.height() + " pixels, " + image.hitCount() + " of them show drones";
+    }
+
+    private CameraView view(RunHistory history) {
+        return new CameraView(id, camera, simulation().stage(history, settings), history);
     }
 
     /** A film shows the looks that the camera has in the run, each until the next. */
     @Override
     FilmMaker maker(Film film, RunHistory history) {
-        CameraView view = new CameraView(id, camera, simulation().stage(history, settings), history);
+        CameraView view = view(history);
         double[] shown = {Double.NaN};
         BufferedImage[] image = new BufferedImage[1];
         return new FilmMaker(film, time -> {
             double look = CameraView.lookTime(camera, time);
             if (look != shown[0]) {
                 shown[0] = look;
-                image[0] = view.draw(look).toImage();
+                image[0] = samples.isPresent()
+                        ? view.photograph(look, samples.getAsInt())
+                        : view.draw(look).toImage();
             }
             return image[0];
         });

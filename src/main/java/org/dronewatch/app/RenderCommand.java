@@ -2,6 +2,7 @@ package org.dronewatch.app;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import org.dronewatch.render.CameraView;
 import org.dronewatch.report.WholeFile;
@@ -24,14 +25,15 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description = {
             "Draws a picture of a scene at one moment, without a window: what one camera sees (PNG in shades of"
-                    + " blue, or PFM with distances in metres), or the whole site in 3D with its sensors,"
-                    + " drones and sound rays (PNG); or makes a film of either (MP4).",
+                    + " blue or in colour, or PFM with distances in metres), or the whole site in 3D with its"
+                    + " sensors, drones and sound rays (PNG); or makes a film of either (MP4).",
             "For a film, and for a camera on a positioner, the run is simulated."
         },
         footer = {
             "",
             "Examples:",
             "  dronewatch render camera-range --camera camera --time 25 --out view.png",
+            "  dronewatch render closed-space --camera camera --colour --out church.png",
             "  dronewatch render multi-sensor --view orbit --time 12 --out site.png",
             "  dronewatch render closed-space --view top --rays --scale 2 --out rays.png",
             "  dronewatch render multi-sensor --view orbit --speed 4 --out site.mp4"
@@ -55,6 +57,9 @@ final class RenderCommand implements Callable<Integer> {
                 description = "The whole site: a plan, from the side, or in perspective.")
         private SiteView.From view;
     }
+
+    @Mixin
+    private ColourOptions colours = new ColourOptions();
 
     @Mixin
     private SiteView site = new SiteView();
@@ -96,6 +101,7 @@ final class RenderCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         WholeFile target = target();
+        OptionalInt samples = colours.samples(subject.view == null, ending());
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene).threads(threads.number());
         if (seed != null) {
@@ -106,7 +112,7 @@ final class RenderCommand implements Callable<Integer> {
         Simulation simulation = new Simulation(scene, runner, run, threads.number());
         Rendering rendering = subject.view != null
                 ? new SiteRendering(scene.name(), settings, simulation, site, subject.view)
-                : new CameraRendering(settings, simulation, camera(settings));
+                : new CameraRendering(settings, simulation, camera(settings), samples);
         rendering.check(ending());
         String said = ending().equals("mp4")
                 ? rendering.film(films.film(settings.run().duration()), target, threads, main.interruption()::happened)

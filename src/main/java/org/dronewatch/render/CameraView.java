@@ -1,10 +1,12 @@
 package org.dronewatch.render;
 
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import org.dronewatch.positioner.Pointing;
+import org.dronewatch.render.photo.ColourCamera;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
@@ -26,6 +28,7 @@ public final class CameraView {
     private final DoubleFunction<Optional<Pointing>> pointings;
     private Optional<Pointing> pointing = Optional.empty();
     private DronePicture picture;
+    private Optional<ColourCamera> colour = Optional.empty();
 
     /**
      * The view of a camera.
@@ -82,9 +85,24 @@ public final class CameraView {
         return picture.depthImage(stage.world(), stage.dronesAt(time));
     }
 
+    /**
+     * What the camera would photograph at a time.
+     *
+     * @param time seconds since the start of the run; for the picture that the run had, a {@link #lookTime}
+     * @param samples each pixel is the mean of samples x samples rays, 1 to {@link ColourCamera#MOST_SAMPLES}
+     */
+    public BufferedImage photograph(double time, int samples) {
+        turn(pointings.apply(time));
+        if (colour.isEmpty()) {
+            colour = Optional.of(new ColourCamera(picture.camera(), stage, samples));
+        }
+        return colour.get().picture(stage.dronesAt(time));
+    }
+
     private void turn(Optional<Pointing> next) {
         if (!next.equals(pointing)) {
             pointing = next;
+            colour = Optional.empty();
             picture = new DronePicture(new CameraObject(
                     Mounted.pointed(sensor, next).as(PictureSettings.class).orElseThrow()));
         }

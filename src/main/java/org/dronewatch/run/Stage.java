@@ -36,6 +36,7 @@ import org.dronewatch.world.WorldSettings;
 public final class Stage {
     private final World world;
     private final Map<String, Integer> colours;
+    private final Map<String, Map<String, Integer>> droneColours = new LinkedHashMap<>();
     private final List<Flier> fliers = new ArrayList<>();
     private final Map<String, SensorSettings<?>> sensors;
     private final List<String> raySensors;
@@ -63,6 +64,7 @@ public final class Stage {
                     drone,
                     models.index(List.of(drone.model()), site.tracing()).tree());
             fliers.add(new Flier(created, paths.of(id, drone)));
+            droneColours.put(id, Map.copyOf(models.colours(List.of(drone.model()))));
         });
         this.sensors = settings.enabledSensors();
         sensors.forEach((id, sensor) -> active.add(new ActiveSensor(id, sensor)));
@@ -89,6 +91,11 @@ public final class Stage {
     /** The colours of the world's materials in daylight, by name: red, green and blue in the lowest 24 bits. */
     public Map<String, Integer> colours() {
         return colours;
+    }
+
+    /** The colours of each drone's materials in daylight, by id of the drone and name of the material. */
+    public Map<String, Map<String, Integer>> droneColours() {
+        return Collections.unmodifiableMap(droneColours);
     }
 
     /**

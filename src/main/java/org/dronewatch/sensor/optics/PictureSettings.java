@@ -50,4 +50,9 @@ public interface PictureSettings extends Aimed, Imaging {
         double side = fovAxis() == FieldOfView.VERTICAL ? height() : width();
         return 0.5 * side / Math.tan(0.5 * fov());
     }
+
+    /** Whether its pictures are of visible light, so that they can be shown in colour. */
+    default boolean seesColour() {
+        return true;
+    }
 }

@@ -194,6 +194,12 @@ public record ThermalSettings(
                 .withIgnoredConditions(Map.of(Condition.VISIBILITY, own, Condition.RAIN, own, Condition.AIR, own));
     }
 
+    /** Its pictures are of heat. */
+    @Override
+    public boolean seesColour() {
+        return false;
+    }
+
     @Override
     public String kind() {
         return "thermal";

@@ -1,0 +1,113 @@
+package org.dronewatch.render.photo;
+
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.world.Light;
+
+/**
+ * How the daylight of a world is divided into that of the sun and that of the sky. All light is relative: 1 is the
+ * illuminance of level ground, {@link Light#illuminance()}, and the radiance of a white, matt surface that receives it.
+ * Immutable.
+ *
+ * <p>Of a clear sky: direct normal illuminance {@code 127.5 klx exp(-0.21 m)} and diffuse horizontal illuminance {@code
+ * 0.8 + 15.5 sqrt(sin h) klx} (IESNA Lighting Handbook, 9th ed., ch. 8), scaled so that both together give the world's
+ * illuminance. The air mass m is that of Kasten and Young (Applied Optics 28, 1989, 4735). Without a sun, or with one
+ * below the horizon, all light is that of the sky.
+ */
+final class Daylight {
+    /** Red, green, blue. */
+    static final int CHANNELS = 3;
+
+    /** What the channels contribute to brightness (ITU-R BT.709). */
+    private static final double[] BRIGHTNESS = {0.2126, 0.7152, 0.0722};
+
+    /** Optical depths of the clear air at 610, 550 and 465 nm, for light from the zenith (Bucholtz 1995). */
+    private static final double[] AIR = {0.064, 0.097, 0.193};
+
+    private static final double SUN_OUTSIDE = 127.5;
+    private static final double EXTINCTION = 0.21;
+
+    private final Optional<Light.Sun> sun;
+    private final double diffuse;
+    private final double direct;
+    private final double[] colour;
+
+    Daylight(Light light) {
+        this.sun = light.sun();
+        double elevation = sun.map(Light.Sun::elevation).orElse(-1.0);
+        double up = Math.sin(elevation);
+        if (up > 0.0) {
+            double normal = SUN_OUTSIDE * Math.exp(-EXTINCTION * airMass(elevation));
+            double sky = 0.8 + 15.5 * Math.sqrt(up);
+            this.diffuse = sky / (sky + normal * up);
+            this.direct = normal / (sky + normal * up);
+        } else {
+            this.diffuse = 1.0;
+            this.direct = 0.0;
+        }
+        this.colour = tint(airMass(elevation));
+    }
+
+    /** The sun; empty when it is hidden by cloud. It may be below the horizon. */
+    Optional<Position> toSun() {
+        return sun.map(Light.Sun::direction);
+    }
+
+    /** Elevation of the sun, rad; that of a sun below the horizon where there is none. */
+    double elevation() {
+        return sun.map(Light.Sun::elevation).orElse(-0.5 * Math.PI);
+    }
+
+    /** Whether the sun shines on anything. */
+    boolean isSunny() {
+        return direct > 0.0;
+    }
+
+    /** Fraction of the light on level ground that comes from the sky, 0 to 1. */
+    double diffuse() {
+        return diffuse;
+    }
+
+    /** What the sun alone gives a surface that faces it, relative to the illuminance of level ground. */
+    double direct(int channel) {
+        return direct * colour[channel];
+    }
+
+    /**
+     * The air through which light at an elevation passes, 1 for the zenith.
+     *
+     * @param elevation rad; below the horizon it counts as on it
+     */
+    static double airMass(double elevation) {
+        double above = Math.max(0.0, elevation);
+        return 1.0 / (Math.sin(above) + 0.50572 * Math.pow(Math.toDegrees(above) + 6.07995, -1.6364));
+    }
+
+    /** What is left of a channel after an air mass. */
+    static double left(int channel, double mass) {
+        return Math.exp(-AIR[channel] * mass);
+    }
+
+    /** White light after an air mass, as bright as before. */
+    private static double[] tint(double mass) {
+        double[] rgb = new double[CHANNELS];
+        for (int i = 0; i < CHANNELS; i++) {
+            rgb[i] = left(i, mass);
+        }
+        return equallyBright(rgb);
+    }
+
+    /** How bright a colour is; 1 for white. */
+    static double brightness(double[] rgb) {
+        return BRIGHTNESS[0] * rgb[0] + BRIGHTNESS[1] * rgb[1] + BRIGHTNESS[2] * rgb[2];
+    }
+
+    /** Scales a colour to a brightness of 1. */
+    static double[] equallyBright(double[] rgb) {
+        double brightness = brightness(rgb);
+        for (int i = 0; i < CHANNELS; i++) {
+            rgb[i] /= brightness;
+        }
+        return rgb;
+    }
+}

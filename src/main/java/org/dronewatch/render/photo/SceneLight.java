@@ -1,0 +1,42 @@
+package org.dronewatch.render.photo;
+
+import org.dronewatch.world.Light;
+import org.dronewatch.world.World;
+
+/** All light that a world has: sun, sky, what the ground gives back, and the air in between. Immutable. */
+record SceneLight(World world, Daylight daylight, Sky sky, AmbientLight ambient) {
+
+    /** That of a world. */
+    static SceneLight of(World world) {
+        Daylight daylight = new Daylight(world.light());
+        Sky sky = new Sky(daylight);
+        return new SceneLight(world, daylight, sky, new AmbientLight(sky));
+    }
+
+    Light light() {
+        return world.light();
+    }
+
+    /** Writes what is seen where nothing is hit. */
+    void backdrop(double[] direction, double[] rgb) {
+        sky.radiance(direction[0], direction[1], direction[2], rgb);
+        sky.addSun(direction[0], direction[1], direction[2], rgb);
+    }
+
+    /**
+     * Puts the air before a surface: of its difference to the sky at the horizon, which is what air without end shows,
+     * {@link Light#contrastLeft} is left (Koschmieder 1924).
+     *
+     * @param direction of the line of sight, of unit length
+     * @param distance m
+     * @param rgb radiance without air, and then with it
+     * @param scratch for one colour
+     */
+    void addHaze(double[] direction, double distance, double[] rgb, double[] scratch) {
+        double left = light().contrastLeft(distance);
+        sky.radiance(direction[0], direction[1], 0.0, scratch);
+        for (int i = 0; i < Daylight.CHANNELS; i++) {
+            rgb[i] = scratch[i] + left * (rgb[i] - scratch[i]);
+        }
+    }
+}
