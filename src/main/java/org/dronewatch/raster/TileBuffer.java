@@ -218,6 +218,11 @@ final class TileBuffer {
         triangles[row * width + column] = triangle;
     }
 
+    /** Lets a pixel see nothing. Only after all that it sees is known: bounds may have to grow. */
+    void clear(int column, int row) {
+        nearest[row * width + column] = 0.0;
+    }
+
     /** Whether a pixel sees a triangle. */
     boolean hits(int column, int row) {
         return nearest[row * width + column] > 0.0;

@@ -31,6 +31,8 @@ public final class TileTracer {
     private final TileBuffer pixels = new TileBuffer(grid, WIDTH, HEIGHT);
     private RasterMode mode;
     private TileDescent descent;
+    private double near;
+    private double far = Double.POSITIVE_INFINITY;
     private final RasterWarmup warmup;
 
     /** A tracer of a tree for the use of one thread, with the warm-up of the process. */
@@ -95,11 +97,26 @@ public final class TileTracer {
      * @throws IllegalArgumentException when corner, right and down lie in one plane
      */
     public void setPicture(double[] from, double[] corner, double[] right, double[] down) {
-        grid.set(from, corner, right, down);
+        setPicture(from, corner, right, down, 0.0, Double.POSITIVE_INFINITY);
     }
 
     /**
-     * Looks for the nearest triangle of each pixel of a tile, at ray parameters from 0 on.
+     * Sets the image whose tiles come next, as {@link #setPicture(double[], double[], double[], double[])}, between a
+     * near and a far plane.
+     *
+     * @param nearest the smallest ray parameter that counts, 0 or more
+     * @param farthest the largest that counts
+     * @throws IllegalArgumentException when corner, right and down lie in one plane
+     */
+    public void setPicture(
+            double[] from, double[] corner, double[] right, double[] down, double nearest, double farthest) {
+        grid.set(from, corner, right, down);
+        near = nearest;
+        far = farthest;
+    }
+
+    /**
+     * Looks for the nearest triangle of each pixel of a tile, at the ray parameters that count.
      *
      * @param firstColumn column of its left pixels
      * @param firstRow row of its top pixels
@@ -118,6 +135,25 @@ public final class TileTracer {
         int limit = (int) (TRIANGLES_PER_PIXEL * columns * rows) + 1;
         if (!descent.rasterise(limit)) {
             traceSingly(firstColumn, firstRow, columns, rows);
+        } else if (near > 0.0 || far < Double.POSITIVE_INFINITY) {
+            clip(columns, rows);
+        }
+    }
+
+    /** Pixels that see something too far see nothing; those that see something too near look past it. */
+    private void clip(int columns, int rows) {
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                if (pixels.hits(column, row)) {
+                    double parameter = pixels.parameter(column, row);
+                    if (parameter < near) {
+                        pixels.clear(column, row);
+                        traceSingly(column, row);
+                    } else if (parameter > far) {
+                        pixels.clear(column, row);
+                    }
+                }
+            }
         }
     }
 
@@ -160,19 +196,23 @@ public final class TileTracer {
         pixels.begin(firstColumn, firstRow, columns, rows);
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
-                boolean hit = single.closestHit(
-                        grid.origin[0],
-                        grid.origin[1],
-                        grid.origin[2],
-                        grid.direction(firstColumn + column, firstRow + row, 0),
-                        grid.direction(firstColumn + column, firstRow + row, 1),
-                        grid.direction(firstColumn + column, firstRow + row, 2),
-                        0.0,
-                        Double.POSITIVE_INFINITY);
-                if (hit) {
-                    pixels.set(column, row, Math.abs(single.distance()), single.triangle());
-                }
+                traceSingly(column, row);
             }
+        }
+    }
+
+    private void traceSingly(int column, int row) {
+        boolean hit = single.closestHit(
+                grid.origin[0],
+                grid.origin[1],
+                grid.origin[2],
+                grid.direction(pixels.left() + column, pixels.top() + row, 0),
+                grid.direction(pixels.left() + column, pixels.top() + row, 1),
+                grid.direction(pixels.left() + column, pixels.top() + row, 2),
+                near,
+                far);
+        if (hit) {
+            pixels.set(column, row, Math.abs(single.distance()), single.triangle());
         }
     }
 }

@@ -34,7 +34,7 @@ final class OutlinePainter {
     }
 
     private void drawPyramid(Position at, Outline.Pyramid pyramid, double width, int colour, double share) {
-        List<Position> corners = pyramid.corners(at, length);
+        List<Position> corners = pyramid.corners(at, Math.min(length, pyramid.far()));
         for (int i = 0; i < corners.size(); i++) {
             lines.line(at, corners.get(i), width, colour, share);
             lines.line(corners.get(i), corners.get((i + 1) % corners.size()), width, colour, share);

@@ -31,6 +31,8 @@ public sealed interface Outline {
      * @param halfHeight half the height of the field at 1 m along the axis, m
      * @param middleRight how far the middle of the field is to the right of the axis there, m; 0 unless the lens is shifted
      * @param middleUp how far it is above the axis there, m
+     * @param near where it begins, as a distance along the axis, m
+     * @param far where it ends, as a distance along the axis, m; infinity for no end
      */
     record Pyramid(
             Position forward,
@@ -39,7 +41,9 @@ public sealed interface Outline {
             double halfWidth,
             double halfHeight,
             double middleRight,
-            double middleUp)
+            double middleUp,
+            double near,
+            double far)
             implements Outline {
         /** The vector to the middle of the field 1 m along the axis, m. */
         public Position middle() {
@@ -60,6 +64,12 @@ public sealed interface Outline {
 
         @Override
         public boolean contains(Position vector) {
+            double ahead = vector.dot(forward);
+            return ahead >= near && ahead <= far && spans(vector);
+        }
+
+        /** Whether a vector leads into the field, at whatever distance. */
+        public boolean spans(Position vector) {
             double ahead = vector.dot(forward);
             return ahead > 0.0
                     && Math.abs(vector.dot(right) - middleRight * ahead) <= halfWidth * ahead

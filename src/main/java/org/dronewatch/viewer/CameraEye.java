@@ -89,7 +89,7 @@ final class CameraEye {
             }
         }
         World world = stage.world();
-        Optional<Hit> hit = world.closestHit(picture.camera().ray(column, row));
+        Optional<Hit> hit = world.closestHit(picture.camera().seeingRay(column, row));
         return hit.map(found -> String.format(
                         Locale.ROOT,
                         "%s, %.2f m",

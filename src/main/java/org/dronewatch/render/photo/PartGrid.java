@@ -6,6 +6,8 @@ import org.dronewatch.sensor.optics.CameraObject;
 /** The rays through the centres of the parts into which pixels are divided: of 1 part, those of the pixels. Immutable. */
 final class PartGrid {
     private final Position from;
+    private final double near;
+    private final double far;
     private final double[] corner = new double[3];
     private final double[] right = new double[3];
     private final double[] down = new double[3];
@@ -13,6 +15,8 @@ final class PartGrid {
     /** @param samples parts of a pixel along each axis */
     PartGrid(CameraObject camera, int samples) {
         this.from = camera.position();
+        this.near = camera.near();
+        this.far = camera.far();
         double[][] pixels = camera.grid();
         // From the centre of the first pixel to that of its first part.
         double back = 0.5 * (1.0 / samples - 1.0);
@@ -25,6 +29,16 @@ final class PartGrid {
 
     Position from() {
         return from;
+    }
+
+    /** The smallest ray parameter that is seen, m along the axis. */
+    double near() {
+        return near;
+    }
+
+    /** The largest ray parameter that is seen, m along the axis. */
+    double far() {
+        return far;
     }
 
     double[] corner() {

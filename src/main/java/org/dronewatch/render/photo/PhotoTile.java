@@ -44,7 +44,9 @@ final class PhotoTile {
                 new double[] {grid.from().x(), grid.from().y(), grid.from().z()},
                 grid.corner(),
                 grid.right(),
-                grid.down());
+                grid.down(),
+                grid.near(),
+                grid.far());
     }
 
     /**
@@ -114,7 +116,7 @@ final class PhotoTile {
         layer.toModel(grid.corner(), 0.0, corner);
         layer.toModel(grid.right(), 0.0, right);
         layer.toModel(grid.down(), 0.0, down);
-        tracer.setPicture(from, corner, right, down);
+        tracer.setPicture(from, corner, right, down, grid.near(), grid.far());
         return tracer;
     }
 

@@ -38,12 +38,13 @@ final class Footprint {
         if (outline instanceof Outline.Ball ball) {
             return rings(at, 0.0, TURN, 0.0, ball.radius());
         }
-        return wedge(at, (Outline.Pyramid) outline, detected.orElse(UNKNOWN_REACH));
+        Outline.Pyramid pyramid = (Outline.Pyramid) outline;
+        return wedge(at, pyramid, Math.min(pyramid.far(), detected.orElse(UNKNOWN_REACH)));
     }
 
     /** All compass bearings that lie in a pyramid; a camera that looks straight up or down sees all of them. */
     private static List<List<Position>> wedge(Position at, Outline.Pyramid pyramid, double reach) {
-        if (pyramid.contains(UP) || pyramid.contains(UP.times(-1.0))) {
+        if (pyramid.spans(UP) || pyramid.spans(UP.times(-1.0))) {
             return rings(at, 0.0, TURN, 0.0, reach);
         }
         Position middle = pyramid.middle();

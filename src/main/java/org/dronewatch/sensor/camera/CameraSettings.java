@@ -8,7 +8,7 @@ import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.Thresholded;
-import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.CameraAxes;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.sensor.optics.Projection;
@@ -164,12 +164,21 @@ public record CameraSettings(
      * @throws IllegalArgumentException when the vector is parallel to that axis
      */
     public CameraSettings withUp(Position up) {
-        return withRoll(CameraObject.roll(aim.from(position), up));
+        return withRoll(CameraAxes.roll(aim.from(position), up));
     }
 
     /** These settings with another projection. */
     public CameraSettings withProjection(Projection other) {
         return SettingsForm.with(this, "projection", other);
+    }
+
+    /**
+     * These settings with a frustum given as to OpenGL's {@code glFrustum}, in m.
+     *
+     * @throws IllegalArgumentException when pixels would not be square, or a value is out of range
+     */
+    public CameraSettings withFrustum(double left, double right, double bottom, double top, double near, double far) {
+        return PictureSensorSettings.withFrustum(this, left, right, bottom, top, near, far);
     }
 
     @Override

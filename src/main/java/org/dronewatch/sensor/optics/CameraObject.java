@@ -17,12 +17,6 @@ public final class CameraObject {
     /** Least depth that is projected, m: so little that no ray can meet a drone before it. */
     public static final double NEAR = 1e-6;
 
-    /** Beyond this fraction of the vertical the camera counts as looking straight up or down. */
-    private static final double VERTICAL = 1.0 - 1e-12;
-
-    /** A roll this near to a quarter turn is one, rad: then images are turned without rounding. */
-    private static final double QUARTER = 1e-12;
-
     private final Position position;
     private final int width;
     private final int height;
@@ -35,13 +29,7 @@ public final class CameraObject {
 
     private final double axisRow;
 
-    private final double cosRoll;
-    private final double sinRoll;
-
-    /** To the right and up with a level horizon. */
-    private final Position levelRight;
-
-    private final Position levelUp;
+    private final CameraAxes axes;
     private final Position right;
     private final Position up;
     private final Position forward;
@@ -102,20 +90,11 @@ public final class CameraObject {
         this.axisColumn = (0.5 - lens.shiftRight()) * width;
         this.axisRow = (0.5 + lens.shiftUp()) * height;
 
-        double quarters = Math.rint(roll / (0.5 * Math.PI));
-        boolean exact = Math.abs(roll - quarters * 0.5 * Math.PI) < QUARTER;
-        this.cosRoll = exact ? Math.rint(Math.cos(roll)) : Math.cos(roll);
-        this.sinRoll = exact ? Math.rint(Math.sin(roll)) : Math.sin(roll);
-
-        this.forward = direction.unit();
-        Position top = top(forward);
-        this.levelRight = forward.cross(top).unit();
-        this.levelUp = levelRight.cross(forward);
-        boolean level = sinRoll == 0.0 && cosRoll == 1.0;
-        this.right = level ? levelRight : levelRight.times(cosRoll).minus(levelUp.times(sinRoll));
-        this.up = level ? levelUp : levelUp.times(cosRoll).plus(levelRight.times(sinRoll));
-        top = level ? top : up;
-
+        this.axes = new CameraAxes(direction, roll);
+        this.forward = axes.forward;
+        this.right = axes.right;
+        this.up = axes.up;
+        Position top = axes.top();
         this.view = new Matrix4d()
                 .lookAt(
                         position.x(),
@@ -130,43 +109,21 @@ public final class CameraObject {
         this.projection = newProjection();
     }
 
-    private static Position top(Position forward) {
-        return Math.abs(forward.z()) < VERTICAL ? new Position(0, 0, 1) : new Position(0, 1, 0);
-    }
-
     private Matrix4d newProjection() {
         if (lens.equals(Projection.DEFAULT)) {
             double fovY = 2.0 * Math.atan(0.5 * height / focalLength);
             return new Matrix4d().perspective(fovY, (double) width / height, NEAR, Double.POSITIVE_INFINITY);
         }
-        double scale = NEAR / focalLength;
+        double nearest = Math.max(NEAR, lens.near());
+        double scale = nearest / focalLength;
         return new Matrix4d()
                 .frustum(
                         -axisColumn * scale,
                         (width - axisColumn) * scale,
                         (axisRow - height) * scale,
                         axisRow * scale,
-                        NEAR,
-                        Double.POSITIVE_INFINITY);
-    }
-
-    /**
-     * The roll with which a camera has a vector at the top of its image.
-     *
-     * @param direction where it looks, of any length but 0
-     * @param up the vector, not along that direction
-     * @return rad, -pi to pi
-     * @throws IllegalArgumentException when the two vectors are parallel, or one of them is 0
-     */
-    public static double roll(Position direction, Position up) {
-        Position forward = direction.unit();
-        Position levelRight = forward.cross(top(forward)).unit();
-        double aside = up.dot(levelRight);
-        double above = up.dot(levelRight.cross(forward));
-        if (!(Math.hypot(aside, above) > QUARTER * up.length())) {
-            throw new IllegalArgumentException("up " + up + " must not point along the axis of the camera");
-        }
-        return Math.atan2(aside, above);
+                        nearest,
+                        lens.limit());
     }
 
     /** This camera with another number of pixels, whose picture is as high. */
@@ -199,17 +156,16 @@ public final class CameraObject {
         return new Ray(position, new Position(direction[0], direction[1], direction[2]));
     }
 
+    /** The ray through the centre of a pixel, of unit direction, from the near plane to the far one. */
+    public Ray seeingRay(int column, int row) {
+        Ray ray = ray(column, row);
+        double slant = obliqueness(column, row);
+        return new Ray(ray.origin(), ray.direction(), slant * near(), slant * far());
+    }
+
     /** Writes the unit direction of a pixel's ray in the world's frame; allocates nothing. */
     public void direction(int column, int row, double[] target) {
-        double a = (column + 0.5 - axisColumn) / focalLength;
-        double b = (axisRow - row - 0.5) / focalLength;
-        // As the pixel of a level camera that looks there: so a quarter turn gives the same directions bit for bit.
-        double x = a * cosRoll + b * sinRoll;
-        double y = b * cosRoll - a * sinRoll;
-        double scale = 1.0 / Math.sqrt(1.0 + x * x + y * y);
-        target[0] = scale * (forward.x() + x * levelRight.x() + y * levelUp.x());
-        target[1] = scale * (forward.y() + x * levelRight.y() + y * levelUp.y());
-        target[2] = scale * (forward.z() + x * levelRight.z() + y * levelUp.z());
+        axes.direction((column + 0.5 - axisColumn) / focalLength, (axisRow - row - 0.5) / focalLength, target);
     }
 
     /**
@@ -258,7 +214,8 @@ public final class CameraObject {
         double depth = dx * forward.x() + dy * forward.y() + dz * forward.z();
         double across = dx * right.x() + dy * right.y() + dz * right.z();
         double above = dx * up.x() + dy * up.y() + dz * up.z();
-        return depth < -radius
+        return depth < lens.near() - radius
+                || depth > lens.limit() + radius
                 || isBeyond(across, depth, width - axisColumn, radius)
                 || isBeyond(-across, depth, axisColumn, radius)
                 || isBeyond(above, depth, axisRow, radius)
@@ -285,11 +242,14 @@ public final class CameraObject {
      * Where a point of the world appears.
      *
      * @return column and row in pixels, (0, 0) being the top left corner of the top left pixel; empty for a point
-     *     nearer than {@link #NEAR} or behind the camera. The point may lie outside the image.
+     *     nearer than {@link #NEAR}, not between the near and the far plane, or behind the camera. The point may lie
+     *     outside the image.
      */
     public Optional<Point2d> pixelOf(Point3d point) {
         Vector4d clip = projection().mul(view).transform(new Vector4d(point.x, point.y, point.z, 1.0));
-        return clip.w < NEAR ? Optional.empty() : Optional.of(new Point2d(column(clip), row(clip)));
+        return clip.w < NEAR || clip.w < lens.near() || clip.w > lens.limit()
+                ? Optional.empty()
+                : Optional.of(new Point2d(column(clip), row(clip)));
     }
 
     /** Column of a point in clip space, in pixels from the left edge. */
@@ -311,7 +271,19 @@ public final class CameraObject {
                 0.5 * width / focalLength,
                 0.5 * height / focalLength,
                 (0.5 * width - axisColumn) / focalLength,
-                (axisRow - 0.5 * height) / focalLength);
+                (axisRow - 0.5 * height) / focalLength,
+                lens.near(),
+                lens.limit());
+    }
+
+    /** Nothing is seen whose distance along the axis is smaller, m. */
+    public double near() {
+        return lens.near();
+    }
+
+    /** Nothing is seen whose distance along the axis is larger, m; infinity for no limit. */
+    public double far() {
+        return lens.limit();
     }
 
     /** Where the camera is, m. */

@@ -11,6 +11,8 @@ import org.jogamp.vecmath.Matrix4d;
 public final class ModelGrid {
     private final double[][] grid;
     private final Position from;
+    private final double near;
+    private final double far;
     private final double[] origin = new double[3];
     private final double[][] modelGrid = new double[3][3];
 
@@ -18,6 +20,8 @@ public final class ModelGrid {
     public ModelGrid(CameraObject camera) {
         this.grid = camera.grid();
         this.from = camera.position();
+        this.near = camera.near();
+        this.far = camera.far();
     }
 
     /**
@@ -35,6 +39,6 @@ public final class ModelGrid {
             modelGrid[i][1] = m.m10 * d[0] + m.m11 * d[1] + m.m12 * d[2];
             modelGrid[i][2] = m.m20 * d[0] + m.m21 * d[1] + m.m22 * d[2];
         }
-        traversal.setPicture(origin, modelGrid[0], modelGrid[1], modelGrid[2]);
+        traversal.setPicture(origin, modelGrid[0], modelGrid[1], modelGrid[2], near, far);
     }
 }

@@ -68,6 +68,39 @@ public interface PictureSensorSettings<S extends Sensor>
         return SettingsForm.with(camera, Map.of("aim", aim, "fov", pointing.fov(), "positioner", Optional.empty()));
     }
 
+    /**
+     * A camera with the frustum of OpenGL's {@code glFrustum}: its field of view, its shifts and its planes.
+     *
+     * @param left left edge of the image at the near plane, to the right of the axis, m
+     * @param right right edge, m
+     * @param bottom bottom edge, above the axis, m
+     * @param top top edge, m
+     * @param near distance of the near plane, above 0, m
+     * @param far distance of the far plane, m
+     * @throws IllegalArgumentException when the edges are in the wrong order, pixels would not be square to a millionth, or
+     *     a setting that follows is out of range
+     */
+    static <R extends Record & PictureSettings> R withFrustum(
+            R camera, double left, double right, double bottom, double top, double near, double far) {
+        double wide = right - left;
+        double high = top - bottom;
+        if (!(wide > 0.0 && high > 0.0 && near > 0.0)) {
+            throw new IllegalArgumentException(
+                    "frustum with left " + left + ", right " + right + ", bottom " + bottom + ", top " + top + ", near "
+                            + near + ": left must be less than right, bottom less than top, near above 0");
+        }
+        double across = wide / camera.width();
+        double upwards = high / camera.height();
+        if (!(Math.abs(across / upwards - 1.0) <= 1e-6)) {
+            throw new IllegalArgumentException("frustum of " + wide + " m x " + high + " m has pixels of " + across
+                    + " m x " + upwards + " m in an image of " + camera.width() + " x " + camera.height()
+                    + ": they must be square");
+        }
+        Projection projection = new Projection(0.5 * (left + right) / wide, 0.5 * (bottom + top) / high, near, far);
+        double fov = 2.0 * Math.atan(0.5 * high / near);
+        return SettingsForm.with(camera, Map.of("fov", fov, "fovAxis", FieldOfView.VERTICAL, "projection", projection));
+    }
+
     /** Maximum number of pixels of an image: 8192 x 8192. */
     int MOST_PIXELS = 1 << 26;
 

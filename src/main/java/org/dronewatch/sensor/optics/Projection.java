@@ -6,24 +6,50 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Where the optical axis of a camera meets its image: in the middle unless the lens is shifted. A frustum of OpenGL with
- * its left, right, bottom and top edges at a distance {@code near} has the shifts {@code (left + right) / 2 / (right -
+ * Where the optical axis of a camera meets its image, and between which planes across the axis the camera sees. A frustum
+ * of OpenGL with its left, right, bottom and top edges at the distance {@code near} has the shifts {@code (left + right) / 2 / (right -
  * left)} and {@code (bottom + top) / 2 / (top - bottom)}, and a vertical field of view of {@code 2 atan((top - bottom) / 2 /
  * near)}.
  *
  * @param shiftRight how far the image is shifted to the right, so that it shows more of that side, as a fraction of its
  *     width, -5 to 5; the field of view is that of the image without a shift
  * @param shiftUp how far it is shifted upwards, as a fraction of its height, -5 to 5
+ * @param near nothing is seen whose distance along the axis is smaller, 0 to less than far, m
+ * @param far nothing is seen whose distance along the axis is larger; at the default of 1000 km, no limit, m
  */
 public record Projection(
         @In(value = Quantity.RATIO, from = -5, to = 5) double shiftRight,
-        @In(value = Quantity.RATIO, from = -5, to = 5) double shiftUp) {
-    /** The axis meets the middle of the image. */
-    @Defaults
-    public static final Projection DEFAULT = new Projection(0.0, 0.0);
+        @In(value = Quantity.RATIO, from = -5, to = 5) double shiftUp,
+        @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) double near,
+        @In(value = Quantity.LENGTH, above = 0, to = UNLIMITED) double far) {
+    /** A far plane from which on there is none, m. */
+    private static final double UNLIMITED = 1e6;
 
-    /** Checks the limits. */
+    /** The axis meets the middle of the image, and the camera sees at all distances. */
+    @Defaults
+    public static final Projection DEFAULT = new Projection(0.0, 0.0, 0.0, UNLIMITED);
+
+    /** Checks the limits, and that the near plane is nearer than the far one. */
     public Projection {
-        Limits.check(Projection.class, shiftRight, shiftUp);
+        Limits.check(Projection.class, shiftRight, shiftUp, near, far);
+        if (near >= far) {
+            throw new IllegalArgumentException(
+                    "near " + (float) near + " m must be less than far " + (float) far + " m");
+        }
+    }
+
+    /**
+     * The projection of a lens that is shifted, at all distances.
+     *
+     * @param right as a fraction of the width of the image
+     * @param up as a fraction of its height
+     */
+    public static Projection shifted(double right, double up) {
+        return new Projection(right, up, 0.0, UNLIMITED);
+    }
+
+    /** The distance of the far plane, m; infinity for none. */
+    double limit() {
+        return far < UNLIMITED ? far : Double.POSITIVE_INFINITY;
     }
 }

@@ -36,7 +36,8 @@ final class StaticView implements Background {
         TileTracer created = world.newTileTracer(world.tree());
         Position from = camera.position();
         double[][] grid = camera.grid();
-        created.setPicture(new double[] {from.x(), from.y(), from.z()}, grid[0], grid[1], grid[2]);
+        created.setPicture(
+                new double[] {from.x(), from.y(), from.z()}, grid[0], grid[1], grid[2], camera.near(), camera.far());
         return created;
     }
 

@@ -60,8 +60,10 @@ public final class VisibleArea {
             return 0.0;
         }
         if (range <= reach) {
-            // It sits on the lens, or on the back of the camera.
-            return vector.dot(outline.forward()) < 0.0 ? 0.0 : (double) camera.width() * camera.height();
+            // It sits on the lens, which a near plane keeps free, or on the back of the camera.
+            return camera.near() > 0.0 || vector.dot(outline.forward()) < 0.0
+                    ? 0.0
+                    : (double) camera.width() * camera.height();
         }
         Position ahead = vector.times(1.0 / range);
         Position top = Math.abs(ahead.z()) < 0.9 ? new Position(0, 0, 1) : new Position(0, 1, 0);
@@ -85,8 +87,13 @@ public final class VisibleArea {
     }
 
     private boolean seen(RayTracer model, double x, double y, double z, boolean open) {
+        double ahead = along(outline.forward(), x, y, z);
+        if (ahead <= 0.0) {
+            return false;
+        }
         Position at = camera.position();
         Matrix4d m = toModel;
+        double start = camera.near() / ahead;
         boolean hit = model.closestHit(
                 m.m00 * at.x() + m.m01 * at.y() + m.m02 * at.z() + m.m03,
                 m.m10 * at.x() + m.m11 * at.y() + m.m12 * at.z() + m.m13,
@@ -94,9 +101,15 @@ public final class VisibleArea {
                 m.m00 * x + m.m01 * y + m.m02 * z,
                 m.m10 * x + m.m11 * y + m.m12 * z,
                 m.m20 * x + m.m21 * y + m.m22 * z,
-                0.0,
-                Double.POSITIVE_INFINITY);
-        return hit && (open || visibility.isFreeAlong(at.x(), at.y(), at.z(), x, y, z, model.distance()));
+                start,
+                camera.far() / ahead);
+        return hit && (open || isFree(start, x, y, z, model.distance()));
+    }
+
+    /** Whether the site leaves a ray free from the near plane on. */
+    private boolean isFree(double start, double x, double y, double z, double end) {
+        Position at = camera.position();
+        return visibility.isFreeAlong(at.x() + start * x, at.y() + start * y, at.z() + start * z, x, y, z, end - start);
     }
 
     /**

@@ -9,7 +9,7 @@ import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.SensorDescription;
-import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.CameraAxes;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.sensor.optics.Projection;
@@ -169,12 +169,21 @@ public record ThermalSettings(
      * @throws IllegalArgumentException when the vector is parallel to that axis
      */
     public ThermalSettings withUp(Position up) {
-        return withRoll(CameraObject.roll(aim.from(position), up));
+        return withRoll(CameraAxes.roll(aim.from(position), up));
     }
 
     /** These settings with another projection. */
     public ThermalSettings withProjection(Projection other) {
         return SettingsForm.with(this, "projection", other);
+    }
+
+    /**
+     * These settings with a frustum given as to OpenGL's {@code glFrustum}, in m.
+     *
+     * @throws IllegalArgumentException when pixels would not be square, or a value is out of range
+     */
+    public ThermalSettings withFrustum(double left, double right, double bottom, double top, double near, double far) {
+        return PictureSensorSettings.withFrustum(this, left, right, bottom, top, near, far);
     }
 
     @Override

@@ -19,6 +19,7 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.sensor.optics.Projection;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
@@ -84,6 +85,30 @@ class ColourCameraTest {
         World world = world(sunny(200, elevation), level(500, 0, 0));
         assertThat(brightness(above(world, GREY, 1).radiance(20, 20, List.of())))
                 .isCloseTo(REFLECTANCE, within(HARMONICS * REFLECTANCE));
+    }
+
+    /** In haze the plate, which is nearer, is not as bright as the ground: but before the near plane the ground shows. */
+    @Test
+    void nothingIsPhotographedOutsideThePlanes() {
+        Light haze = Light.DAY.withVisibility(100);
+        World bare = world(haze, level(500, 0, 0));
+        World plated = world(haze, level(500, 0, 0), level(3, 0, 30));
+        double[] ground = planed(bare, 0, 1e6).radiance(20, 20, List.of());
+        double[] plate = planed(plated, 0, 1e6).radiance(20, 20, List.of());
+        assertThat(Math.abs(brightness(plate) - brightness(ground))).isGreaterThan(0.05 * brightness(ground));
+        assertThat(planed(plated, 0, 20).radiance(20, 20, List.of())).isEqualTo(plate);
+        double behind = brightness(planed(plated, 20, 1e6).radiance(20, 20, List.of()));
+        assertThat(behind).isCloseTo(brightness(ground), within(0.01 * behind));
+        double[] nothing = planed(bare, 0, 20).radiance(20, 20, List.of());
+        assertThat(planed(plated, 0, 5).radiance(20, 20, List.of())).isEqualTo(nothing);
+        assertThat(nothing).isNotEqualTo(ground);
+    }
+
+    private static ColourCamera planed(World world, double near, double far) {
+        Projection projection = new Projection(0, 0, near, far);
+        CameraObject camera =
+                new CameraObject(new Position(0, 0, 40), new Position(0, 0, -1), 0, 41, 41, 41.0, projection);
+        return new ColourCamera(camera, world, GREY, Map.of(), 1);
     }
 
     @Test

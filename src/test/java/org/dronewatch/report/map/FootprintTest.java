@@ -54,8 +54,9 @@ class FootprintTest {
         List<List<Position>> rolled = rings(level.withRoll(Math.PI / 2).outline());
         assertThat(area(rolled.get(0))).isEqualTo(0.5 * high * 1e4, percent(0.5 * high * 1e4));
 
-        List<Position> ring =
-                rings(level.withProjection(new Projection(0.75, 0)).outline()).get(0);
+        List<Position> ring = rings(
+                        level.withProjection(Projection.shifted(0.75, 0)).outline())
+                .get(0);
         double edge = Math.tan(Math.toRadians(30));
         double least = ring.stream()
                 .filter(point -> point.distance(AT) > 1)

@@ -10,7 +10,10 @@ import java.util.OptionalInt;
 import java.util.Random;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.Ray;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.Outline;
@@ -19,6 +22,7 @@ import org.dronewatch.world.World;
 import org.jogamp.vecmath.AxisAngle4d;
 import org.jogamp.vecmath.Matrix4d;
 import org.jogamp.vecmath.Point2d;
+import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
 
@@ -105,7 +109,7 @@ class RolledCameraTest {
             double roll = random.nextDouble(-2 * Math.PI, 2 * Math.PI);
             Projection shift = i % 2 == 0
                     ? Projection.DEFAULT
-                    : new Projection(random.nextDouble(-0.6, 0.6), random.nextDouble(-0.6, 0.6));
+                    : Projection.shifted(random.nextDouble(-0.6, 0.6), random.nextDouble(-0.6, 0.6));
             CameraSettings settings = LEVEL.withResolution(80, 60)
                     .withLookAt(LEVEL.position().plus(new Position(0, 6, 0)).plus(unit(random)))
                     .withRoll(roll)
@@ -156,7 +160,7 @@ class RolledCameraTest {
             CameraObject camera = new CameraObject(LEVEL.withResolution(80, 60)
                     .withLookAt(LEVEL.position().plus(unit(random)))
                     .withRoll(random.nextDouble(-7, 7))
-                    .withProjection(new Projection(random.nextDouble(-1, 1), random.nextDouble(-1, 1))));
+                    .withProjection(Projection.shifted(random.nextDouble(-1, 1), random.nextDouble(-1, 1))));
             int column = random.nextInt(80);
             int row = random.nextInt(60);
             Point2d pixel = camera.pixelOf(camera.ray(column, row).pointAt(0.1 + 100 * random.nextDouble()))
@@ -196,7 +200,7 @@ class RolledCameraTest {
             int left = random.nextInt(192);
             int top = random.nextInt(96);
             // The middles of the two pictures are apart by these fractions of 64 and 32 pixels.
-            Projection shift = new Projection((left + 32 - 128) / 64.0, (64 - top - 16) / 32.0);
+            Projection shift = Projection.shifted((left + 32 - 128) / 64.0, (64 - top - 16) / 32.0);
             CameraObject part = new CameraObject(at, to, 0.3, 64, 32, focal, shift);
             List<Drone> drones = drones(random);
             DepthImage whole = new DronePicture(large).depthImage(ground, drones);
@@ -215,23 +219,112 @@ class RolledCameraTest {
         }
     }
 
+    /** Every pixel's ray traced on its own from the near plane to the far one, through the site and each drone. */
+    @Test
+    void nothingIsSeenBeforeTheNearPlaneAndBehindTheFarOne() {
+        long seed = 24_494;
+        System.out.println("seed of the planes: " + seed);
+        Random random = new Random(seed);
+        int seen = 0;
+        int cut = 0;
+        for (int i = 0; i < 40; i++) {
+            double near = i % 3 == 0 ? 0.0 : random.nextDouble(4, 11);
+            double far = i % 3 == 1 ? Projection.DEFAULT.far() : near + random.nextDouble(0.2, 6);
+            CameraSettings settings = LEVEL.withResolution(80, 60)
+                    .withLookAt(LEVEL.position().plus(new Position(0, 6, 0)).plus(unit(random)))
+                    .withRoll(random.nextDouble(-3, 3))
+                    .withProjection(new Projection(random.nextDouble(-0.3, 0.3), 0.1, near, far));
+            CameraObject camera = new CameraObject(settings);
+            List<Drone> drones = drones(random);
+            DepthImage image = settings.create().depthImage(ground, drones);
+            DepthImage unlimited = settings.withProjection(
+                            Projection.shifted(settings.projection().shiftRight(), 0.1))
+                    .create()
+                    .depthImage(ground, drones);
+            double end = i % 3 == 1 ? Double.POSITIVE_INFINITY : far;
+            for (int row = 0; row < 60; row++) {
+                for (int column = 0; column < 80; column++) {
+                    Vector3d d = camera.ray(column, row).direction();
+                    Position axis = camera.outline().forward();
+                    double slant = 1 / (d.x * axis.x() + d.y * axis.y() + d.z * axis.z());
+                    float expected =
+                            closest(ground.tree(), camera.position().toPoint3d(), d, near * slant, end * slant);
+                    boolean hit = false;
+                    for (Drone drone : drones) {
+                        Point3d origin = camera.position().toPoint3d();
+                        Vector3d direction = new Vector3d(d);
+                        drone.worldToModel().transform(origin);
+                        drone.worldToModel().transform(direction);
+                        float distance = closest(drone.tree(), origin, direction, near * slant, end * slant);
+                        hit |= distance < expected;
+                        expected = Math.min(expected, distance);
+                    }
+                    assertThat(image.isHit(column, row)).isEqualTo(hit);
+                    if (expected < Float.POSITIVE_INFINITY) {
+                        assertThat(image.distance(column, row)).isCloseTo(expected, within(1e-6f * expected));
+                    } else {
+                        assertThat(image.distance(column, row)).isEqualTo(expected);
+                    }
+                    seen += hit ? 1 : 0;
+                    cut += unlimited.distance(column, row) != image.distance(column, row) ? 1 : 0;
+                }
+            }
+        }
+        assertThat(seen).isGreaterThan(1000);
+        assertThat(cut).isGreaterThan(1000);
+    }
+
+    private static float closest(KDTree tree, Point3d origin, Vector3d direction, double from, double to) {
+        return new StackTraversal(tree)
+                .closestHit(new Ray(origin, direction, from, to))
+                .map(hit -> (float) hit.distance())
+                .orElse(Float.POSITIVE_INFINITY);
+    }
+
+    /** The ball is cut: what lies before the near plane is not seen, and what is behind it shows its inside. */
+    @Test
+    void theVisibleAreaIsThatBetweenThePlanes() {
+        Position middle = LEVEL.position().plus(new Position(0, 10, 0));
+        CameraSettings settings = LEVEL.withLookAt(middle).withVerticalFov(0.15).withResolution(300, 300);
+        Drone drone = Shapes.drone("ball", ball, middle);
+        for (double[] planes : new double[][] {{0, 1e6}, {10.3, 1e6}, {0, 9.7}, {9.9, 1e6}, {11, 1e6}, {0, 9}}) {
+            CameraObject camera = new CameraObject(settings.withProjection(new Projection(0, 0, planes[0], planes[1])));
+            DronePicture picture = new DronePicture(camera);
+            picture.draw(ground, List.of(drone));
+            double area = new VisibleArea(camera, ground).of(drone);
+            assertThat(area)
+                    .isCloseTo(picture.pixels(0), within(0.03 * Math.PI * Math.pow(0.05 * camera.focalLength(), 2)));
+            if (planes[0] == 10.3) {
+                // The cap behind the plane has a radius of sqrt(0.5^2 - 0.3^2) = 0.4 m there.
+                double cap = Math.PI * Math.pow(0.4 / 10.3 * camera.focalLength(), 2);
+                assertThat(area).isCloseTo(cap, within(0.03 * cap));
+            }
+        }
+    }
+
     /** Left, right, bottom and top as in the matrix of glFrustum, in the reference pages of OpenGL 2.1. */
     @Test
-    void theShiftsAreThoseOfTheFrustumOfOpenGl() {
+    void aFrustumIsThatOfOpenGl() {
         double left = -0.2;
         double right = 0.6;
         double bottom = -0.5;
         double top = 0.1;
         double near = 0.9;
-        CameraSettings settings = LEVEL.withResolution(80, 60)
-                .withVerticalFov(2 * Math.atan((top - bottom) / 2 / near))
-                .withProjection(
-                        new Projection((left + right) / 2 / (right - left), (bottom + top) / 2 / (top - bottom)));
+        double far = 70;
+        CameraSettings settings = LEVEL.withResolution(80, 60).withFrustum(left, right, bottom, top, near, far);
         org.joml.Matrix4d projection = new CameraObject(settings).projection();
         assertThat(projection.m00()).isCloseTo(2 * near / (right - left), within(1e-12));
         assertThat(projection.m11()).isCloseTo(2 * near / (top - bottom), within(1e-12));
         assertThat(projection.m20()).isCloseTo((right + left) / (right - left), within(1e-12));
         assertThat(projection.m21()).isCloseTo((top + bottom) / (top - bottom), within(1e-12));
+        assertThat(projection.m22()).isCloseTo(-(far + near) / (far - near), within(1e-12));
+        assertThat(projection.m32()).isCloseTo(-2 * far * near / (far - near), within(1e-12));
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> LEVEL.withFrustum(-1, 1, -0.5, 0.5, 1, 2))
+                .withMessageEndingWith("in an image of 96 x 96: they must be square");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> LEVEL.withFrustum(1, -1, -1, 1, 1, 2))
+                .withMessageContaining("left must be less than right");
     }
 
     @Test
@@ -252,7 +345,7 @@ class RolledCameraTest {
 
     @Test
     void aPositionerKeepsRollAndShift() {
-        CameraSettings settings = LEVEL.withRoll(0.4).withProjection(new Projection(0.1, -0.2));
+        CameraSettings settings = LEVEL.withRoll(0.4).withProjection(Projection.shifted(0.1, -0.2));
         CameraSettings pointed = settings.pointed(Pointing.still(new Direction(1.0, 0.2), 0.5, OptionalInt.empty()));
         assertThat(pointed.roll()).isEqualTo(0.4);
         assertThat(pointed.projection()).isEqualTo(settings.projection());
@@ -267,7 +360,7 @@ class RolledCameraTest {
             CameraObject camera = new CameraObject(LEVEL.withResolution(400, 300)
                     .withVerticalFov(0.6)
                     .withRoll(random.nextDouble(-4, 4))
-                    .withProjection(new Projection(random.nextDouble(-0.5, 0.5), random.nextDouble(-0.5, 0.5))));
+                    .withProjection(Projection.shifted(random.nextDouble(-0.5, 0.5), random.nextDouble(-0.5, 0.5))));
             Position place = camera.position()
                     .plus(LEVEL.aim().from(LEVEL.position()))
                     .plus(unit(random).times(2));
@@ -288,7 +381,10 @@ class RolledCameraTest {
                 .isThrownBy(() -> LEVEL.withRoll(13))
                 .withMessageContaining("roll");
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new Projection(6, 0))
+                .isThrownBy(() -> Projection.shifted(6, 0))
                 .withMessageContaining("shiftRight 6");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Projection(0, 0, 20, 20))
+                .withMessage("near 20.0 m must be less than far 20.0 m");
     }
 }
