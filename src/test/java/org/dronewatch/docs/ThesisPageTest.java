@@ -1,0 +1,142 @@
+package org.dronewatch.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dronewatch.app.Main;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The page from the thesis to the code tells the truth: what it names exists, and what it shows can be seen. */
+class ThesisPageTest {
+    private static final Pattern CODE = Pattern.compile("`([^`]+)`");
+    private static final Pattern CLASS = Pattern.compile("([A-Z]\\w+)(?:\\.(\\w+))?");
+    private static final Pattern SETTING = Pattern.compile("[a-z]+\\.[\\w.]+");
+    private static final Pattern WORD = Pattern.compile("(?:[^\\s\"]|\"[^\"]*\")+");
+    private static final Map<String, List<String>> OUTPUT = Map.of(
+            "run", List.of("--out", "results"),
+            "render", List.of("--out", "picture.png"),
+            "coverage", List.of("--out", "plan.png"),
+            "save", List.of("--out", "scene.yaml"));
+
+    @TempDir
+    private Path directory;
+
+    /** A row of the page's tables. */
+    private record Row(String thesis, String here, String see, String differs) {
+        static Row of(String line) {
+            String[] cells = line.substring(1, line.lastIndexOf('|')).split("\\|", -1);
+            assertThat(cells).as(line).hasSize(4);
+            return new Row(cells[0].strip(), cells[1].strip(), cells[2].strip(), cells[3].strip());
+        }
+    }
+
+    private static List<Row> rows() throws IOException {
+        return Files.readString(Path.of("src/site/markdown/thesis.md"))
+                .lines()
+                .filter(line -> line.startsWith("|"))
+                .filter(line -> !line.startsWith("|---") && !line.startsWith("| thesis |"))
+                .map(Row::of)
+                .toList();
+    }
+
+    private static List<String> codeOf(String cell) {
+        return CODE.matcher(cell).results().map(found -> found.group(1)).toList();
+    }
+
+    private static Map<String, Path> sources() throws IOException {
+        try (Stream<Path> main = Files.walk(Path.of("src/main/java"));
+                Stream<Path> test = Files.walk(Path.of("src/test/java"));
+                Stream<Path> examples = Files.walk(Path.of("src/examples/java"))) {
+            return Stream.of(main, test, examples)
+                    .flatMap(files -> files)
+                    .filter(file -> file.toString().endsWith(".java") && !file.endsWith("package-info.java"))
+                    .collect(Collectors.toMap(
+                            file -> file.getFileName().toString().replace(".java", ""), file -> file, (a, b) -> a));
+        }
+    }
+
+    @Test
+    void everythingThatARowNamesExists() throws IOException {
+        Map<String, Path> sources = sources();
+        String settings = Files.readString(Path.of("src/site/markdown/settings.md"));
+        StringWriter list = new StringWriter();
+        Main.execute(new PrintWriter(list), new PrintWriter(list), "list");
+        List<String> entries =
+                list.toString().lines().map(line -> line.split("\\s+")[1]).toList();
+        for (Row row : rows()) {
+            for (String name : codeOf(row.here())) {
+                Matcher type = CLASS.matcher(name);
+                if (type.matches()) {
+                    assertThat(sources).as("%s", row).containsKey(type.group(1));
+                    if (type.group(2) != null) {
+                        assertThat(Files.readString(sources.get(type.group(1))))
+                                .as("%s", row)
+                                .containsPattern("\\b" + type.group(2) + "\\b");
+                    }
+                } else if (SETTING.matcher(name).matches()) {
+                    assertThat(settings).as("%s", row).contains("`" + name.substring(name.lastIndexOf('.') + 1) + "`");
+                } else {
+                    assertThat(entries).as("%s", row).contains(name);
+                }
+            }
+        }
+    }
+
+    @Test
+    void everyRowSaysWhereItIsSeenOrWhyNot() throws IOException {
+        List<Row> rows = rows();
+        assertThat(rows).hasSizeGreaterThan(110);
+        Map<String, Path> sources = sources();
+        for (Row row : rows) {
+            assertThat(row.thesis()).as("%s", row).isNotEmpty();
+            assertThat(row.here()).as("%s", row).isNotEmpty();
+            if (row.here().equals("none")) {
+                assertThat(row.differs() + row.see()).as("%s", row).isNotEmpty();
+            } else if (codeOf(row.here()).stream().noneMatch(name -> name.endsWith("Test"))) {
+                assertThat(row.see()).as("%s", row).isNotEmpty();
+            }
+            codeOf(row.see()).stream()
+                    .filter(name -> name.endsWith("Test"))
+                    .forEach(name -> assertThat(sources).as("%s", row).containsKey(name));
+        }
+    }
+
+    @Test
+    void everyCommandRuns() throws IOException {
+        Set<String> commands = new LinkedHashSet<>();
+        for (Row row : rows()) {
+            codeOf(row.see()).stream().filter(name -> !name.endsWith("Test")).forEach(commands::add);
+        }
+        assertThat(commands).hasSizeGreaterThan(25);
+        for (String command : commands) {
+            List<String> words = new ArrayList<>(WORD.matcher(command)
+                    .results()
+                    .map(word -> word.group().replace("\"", ""))
+                    .toList());
+            List<String> output = OUTPUT.getOrDefault(words.get(0), List.of());
+            if (!output.isEmpty()) {
+                words.add(output.get(0));
+                words.add(directory.resolve(output.get(1)).toString());
+            }
+            StringWriter said = new StringWriter();
+            PrintWriter writer = new PrintWriter(said);
+            assertThat(Main.execute(writer, writer, words.toArray(String[]::new)))
+                    .as("%s: %s", command, said)
+                    .isZero();
+        }
+    }
+}
