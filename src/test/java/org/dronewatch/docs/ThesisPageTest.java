@@ -30,6 +30,7 @@ class ThesisPageTest {
             "run", List.of("--out", "results"),
             "render", List.of("--out", "picture.png"),
             "coverage", List.of("--out", "plan.png"),
+            "calibrate", List.of("--out", "fitted.yaml"),
             "save", List.of("--out", "scene.yaml"));
 
     @TempDir
@@ -99,7 +100,7 @@ class ThesisPageTest {
     @Test
     void everyRowSaysWhereItIsSeenOrWhyNot() throws IOException {
         List<Row> rows = rows();
-        assertThat(rows).hasSizeGreaterThan(110);
+        assertThat(rows).hasSizeGreaterThan(120);
         Map<String, Path> sources = sources();
         for (Row row : rows) {
             assertThat(row.thesis()).as("%s", row).isNotEmpty();
