@@ -69,8 +69,10 @@ public final class FlightsFile {
     private FlightsFile(String name, byte[] bytes) {
         this.name = PlainText.value(name);
         this.hash = hash(name, bytes);
-        try (CsvReader<NamedCsvRecord> rows =
-                CsvReader.builder().ofNamedCsvRecord(new String(bytes, StandardCharsets.UTF_8))) {
+        try (CsvReader<NamedCsvRecord> rows = CsvReader.builder()
+                .allowMissingFields(true)
+                .allowExtraFields(true)
+                .ofNamedCsvRecord(new String(bytes, StandardCharsets.UTF_8))) {
             int number = 0;
             for (NamedCsvRecord row : rows) {
                 if (number == 0) {

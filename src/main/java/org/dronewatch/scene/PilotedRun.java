@@ -4,6 +4,7 @@ import nl.tudelft.simulation.dsol.SimRuntimeException;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.InputException;
 
 /** A run whose drones are steered: its drones, its time and its simulator. For the thread of the simulator. */
 public final class PilotedRun {
@@ -31,9 +32,22 @@ public final class PilotedRun {
             throw new IllegalArgumentException("after " + seconds + " s: must be 0 or more");
         }
         try {
-            simulator.scheduleEventRel(seconds, action::run);
+            simulator.scheduleEventRel(seconds, () -> act(action));
         } catch (SimRuntimeException e) {
             throw new IllegalStateException(e);
+        }
+    }
+
+    /**
+     * Does what a pilot does now.
+     *
+     * @throws InputException when it gives a command that the drone cannot follow, and does not handle that itself
+     */
+    void act(Runnable action) {
+        try {
+            action.run();
+        } catch (IllegalArgumentException e) {
+            throw new InputException("pilot at " + time() + " s: " + e.getMessage(), e);
         }
     }
 

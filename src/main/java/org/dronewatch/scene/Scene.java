@@ -292,7 +292,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
                 getSimulator() instanceof SceneSimulator simulator ? Optional.of(simulator) : Optional.empty();
         session = own.flatMap(SceneSimulator::session).orElseGet(this::openSession);
         Pilot steering = own.flatMap(SceneSimulator::pilot).orElseGet(this::pilot);
-        steering.begin(new PilotedRun(session, getSimulator()));
+        PilotedRun run = new PilotedRun(session, getSimulator());
+        run.act(() -> steering.begin(run));
         scheduleNextLook();
     }
 

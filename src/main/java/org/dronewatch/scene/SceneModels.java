@@ -2,6 +2,8 @@ package org.dronewatch.scene;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightsFile;
 import org.dronewatch.flight.Recorded;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.run.ModelCache;
@@ -43,13 +45,21 @@ final class SceneModels {
         settings.drones().forEach((id, drone) -> {
             load("drones." + id + ".model", drone.model());
             if (drone.flight() instanceof Recorded recorded) {
-                placing("drones." + id + ".flight", () -> models.flights(recorded.file()));
+                placing("drones." + id + ".flight", () -> checkFlight(recorded, id, drone));
             }
         });
     }
 
     private void load(String path, ModelSettings model) {
         placing(path, () -> models.read(model));
+    }
+
+    /** Of a swarm, each drone finds its own flight later. */
+    private void checkFlight(Recorded recorded, String id, DroneSettings drone) {
+        FlightsFile file = models.flights(recorded.file());
+        if (drone.swarm().isEmpty()) {
+            file.flight(recorded.run(), recorded.drone().orElse(id));
+        }
     }
 
     private void placing(String path, Runnable reading) {

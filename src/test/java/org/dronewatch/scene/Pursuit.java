@@ -83,7 +83,12 @@ class Pursuit extends Scene {
             DroneInFlight own = run.drone("hunter");
             Position way =
                     run.drone("prey").state().position().minus(own.state().position());
-            own.fly(way.unit().times(SPEED), attitude(way, own.state()));
+            Position velocity = way.unit().times(SPEED);
+            if (run.settings().drones().get("hunter").lean()) {
+                own.fly(velocity);
+            } else {
+                own.fly(velocity, attitude(way, own.state()));
+            }
             run.after(0.1, this::steer);
         }
 

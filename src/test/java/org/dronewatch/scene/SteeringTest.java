@@ -11,9 +11,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.flight.Recorded;
+import org.dronewatch.flight.Steered;
 import org.dronewatch.flight.SteeredFlight;
+import org.dronewatch.flight.Swarm;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.RunReport;
 import org.dronewatch.run.Frame;
@@ -80,6 +83,41 @@ class SteeringTest {
         List<Observation> replayed =
                 observations(new SceneRunner(new Pursuit(Recorded.of("steered/flights.csv"))).directory(directory));
         assertThat(replayed).isEqualTo(steered).isNotEmpty();
+    }
+
+    /** One that leans into its turns by itself. */
+    @Test
+    void aReplayedDroneLeansAsTheSteeredOneDid() {
+        SceneRunner steering = new SceneRunner(new Pursuit()).set("drones.hunter.lean", "true");
+        List<Observation> steered = new ArrayList<>();
+        List<Double> rolls = new ArrayList<>();
+        Scene written = new Pursuit();
+        try (RunReport report = new RunReport(written, directory.resolve("leaning"), false)) {
+            report.finish(steering.listener(report)
+                    .onFrame(frame -> steered.addAll(frame.observations()))
+                    .listener(new SceneListener() {
+                        private Stage stage;
+
+                        @Override
+                        public void runStarted(RunInfo run, Stage itsStage) {
+                            stage = itsStage;
+                        }
+
+                        @Override
+                        public void observed(Frame frame) {
+                            rolls.add(stage.flight("hunter")
+                                    .at(frame.time())
+                                    .attitude()
+                                    .roll());
+                        }
+                    })
+                    .run());
+        }
+        List<Observation> replayed = observations(new SceneRunner(new Pursuit(Recorded.of("leaning/flights.csv")))
+                .set("drones.hunter.lean", "true")
+                .directory(directory));
+        assertThat(replayed).isEqualTo(steered).isNotEmpty();
+        assertThat(rolls).as("it banks").anyMatch(roll -> Math.abs(roll) > 0.1);
     }
 
     private static List<Observation> observations(SceneRunner runner) {
@@ -156,6 +194,127 @@ class SteeringTest {
                 })
                 .run();
         assertThat(refused).isNotEmpty();
+    }
+
+    /** A listener turns the hunter away whenever the radar has seen it, which is after the look. */
+    @Test
+    void anAnswerToAnObservationIsReplayedToo() {
+        List<Observation> steered = new ArrayList<>();
+        Pursuit scene = new Pursuit();
+        try (RunReport report = new RunReport(scene, directory.resolve("answered"), false)) {
+            report.finish(new SceneRunner(scene)
+                    .pilot(() -> run -> run.drone("hunter").fly(new Position(Pursuit.SPEED, 0, 0)))
+                    .listener(report)
+                    .onFrame(frame -> {
+                        steered.addAll(frame.observations());
+                        long seen = frame.observations().stream()
+                                .filter(one -> one.drone().equals("hunter") && one.isDetected())
+                                .count();
+                        if (seen > 0) {
+                            scene.drone("hunter").fly(new Position(0, Pursuit.SPEED * (seen - 2.0) / 3.0, 1));
+                        }
+                    })
+                    .run());
+        }
+        List<Observation> replayed =
+                observations(new SceneRunner(new Pursuit(Recorded.of("answered/flights.csv"))).directory(directory));
+        assertThat(replayed).isEqualTo(steered).isNotEmpty();
+    }
+
+    /** A command is an event of normal priority: it comes before the look at the same time, in every look. */
+    @Test
+    void aCommandCountsInTheLookAtItsTime() {
+        List<Double> speeds = new ArrayList<>();
+        new SceneRunner(new Pursuit())
+                .set("sensors.ear.enabled", "false")
+                .set("sensors.far-ear.enabled", "false")
+                .set("sensors.radar.enabled", "false")
+                .set("sensors.camera.rate", "2 Hz")
+                .pilot(() -> run -> {
+                    for (int i = 12; i >= 0; i--) {
+                        double speed = i;
+                        run.after(0.5 * i, () -> run.drone("hunter").fly(new Position(24, 0, 0)));
+                        run.after(0.5 * i, () -> run.drone("hunter").fly(new Position(0, 0, speed)));
+                    }
+                })
+                .onFrame(frame -> speeds.add(frame.drones().get(1).velocity().z))
+                .run();
+        assertThat(speeds).hasSize(13);
+        for (int i = 0; i < speeds.size(); i++) {
+            assertThat(speeds.get(i)).isEqualTo(i);
+        }
+    }
+
+    @Test
+    void everyRunOfASweepIsSteeredAnew() {
+        List<Position> ends = new ArrayList<>();
+        new SceneRunner(new Pursuit() {
+                    private static final long serialVersionUID = 1L;
+
+                    @Override
+                    protected void build() {
+                        super.build();
+                        sweep("sensors.camera.width", 320, 640, 960);
+                    }
+                })
+                .onFrame(frame -> {
+                    if (frame.time() == Pursuit.DURATION) {
+                        ends.add(frame.drones().get(1).origin());
+                    }
+                })
+                .run();
+        assertThat(ends).hasSize(3).containsOnly(ends.get(0));
+    }
+
+    @Test
+    void theDronesOfASwarmAreSteeredOneByOne() {
+        double half = 0.5 * Math.PI;
+        List<Position> ends = new ArrayList<>();
+        new SceneRunner(new Pursuit(new Steered(Pursuit.START, half)) {
+                    private static final long serialVersionUID = 1L;
+
+                    @Override
+                    protected void build() {
+                        super.build();
+                        add(
+                                "pack",
+                                DroneSettings.of(loadPackaged("quadrotor.obj"), new Steered(Pursuit.START, half))
+                                        .withSwarm(Swarm.of(2)));
+                    }
+                })
+                .pilot(() -> run -> {
+                    run.drone("pack-1").fly(new Position(0, 0, 1));
+                    run.drone("pack-2").fly(new Position(0, 0, -1));
+                })
+                .onFrame(frame -> {
+                    if (frame.time() == Pursuit.DURATION) {
+                        ends.add(frame.drones().get(2).origin());
+                        ends.add(frame.drones().get(3).origin());
+                    }
+                })
+                .run();
+        assertThat(ends.get(0)).isEqualTo(Pursuit.START.plus(new Position(0, 0, 6)));
+        // With the nose to the east, ten metres to the right are ten to the south.
+        assertThat(ends.get(1).distance(Pursuit.START.plus(new Position(0, -10, -6))))
+                .isLessThan(1e-9);
+    }
+
+    @Test
+    void onlyASteeredDroneTakesCommands() {
+        SceneRunner runner = new SceneRunner(new Pursuit())
+                .pilot(() -> run -> run.drone("prey").fly(new Position(1, 0, 0)));
+        assertThatIllegalStateException()
+                .isThrownBy(runner::run)
+                .withMessageContaining("drone 'prey' cannot be steered: its flight is not of the kind 'steered'");
+        SceneRunner fast = new SceneRunner(new Pursuit())
+                .pilot(() -> run -> run.after(1.0, () -> run.drone("hunter").fly(new Position(30, 0, 0))));
+        assertThatThrownBy(fast::run)
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining(
+                        "pilot at 1.0 s: drone 'hunter': speed 30.0 m/s must be at most 25.0 m/s, the drone's");
+        assertThatIllegalStateException()
+                .isThrownBy(() -> new Pursuit().drone("hunter"))
+                .withMessageContaining("no run of the scene is going on");
     }
 
     @Test
