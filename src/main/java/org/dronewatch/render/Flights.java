@@ -24,6 +24,8 @@ public final class Flights {
     private final Stage stage;
     private final double step;
     private int sampled;
+    private int boxed = -1;
+    private AABB box;
 
     /** The flights of one run. */
     public Flights(SceneSettings settings, Stage stage) {
@@ -57,8 +59,17 @@ public final class Flights {
         return new DroneMark(drone, flown, toCome, detected);
     }
 
-    /** The box around all sensors and all flights, with some room about it. */
+    /** The box around all sensors and all flights as far as they are known, with some room about it. */
     public synchronized AABB interest(SceneSettings settings) {
+        sample();
+        if (boxed != sampled) {
+            box = box(settings);
+            boxed = sampled;
+        }
+        return box;
+    }
+
+    private AABB box(SceneSettings settings) {
         List<Position> all = new ArrayList<>();
         positions.values().forEach(all::addAll);
         settings.enabledSensors().values().forEach(sensor -> all.add(sensor.position()));

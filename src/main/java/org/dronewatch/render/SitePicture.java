@@ -49,7 +49,6 @@ public final class SitePicture {
     private final Stage stage;
     private final World world;
     private final Flights flights;
-    private final AABB interest;
     private volatile Rayed rayed;
 
     /** For one run of a scene. */
@@ -61,8 +60,6 @@ public final class SitePicture {
         this.painter = new SitePainter(world.tree(), stage.colours());
         this.colours = KindColours.of(settings.enabledSensors().values());
         this.flights = new Flights(settings, stage);
-        boolean empty = settings.enabledSensors().isEmpty() && drones.isEmpty();
-        this.interest = empty ? world.bounds() : flights.interest(settings);
     }
 
     /**
@@ -100,11 +97,13 @@ public final class SitePicture {
 
     /** The box that matters: all sensors, all flights, and some room about them; the whole site where there are none, m. */
     public AABB interest() {
-        return interest;
+        boolean empty = settings.enabledSensors().isEmpty() && drones.isEmpty();
+        return empty ? world.bounds() : flights.interest(settings);
     }
 
     /** The box that a picture of the site frames: what matters, with what the sensors look into as far as it is drawn, m. */
     public AABB frame() {
+        AABB interest = interest();
         List<Position> corners = new ArrayList<>();
         corners.add(new Position(interest.minX(), interest.minY(), interest.minZ()));
         corners.add(new Position(interest.maxX(), interest.maxY(), interest.maxZ()));
@@ -144,7 +143,7 @@ public final class SitePicture {
                         .count()
                 + drones.stream().filter(drone -> isUnderRoof(drone.origin())).count();
         int all = settings.enabledSensors().size() + drones.size();
-        return 2 * roofed > all ? Optional.of(Cut.above(interest.maxZ() - 2.5)) : Optional.empty();
+        return 2 * roofed > all ? Optional.of(Cut.above(interest().maxZ() - 2.5)) : Optional.empty();
     }
 
     private boolean isUnderRoof(Position point) {
@@ -289,7 +288,7 @@ public final class SitePicture {
     }
 
     private void drawOutlines(LinePainter lines, SiteState state, double pixel) {
-        double length = OUTLINE * interest.diagonal();
+        double length = OUTLINE * interest().diagonal();
         for (SensorMark sensor : state.sensors()) {
             boolean selected = state.selected().filter(sensor.id()::equals).isPresent();
             OutlinePainter painting = new OutlinePainter(lines, selected ? 3.0 * length : length);

@@ -1,5 +1,6 @@
 package org.dronewatch.run;
 
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -22,6 +23,7 @@ import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.file.LinkOut;
 import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
 
@@ -72,7 +74,11 @@ public final class ModelCache {
     public synchronized FlightsFile flights(String file) {
         FlightsFile known = flights.get(file);
         if (known == null) {
-            known = FlightsFile.read(resolved(file), file);
+            Path path = resolved(file);
+            if (Files.exists(path)) {
+                LinkOut.refuse(directory, path, "file");
+            }
+            known = FlightsFile.read(path, file);
             flights.put(file, known);
             files.put(file, List.of(known.hash()));
             notes.accept("read " + file);

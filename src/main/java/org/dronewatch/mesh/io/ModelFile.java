@@ -17,6 +17,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
 import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.file.LinkOut;
 
 /**
  * A model file on disk or in the jar, and the files beside it. Only regular files of bounded size are read; a byte
@@ -68,27 +69,8 @@ public final class ModelFile {
         if (!problem.isEmpty()) {
             throw new InputException("model file " + PlainText.value(path) + " " + problem);
         }
-        refuseLinkOut(directory, path);
+        LinkOut.refuse(directory, path, "model file");
         return new ModelFile(path.toString(), path, null);
-    }
-
-    /**
-     * A scene file from another author can read nothing elsewhere. Names that start from the working directory are the
-     * user's choice, and so are those that state themselves that they lead elsewhere: scene files may not contain such
-     * names.
-     */
-    private static void refuseLinkOut(Path directory, Path path) {
-        if (directory.toString().isEmpty() || !path.normalize().startsWith(directory.normalize())) {
-            return;
-        }
-        try {
-            if (!path.toRealPath().startsWith(directory.toRealPath())) {
-                throw new InputException("model file " + path + " is a link that leads out of " + directory
-                        + ": keep models beside or below the scene file");
-            }
-        } catch (IOException e) {
-            throw new InputException("model file " + path + " cannot be read: " + e.getMessage(), e);
-        }
     }
 
     /** What is wrong with a file, as the end of a sentence; empty for nothing. */

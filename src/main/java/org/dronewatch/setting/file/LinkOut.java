@@ -1,0 +1,37 @@
+package org.dronewatch.setting.file;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+
+/**
+ * Links that lead out of a scene's directory: a scene file from another author can read nothing elsewhere. Names that start
+ * from the working directory are the user's choice, and so are those that state themselves that they lead elsewhere: scene
+ * files may not contain such names.
+ */
+public final class LinkOut {
+    private LinkOut() {}
+
+    /**
+     * Refuses a file that is reached by such a link.
+     *
+     * @param directory that of the scene file; empty for the working directory
+     * @param file that exists
+     * @param what the beginning of a message, such as {@code model file}
+     * @throws InputException when it lies elsewhere, or cannot be read
+     */
+    public static void refuse(Path directory, Path file, String what) {
+        if (directory.toString().isEmpty() || !file.normalize().startsWith(directory.normalize())) {
+            return;
+        }
+        try {
+            if (!file.toRealPath().startsWith(directory.toRealPath())) {
+                throw new InputException(what + " " + PlainText.value(file) + " is a link that leads out of "
+                        + PlainText.value(directory) + ": keep such files beside or below the scene file");
+            }
+        } catch (IOException e) {
+            throw new InputException(what + " " + PlainText.value(file) + " cannot be read: " + e.getMessage(), e);
+        }
+    }
+}
