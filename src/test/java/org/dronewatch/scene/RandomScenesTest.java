@@ -17,6 +17,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
@@ -87,7 +88,7 @@ class RandomScenesTest {
         for (long seed = SEED; accepted < SCENES; seed++) {
             String text = RandomScenes.yaml(seed);
             Path file = Files.writeString(directory.resolve("scene.yaml"), text);
-            SceneRunner runner = new SceneRunner(new SceneFile(file)).threads(1);
+            SceneRunner runner = new SceneRunner(new SceneFile(file)).threads(1).pilot(() -> RandomScenesTest::steer);
             SceneSettings read;
             try {
                 read = runner.settings();
@@ -114,14 +115,24 @@ class RandomScenesTest {
     /** Written as a file and read again, the settings are the same; the runs of some are compared as well. */
     private void checkSaved(SceneRunner runner, SceneSettings settings, long seed, boolean runs) throws IOException {
         Path file = directory.resolve("saved.yaml");
-        SceneRunner saved =
-                new SceneRunner(new SceneFile(Files.writeString(file, runner.text(settings, file)))).threads(1);
+        SceneRunner saved = new SceneRunner(new SceneFile(Files.writeString(file, runner.text(settings, file))))
+                .threads(1)
+                .pilot(() -> RandomScenesTest::steer);
         assertThat(saved.settings()).as("seed %d", seed).isEqualTo(settings);
         if (runs) {
             assertThat(saved.run().runs())
                     .as("seed %d", seed)
                     .isEqualTo(runner.run().runs());
         }
+    }
+
+    /** Steered drones fly east as fast as they can. */
+    private static void steer(PilotedRun run) {
+        run.settings().fliers().forEach((id, drone) -> {
+            if (run.drone(id).isSteered()) {
+                run.drone(id).fly(new Position(drone.speed(), 0, 0));
+            }
+        });
     }
 
     private static void run(SceneRunner runner, long seed, String text) {

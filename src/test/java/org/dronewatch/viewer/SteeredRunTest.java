@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import javax.swing.SwingUtilities;
 import org.dronewatch.examples.Chase;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
@@ -66,40 +65,5 @@ class SteeredRunTest {
         assertThat(whole.toCome().get(600)).isEqualTo(places.get(places.size() - 1));
         assertThat(frames.get(0).maxX())
                 .isLessThan(viewed.get(0).picture().frame().maxX());
-    }
-
-    /** The window's pane plays at full speed what another thread simulates. */
-    @Test
-    void theWindowFollowsTheRun() throws Exception {
-        List<Throwable> failures = new ArrayList<>();
-        Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
-        Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> failures.add(failure));
-        ViewerPane[] pane = new ViewerPane[1];
-        SwingUtilities.invokeAndWait(() -> {
-            pane[0] = new ViewerPane("chase", recording, 2);
-            pane[0].addNotify();
-            pane[0].setSize(900, 600);
-            pane[0].validate();
-            pane[0].playback().setSpeed(Double.POSITIVE_INFINITY);
-            pane[0].playback().play();
-        });
-        try {
-            new SceneRunner(new Chase()).listener(recording).run();
-            recording.finish(true);
-            long end = System.nanoTime() + 60_000_000_000L;
-            double[] time = {0.0};
-            while (time[0] < 30.0 && System.nanoTime() < end) {
-                Thread.sleep(20);
-                SwingUtilities.invokeAndWait(() -> time[0] = pane[0].playback().time());
-            }
-            assertThat(time[0]).isEqualTo(30.0);
-            while (!pane[0].isIdle() && System.nanoTime() < end) {
-                Thread.sleep(20);
-            }
-            assertThat(failures).isEmpty();
-        } finally {
-            SwingUtilities.invokeAndWait(() -> pane[0].close());
-            Thread.setDefaultUncaughtExceptionHandler(before);
-        }
     }
 }
