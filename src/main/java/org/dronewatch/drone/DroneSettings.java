@@ -1,6 +1,7 @@
 package org.dronewatch.drone;
 
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -20,6 +21,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.Settings;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSound;
 import org.dronewatch.sound.DroneSounds;
@@ -43,7 +45,10 @@ import org.dronewatch.world.World;
  * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1e-12 W; about 85 for a real
  *     quadrotor
  * @param glideReduction how much quieter it is with its motors off, when only airflow is heard, 0 to 100 dB
- * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}
+ * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; with a {@code spectrum}, any name
+ *     for it
+ * @param spectrum the drone's own spectrum in place of the table's: A-weighted levels of the octave bands relative to one
+ *     another, as in the table; how loud it is, {@code soundPowerLevel} says
  * @param directivity how the sound radiated depends on elevation, for the energy model
  * @param swarm how many such drones fly in formation; a single drone if empty
  * @param label what it means to the site, for readers of the results; no sensor uses it
@@ -62,6 +67,7 @@ public record DroneSettings(
         @In(value = Quantity.LEVEL, from = 0, to = 200) double soundPowerLevel,
         @In(value = Quantity.LEVEL, from = 0, to = 100) double glideReduction,
         String sound,
+        Optional<BandLevels> spectrum,
         Directivity directivity,
         Optional<Swarm> swarm,
         ThreatLabel label)
@@ -90,11 +96,22 @@ public record DroneSettings(
                 soundPowerLevel,
                 glideReduction,
                 sound,
+                spectrum,
                 directivity,
                 swarm,
                 label);
+        checkSound(sound, spectrum.isPresent());
+    }
+
+    /** A sound of one's own has any name; without it the name must be in the table. */
+    private static void checkSound(String name, boolean own) {
+        if (own && name.isBlank()) {
+            throw new IllegalArgumentException("sound '" + name + "' must be a name");
+        }
         try {
-            DroneSounds.get(sound);
+            if (!own) {
+                DroneSounds.get(name);
+            }
         } catch (InputException e) {
             throw new IllegalArgumentException(e.getMessage(), e);
         }
@@ -117,6 +134,7 @@ public record DroneSettings(
                 85.0,
                 30.0,
                 DroneSounds.SMALL_QUADROTOR,
+                Optional.empty(),
                 Directivity.OMNIDIRECTIONAL,
                 Optional.empty(),
                 ThreatLabel.DEFAULT);
@@ -172,9 +190,26 @@ public record DroneSettings(
         return SettingsForm.with(this, "soundLevel", level);
     }
 
-    /** These settings with the sound of another kind of drone, spectrum and loudness. */
+    /**
+     * These settings with the sound of another kind of drone, spectrum and loudness: one of the library's table, or one's
+     * own.
+     *
+     * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's is not finite
+     */
     public DroneSettings withSound(DroneSound other) {
-        return SettingsForm.with(this, Map.of("soundPowerLevel", other.level(), "sound", other.name()));
+        boolean packaged = DroneSounds.find(other.name()).equals(Optional.of(other));
+        Optional<BandLevels> own = packaged ? Optional.empty() : Optional.of(BandLevels.of(other.shape()));
+        return SettingsForm.with(
+                this, Map.of("soundPowerLevel", other.level(), "sound", other.name(), "spectrum", own));
+    }
+
+    /**
+     * These settings with their own spectrum, and the loudness as it is.
+     *
+     * @param shape A-weighted levels of the octave bands relative to one another, -200 to 200 dB
+     */
+    public DroneSettings withSpectrum(BandLevels shape) {
+        return SettingsForm.with(this, "spectrum", Optional.of(Check.present("spectrum", shape)));
     }
 
     /** These settings with another directivity. */
@@ -210,7 +245,10 @@ public record DroneSettings(
 
     /** The spectrum at another loudness, dB re 1e-12 W by octave band. */
     List<Double> soundPower(double level) {
-        return DroneSounds.get(sound).octaves(level);
+        List<Double> shape = spectrum.map(
+                        own -> Arrays.stream(own.toArray()).boxed().toList())
+                .orElseGet(() -> DroneSounds.get(sound).shape());
+        return DroneSound.octaves(shape, level);
     }
 
     /** These settings with another reduction of the sound level when the motors are off, dB. */

@@ -73,6 +73,8 @@ final class SiteReport {
         RunLooks itsLooks = looks.ofRun(run.run()).orElseThrow();
         int width = result.runs().size() < MANY_RUNS ? WIDTH : WIDTH_OF_MANY;
         SitePictures pictures = new SitePictures(run, itsLooks.stage(), itsLooks.pointings(), width);
-        return new RunView(itsLooks.stage(), pictures.draw(result.scene()));
+        List<Figure> figures = new ArrayList<>(pictures.draw(result.scene()));
+        figures.addAll(new DetectionPictures(run, itsLooks.stage(), itsLooks.pointings(), width).draw(result.scene()));
+        return new RunView(itsLooks.stage(), figures);
     }
 }

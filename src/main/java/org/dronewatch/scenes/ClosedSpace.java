@@ -29,7 +29,11 @@ public final class ClosedSpace extends Scene {
                         .withLookAt(DRONE)
                         .withResolution(800, 800)
                         .withVerticalFov(0.6918));
-        add("microphone", AcousticSettings.at(SENSORS).withPropagation(LevelModel.DEFAULT.withRays(10, 10)));
+        add(
+                "microphone",
+                AcousticSettings.at(SENSORS)
+                        .withPropagation(LevelModel.DEFAULT.withRays(10, 10))
+                        .withDrawRays(true));
 
         setRun(RunSettings.DEFAULT.withDuration(1.0));
     }

@@ -4,4 +4,10 @@ package org.dronewatch.sensor;
  * Settings of a sensor that traces sound through the site: the world's acoustic surfaces matter to it, and it may lie on one. A
  * capability: {@link SensorSettings#as}.
  */
-public interface SoundTracing {}
+public interface SoundTracing {
+
+    /** Whether report and viewer show its rays without being asked. */
+    default boolean drawRays() {
+        return false;
+    }
+}

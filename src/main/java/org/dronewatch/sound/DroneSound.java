@@ -36,6 +36,16 @@ public record DroneSound(String name, double level, List<Double> shape, Basis ba
      * @param aWeighted A-weighted sound power level of all bands together, dB re 1 pW
      */
     public List<Double> octaves(double aWeighted) {
+        return octaves(shape, aWeighted);
+    }
+
+    /**
+     * Sound power levels by octave band without weighting, dB re 1 pW.
+     *
+     * @param shape A-weighted levels of the eight bands relative to one another, dB
+     * @param aWeighted A-weighted sound power level of all bands together, dB re 1 pW
+     */
+    public static List<Double> octaves(List<Double> shape, double aWeighted) {
         double all = Levels.sum(shape.stream().mapToDouble(Double::doubleValue).toArray());
         List<Double> levels = new ArrayList<>();
         for (int band = 0; band < OctaveBands.COUNT; band++) {

@@ -4,6 +4,7 @@ import de.siegmar.fastcsv.reader.NamedCsvRecord;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.sound.DroneSound.Basis;
 
@@ -28,6 +29,11 @@ public final class DroneSounds {
      */
     public static DroneSound get(String name) {
         return TABLE.get(name);
+    }
+
+    /** The sound of a name, if there is one. */
+    public static Optional<DroneSound> find(String name) {
+        return TABLE.find(name);
     }
 
     private static DroneSound toSound(NamedCsvRecord row) {

@@ -21,6 +21,7 @@ import org.dronewatch.render.RayFilter;
 import org.dronewatch.render.RecordedRays;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.SoundTracing;
 
 /** Traces the sound rays to a microphone at the displayed time, counts them, and selects those to be drawn. */
 final class RayPanel extends JPanel {
@@ -91,6 +92,17 @@ final class RayPanel extends JPanel {
         trace.setEnabled(possible);
         take(null);
         count.setText(possible ? "No rays have been traced yet." : "No sensor of the scene traces rays.");
+        next.raySensors().stream()
+                .filter(sensor -> settings.sensors()
+                        .get(sensor)
+                        .as(SoundTracing.class)
+                        .filter(SoundTracing::drawRays)
+                        .isPresent())
+                .findFirst()
+                .ifPresent(sensor -> {
+                    sensors.setSelectedItem(sensor);
+                    trace();
+                });
     }
 
     /** Traces the rays of the selected pair at the displayed time. */

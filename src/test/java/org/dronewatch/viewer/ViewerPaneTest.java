@@ -30,6 +30,7 @@ import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scenes.CameraRange;
+import org.dronewatch.scenes.ClosedSpace;
 import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -223,6 +224,14 @@ class ViewerPaneTest {
         assertThat(pane.rayPanel().count()).contains(String.format("%,d of %,d ray segments drawn", all, all));
         assertThat(different(only, onEventThread(() -> pane.world().image()))).isGreaterThan(2000);
         picture("rays");
+    }
+
+    @Test
+    void aSensorThatShowsItsRaysNeedsNotBeAsked() throws Exception {
+        open(new ClosedSpace());
+        settle(() -> pane.rays().isPresent());
+        assertThat(pane.rays().orElseThrow().sensor()).isEqualTo("microphone");
+        assertThat(pane.rays().orElseThrow().count()).isGreaterThan(5_000);
     }
 
     @Test

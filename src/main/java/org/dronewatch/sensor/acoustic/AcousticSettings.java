@@ -29,6 +29,7 @@ import org.dronewatch.world.World;
  * @param threshold how far above the background a sound must be to be detected, dB
  * @param arrayGain gain in signal-to-noise ratio over a single microphone, 0 to 60 dB
  * @param propagation how sound propagates: {@code level-model}, {@code energy-model}, or a kind from another jar
+ * @param drawRays whether the report and the viewer show its rays: those of the first detection, or of the start
  */
 public record AcousticSettings(
         Position position,
@@ -36,7 +37,8 @@ public record AcousticSettings(
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         @In(value = Quantity.LEVEL, from = -100, to = 100) double threshold,
         @In(value = Quantity.LEVEL, from = 0, to = 60) double arrayGain,
-        Propagation propagation)
+        Propagation propagation,
+        boolean drawRays)
         implements SensorSettings<AcousticSensor>, Outlined, SoundTracing, Thresholded {
     /**
      * Checks the limits.
@@ -44,13 +46,13 @@ public record AcousticSettings(
      * @throws IllegalArgumentException if a value is out of range
      */
     public AcousticSettings {
-        Limits.check(AcousticSettings.class, position, radius, rate, threshold, arrayGain, propagation);
+        Limits.check(AcousticSettings.class, position, radius, rate, threshold, arrayGain, propagation, drawRays);
     }
 
     /** A microphone of 0.5 m radius that listens ten times a second and hears what is 15 dB above the background. */
     @Defaults("position")
     public static AcousticSettings at(Position position) {
-        return new AcousticSettings(position, 0.5, 10.0, 15.0, 0.0, LevelModel.DEFAULT);
+        return new AcousticSettings(position, 0.5, 10.0, 15.0, 0.0, LevelModel.DEFAULT, false);
     }
 
     @Override
@@ -87,6 +89,11 @@ public record AcousticSettings(
     /** These settings with another propagation. */
     public AcousticSettings withPropagation(Propagation model) {
         return SettingsForm.with(this, "propagation", model);
+    }
+
+    /** These settings, with rays that report and viewer show, or without. */
+    public AcousticSettings withDrawRays(boolean drawn) {
+        return SettingsForm.with(this, "drawRays", drawn);
     }
 
     /** The level at and above which a sound is detected over a background: dB re 20 uPa. */

@@ -1,0 +1,90 @@
+package org.dronewatch.drone;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.dronewatch.flight.FlightPathSettings.Hover;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.sound.BandLevels;
+import org.dronewatch.sound.DroneSound;
+import org.dronewatch.sound.DroneSound.Basis;
+import org.dronewatch.sound.DroneSounds;
+import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
+import org.junit.jupiter.api.Test;
+
+/** A drone whose spectrum is not in the library's table. */
+class OwnSoundTest {
+    private static final DroneSettings DRONE =
+            DroneSettings.of(ModelSettings.of("none.obj"), new Hover(new Position(0, 0, 0), 0.0));
+
+    @Test
+    void aSoundOfOnesOwnGivesSpectrumAndLoudness() {
+        DroneSound own = new DroneSound(
+                "tricopter", 91.0, List.of(-40.0, -20.0, -3.0, 0.0, -1.0, -4.0, -9.0, -15.0), Basis.MEASURED, "mine");
+        DroneSettings drone = DRONE.withSound(own);
+
+        assertThat(drone.sound()).isEqualTo("tricopter");
+        assertThat(drone.soundPowerLevel()).isEqualTo(91.0);
+        assertThat(drone.soundPower()).isEqualTo(own.octaves(91.0));
+        double weighted = Levels.sum(IntStream.range(0, OctaveBands.COUNT)
+                .mapToDouble(band -> drone.soundPower().get(band) + OctaveBands.aWeight(band))
+                .toArray());
+        assertThat(weighted).isCloseTo(91.0, within(1e-9));
+    }
+
+    /** All in one octave: its unweighted level is the A-weighted one less the weight of that band. */
+    @Test
+    void aHumOfOneOctaveHasItsWholeLevelThere() {
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            double[] shape = new double[OctaveBands.COUNT];
+            Arrays.fill(shape, -200.0);
+            shape[band] = -7.0;
+            List<Double> power = DRONE.withSpectrum(BandLevels.of(shape)).soundPower();
+            assertThat(power.get(band)).isCloseTo(85.0 - OctaveBands.aWeight(band), within(1e-9));
+            assertThat(Collections.max(power)).isEqualTo(power.get(band));
+        }
+    }
+
+    @Test
+    void packagedSoundsAreTakenFromTheTableAgain() {
+        DroneSettings own = DRONE.withSpectrum(BandLevels.flat(0.0));
+        for (String name : DroneSounds.names()) {
+            DroneSettings packaged = own.withSound(DroneSounds.get(name));
+            assertThat(packaged.spectrum()).isEmpty();
+            assertThat(packaged.soundPower())
+                    .isEqualTo(
+                            DroneSounds.get(name).octaves(DroneSounds.get(name).level()));
+        }
+    }
+
+    /** A packaged name with other figures is a sound of one's own. */
+    @Test
+    void theFiguresCountNotTheName() {
+        DroneSound packaged = DroneSounds.get("hexacopter");
+        DroneSound louder = new DroneSound(
+                packaged.name(), packaged.level() + 3, Collections.nCopies(8, 0.0), Basis.ASSUMED, "mine");
+        DroneSettings drone = DRONE.withSound(louder);
+        assertThat(drone.spectrum()).contains(BandLevels.flat(0.0));
+        assertThat(drone.soundPower()).isEqualTo(louder.octaves(packaged.level() + 3));
+    }
+
+    @Test
+    void aSpectrumHasLimits() {
+        assertThatIllegalArgumentException().isThrownBy(() -> DRONE.withSpectrum(null));
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> DRONE.withSound(
+                        new DroneSound("loud", 300.0, Collections.nCopies(8, 0.0), Basis.ASSUMED, "mine")))
+                .withMessageContaining("soundPowerLevel 300");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() ->
+                        DRONE.withSound(new DroneSound(" ", 80.0, Collections.nCopies(8, 0.0), Basis.ASSUMED, "mine")))
+                .withMessage("sound ' ' must be a name");
+    }
+}
