@@ -11,6 +11,7 @@ import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.report.RayPaths;
 import org.dronewatch.report.RunReport;
 import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.labels.LabelPlan;
 import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.Pace;
 import org.dronewatch.run.PairResult;
@@ -40,8 +41,9 @@ import picocli.CommandLine.Spec;
                 + " tables, plots and a report.",
         footer = {
             "",
-            "Example:",
+            "Examples:",
             "  dronewatch run camera-range --set drones.quadrotor.speed=36km/h --out results",
+            "  dronewatch run scenes/daylight.yaml --labels garden --labels west --observations",
         })
 final class RunCommand implements Callable<Integer> {
     @Mixin
@@ -71,6 +73,9 @@ final class RunCommand implements Callable<Integer> {
             description =
                     "Writes the rays of the acoustic sensors at the start of the first run as lines of an OBJ file.")
     private String rays;
+
+    @Mixin
+    private LabelOptions labels = new LabelOptions();
 
     @Option(names = "--view", description = "Opens a window to watch the run; the results are the same as without it.")
     private boolean view;
@@ -126,8 +131,11 @@ final class RunCommand implements Callable<Integer> {
     private void run(Scene scene, SceneRunner runner, Path directory) {
         PrintWriter err = spec.commandLine().getErr();
         Interruption interruption = main.interruption();
+        Optional<LabelPlan> plan = labels.plan(runner);
+        plan.ifPresent(labelled -> err.println("labels: " + labelled.inWords()));
         try (RunReport report = new RunReport(scene, directory, observations);
                 Progress progress = new Progress(scene.name())) {
+            plan.ifPresent(report::label);
             SceneResult result = runner.listener(report)
                     .listener(progress)
                     .cancelWhen(interruption::happened)

@@ -4,9 +4,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.dronewatch.report.labels.Labels;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
@@ -15,6 +18,8 @@ import org.dronewatch.setting.PlainText;
  * end, either all of them or none. Whatever else the target holds stays as it is. One run at a time may write into a target.
  */
 final class OutputDirectory implements AutoCloseable {
+    private static final Pattern LABEL = Pattern.compile("labels[/\\\\](run-\\d+[/\\\\])?[\\w-]+[/\\\\]\\d{6}\\.png");
+
     private final String asked;
     private final Path target;
     private final StagingLock lock;
@@ -101,6 +106,22 @@ final class OutputDirectory implements AutoCloseable {
     List<Path> filesIn(String folder) throws IOException {
         Path directory = fresh.resolve(folder);
         return Files.isDirectory(directory) ? filesIn(directory) : List.of();
+    }
+
+    /** The labels that an earlier run left in the target: pictures by the names that runs give them, and {@code coco.json}. */
+    List<String> formerLabels() throws IOException {
+        Path pictures = target.resolve(Labels.PICTURES);
+        if (!Files.isRegularFile(target.resolve(Labels.COCO))) {
+            return List.of();
+        }
+        List<String> former = new ArrayList<>(List.of(Labels.COCO));
+        if (Files.isDirectory(pictures)) {
+            filesIn(pictures).stream()
+                    .map(file -> target.relativize(file).toString())
+                    .filter(name -> LABEL.matcher(name).matches())
+                    .forEach(former::add);
+        }
+        return former;
     }
 
     /**

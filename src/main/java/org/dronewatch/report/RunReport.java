@@ -14,6 +14,8 @@ import java.util.stream.Collectors;
 import org.dronewatch.flight.FlightsFile;
 import org.dronewatch.report.html.Looks;
 import org.dronewatch.report.html.RunLooks;
+import org.dronewatch.report.labels.LabelPlan;
+import org.dronewatch.report.labels.Labels;
 import org.dronewatch.report.map.SiteMap;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
@@ -57,6 +59,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     private final RangePlots rangePlots = new RangePlots();
     private final Looks looks = new Looks();
     private final Instant started = Instant.now();
+    private Optional<Labels> labels = Optional.empty();
     private List<String> command = List.of();
     private Optional<InputFiles> inputs = Optional.empty();
 
@@ -100,10 +103,16 @@ public final class RunReport implements SceneListener, AutoCloseable {
         }
     }
 
+    /** Writes the pictures of some cameras, too, with the drones in them marked ({@code coco.json}); to be called before a run. */
+    public void label(LabelPlan plan) {
+        labels = Optional.of(new Labels(plan, directory::file));
+    }
+
     @Override
     public void runStarted(RunInfo run, Stage stage) {
         looks.runStarted(run, stage);
         flights.runStarted(run, stage);
+        labels.ifPresent(written -> directory.write(() -> written.runStarted(run, stage)));
     }
 
     /** @throws org.dronewatch.setting.InputException when the rows cannot be written */
@@ -121,6 +130,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         if (observations != null) {
             directory.write(() -> writeRows(frame));
         }
+        labels.ifPresent(written -> directory.write(() -> written.observed(frame)));
     }
 
     private void writeRows(Frame frame) {
@@ -222,6 +232,10 @@ public final class RunReport implements SceneListener, AutoCloseable {
         if (observations == null) {
             obsolete.add(OBSERVATIONS);
         }
+        if (labels.isPresent()) {
+            labels.get().finish(result.scene());
+        }
+        obsolete.addAll(directory.formerLabels());
         directory.publish(obsolete);
     }
 
@@ -274,6 +288,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     @Override
     public void close() {
         try {
+            labels.ifPresent(Labels::close);
             closeTables();
         } finally {
             directory.close();

@@ -38,6 +38,20 @@ final class DocPictures {
             file("site-closed-space", "render closed-space --view orbit --rays --max-order 1 --heard-only --out OUT"),
             file("glider", "render scenes/glider.yaml --view side --time 30 --out OUT"),
             file("multi-sensor-coverage", "coverage multi-sensor --side 400 --height 10 --cells 200 --out OUT"),
+            file(
+                    "colour-noon",
+                    "render scenes/daylight.yaml --camera garden --colour --samples 4 --time 11"
+                            + " --set sensors.garden.width=800 --set sensors.garden.height=450 --out OUT"),
+            file(
+                    "colour-dusk",
+                    "render scenes/daylight.yaml --camera west --colour --samples 4 --time 3"
+                            + " --set sensors.west.width=800 --set sensors.west.height=450 --set sensors.west.fov=16deg"
+                            + " --set world.light.sun.azimuth=300deg --set world.light.sun.elevation=-2deg"
+                            + " --set world.light.illuminance=20 --out OUT"),
+            file(
+                    "colour-church",
+                    "render closed-space --camera camera --colour --samples 4"
+                            + " --set sensors.camera.width=600 --set sensors.camera.height=600 --out OUT"),
             plot("range-over-fov", "run camera-range --out OUT", "range-over-sensors-camera-fov"),
             plot(
                     "closed-space-decay",

@@ -4,6 +4,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.jogamp.vecmath.Matrix4d;
+import org.jogamp.vecmath.Point2d;
 
 /** One drone in one picture: its surfaces, where it may appear, and the way into its model's space. Immutable. */
 final class DroneLayer {
@@ -37,10 +38,13 @@ final class DroneLayer {
         } else {
             double focal = camera.focalLength();
             double far = view[2] + reach;
-            left = 0.5 * camera.width() + focal * Math.min((view[0] - reach) / near, (view[0] - reach) / far);
-            right = 0.5 * camera.width() + focal * Math.max((view[0] + reach) / near, (view[0] + reach) / far);
-            top = 0.5 * camera.height() - focal * Math.max((view[1] + reach) / near, (view[1] + reach) / far);
-            bottom = 0.5 * camera.height() - focal * Math.min((view[1] - reach) / near, (view[1] - reach) / far);
+            // Not the middle of the image where the lens is shifted.
+            Position ahead = camera.position().plus(camera.outline().forward());
+            Point2d axis = camera.pixelOf(ahead.toPoint3d()).orElseThrow();
+            left = axis.x + focal * Math.min((view[0] - reach) / near, (view[0] - reach) / far);
+            right = axis.x + focal * Math.max((view[0] + reach) / near, (view[0] + reach) / far);
+            top = axis.y - focal * Math.max((view[1] + reach) / near, (view[1] + reach) / far);
+            bottom = axis.y - focal * Math.min((view[1] - reach) / near, (view[1] - reach) / far);
         }
     }
 

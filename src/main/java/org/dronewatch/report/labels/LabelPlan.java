@@ -1,0 +1,109 @@
+package org.dronewatch.report.labels;
+
+import java.util.List;
+import java.util.Locale;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.optics.PictureSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+
+/**
+ * Which cameras' pictures are written, and how many there will be.
+ *
+ * @param cameras ids, in the order of the scene
+ * @param samples each pixel is the mean of samples x samples rays
+ * @param pictures of all cameras in all runs
+ * @param pixels of all pictures
+ */
+public record LabelPlan(List<String> cameras, int samples, long pictures, long pixels) {
+    /** How many pictures may be written at once. */
+    public static final long MOST_PICTURES = 100_000;
+
+    /** How many pixels they may have together. */
+    public static final long MOST_PIXELS = 50_000_000_000L;
+
+    /** Looks that are at the end but for rounding count, as a fraction of the time between them. */
+    private static final double ROUNDING = 1e-9;
+
+    private static final double MEGA = 1e6;
+
+    /** Keeps its own list. */
+    public LabelPlan {
+        cameras = List.copyOf(cameras);
+    }
+
+    /**
+     * Plans the pictures of some cameras.
+     *
+     * @param option what messages call the list of cameras, such as {@code --labels}
+     * @param chosen ids of cameras
+     * @param runs the settings of all runs
+     * @throws InputException when one is no camera of the scene that takes pictures in visible light, or is switched
+     *     off, or is named twice; or when there are more than {@link #MOST_PICTURES} pictures or {@link #MOST_PIXELS} pixels
+     */
+    public static LabelPlan of(String option, List<String> chosen, int samples, List<SceneSettings> runs) {
+        SceneSettings first = runs.get(0);
+        for (int i = 0; i < chosen.size(); i++) {
+            check(option, chosen.get(i), first);
+            if (chosen.indexOf(chosen.get(i)) < i) {
+                throw new InputException(option + " " + chosen.get(i) + ": is named twice");
+            }
+        }
+        List<String> cameras =
+                first.sensors().keySet().stream().filter(chosen::contains).toList();
+        long pictures = 0;
+        double pixels = 0.0;
+        for (SceneSettings run : runs) {
+            for (String id : cameras) {
+                SensorSettings<?> sensor = run.sensors().get(id);
+                long looks = looks(run.run().duration(), sensor.rate());
+                pictures += looks;
+                pixels += (double) looks * sensor.as(PictureSettings.class).orElseThrow().pixels();
+            }
+        }
+        if (pictures > MOST_PICTURES || pixels > MOST_PIXELS) {
+            throw new InputException(String.format(
+                    Locale.ROOT,
+                    "%s: %d pictures of together %.0f megapixels must be at most %d pictures and %.0f megapixels:"
+                            + " lower the cameras' rate or resolution, or the run's duration",
+                    option,
+                    pictures,
+                    pixels / MEGA,
+                    MOST_PICTURES,
+                    MOST_PIXELS / MEGA));
+        }
+        return new LabelPlan(cameras, samples, pictures, (long) pixels);
+    }
+
+    private static void check(String option, String id, SceneSettings settings) {
+        List<String> known = settings.enabledSensors().keySet().stream()
+                .filter(one -> isCamera(settings.sensors().get(one)))
+                .toList();
+        if (!known.contains(id)) {
+            String why = !settings.sensors().containsKey(id)
+                    ? "no such camera"
+                    : isCamera(settings.sensors().get(id))
+                            ? "is switched off"
+                            : "does not take pictures in colour (" + settings.sensors().get(id).kind() + ")";
+            throw new InputException(option + " " + PlainText.value(id) + ": " + why + "; the scene has "
+                    + (known.isEmpty() ? "no camera" : String.join(", ", known)));
+        }
+    }
+
+    private static boolean isCamera(SensorSettings<?> sensor) {
+        return sensor.as(PictureSettings.class)
+                .filter(PictureSettings::seesColour)
+                .isPresent();
+    }
+
+    private static long looks(double duration, double rate) {
+        return (long) Math.floor(duration * rate + ROUNDING) + 1;
+    }
+
+    /** How much will be written, in words. */
+    public String inWords() {
+        return String.format(
+                Locale.ROOT, "%d pictures of %s, %.1f megapixels", pictures, String.join(", ", cameras), pixels / MEGA);
+    }
+}

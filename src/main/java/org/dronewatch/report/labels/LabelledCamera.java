@@ -1,0 +1,74 @@
+package org.dronewatch.report.labels;
+
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.render.photo.ColourCamera;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.Mounted;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.DronePicture;
+import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.sensor.optics.PictureSettings;
+
+/** One camera during a run: which frames are its looks, and what it saw in them, by the code that its sensor runs. */
+final class LabelledCamera {
+    private final String id;
+    private final SensorSettings<?> sensor;
+    private final Stage stage;
+    private final int samples;
+    private Optional<Pointing> pointing = Optional.empty();
+    private DronePicture picture;
+    private ColourCamera colours;
+    private long nextLook;
+
+    LabelledCamera(String id, SensorSettings<?> sensor, Stage stage, int samples) {
+        this.id = id;
+        this.sensor = sensor;
+        this.stage = stage;
+        this.samples = samples;
+        turn(Optional.empty());
+    }
+
+    private void turn(Optional<Pointing> next) {
+        pointing = next;
+        CameraObject camera = new CameraObject(
+                Mounted.pointed(sensor, next).as(PictureSettings.class).orElseThrow());
+        picture = new DronePicture(camera);
+        colours = new ColourCamera(camera, stage, samples);
+    }
+
+    String id() {
+        return id;
+    }
+
+    CameraObject camera() {
+        return picture.camera();
+    }
+
+    /** Index of the look that a frame is; negative when the camera does not look then. Asked once for each frame. */
+    long look(Frame frame) {
+        // As a run computes it: the same numbers.
+        if (nextLook / sensor.rate() != frame.time()) {
+            return -1;
+        }
+        Optional<Pointing> now = Optional.ofNullable(frame.pointings().get(id));
+        if (!now.equals(pointing)) {
+            turn(now);
+        }
+        return nextLook++;
+    }
+
+    /** The pixels of each drone in a frame, in its order. */
+    List<DronePixels> hits(Frame frame) {
+        return picture.pixels(stage.world(), frame.drones());
+    }
+
+    /** What it photographs in a frame. */
+    BufferedImage photo(Frame frame) {
+        return colours.picture(frame.drones());
+    }
+}

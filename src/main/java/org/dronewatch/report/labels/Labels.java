@@ -1,0 +1,211 @@
+package org.dronewatch.report.labels;
+
+import java.io.BufferedOutputStream;
+import java.io.BufferedReader;
+import java.io.BufferedWriter;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.imageio.ImageIO;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.RunInfo;
+import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.optics.DronePixels;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+/**
+ * Writes each look of some cameras as a picture, and what they show of the drones as {@code coco.json}, in the form of
+ * COCO object detection: one annotation for each drone with at least one hit, whose mask are the hits of the sensor.
+ * Looks are written as they come; numbers follow the order of runs, cameras, looks and drones.
+ */
+public final class Labels implements AutoCloseable {
+    /** Name of the file with all annotations. */
+    public static final String COCO = "coco.json";
+
+    /** Name of the directory of pictures. */
+    public static final String PICTURES = "labels";
+
+    private static final JsonMapper MAPPER = JsonMapper.builder().build();
+    private static final int DECIMALS = 6;
+
+    /** Where files are written. */
+    @FunctionalInterface
+    public interface Target {
+        /** The place of a file of the results; its directory exists. */
+        Path file(String name) throws IOException;
+    }
+
+    private final LabelPlan plan;
+    private final Target target;
+    private final List<LabelledCamera> cameras = new ArrayList<>();
+
+    /** What is known of the looks of one camera in one run: an image's line, then those of its annotations. */
+    private final List<Path> parts = new ArrayList<>();
+
+    private final List<BufferedWriter> writers = new ArrayList<>();
+    private boolean several;
+
+    /** Labels by a plan. */
+    public Labels(LabelPlan plan, Target target) {
+        this.plan = plan;
+        this.target = target;
+    }
+
+    /** Begins a run. */
+    public void runStarted(RunInfo run, Stage stage) throws IOException {
+        closeWriters();
+        cameras.clear();
+        several = run.runs() > 1;
+        for (String id : plan.cameras()) {
+            cameras.add(new LabelledCamera(id, run.settings().sensors().get(id), stage, plan.samples()));
+            Path part = target.file(PICTURES + "/part-" + parts.size());
+            parts.add(part);
+            writers.add(Files.newBufferedWriter(part, StandardCharsets.UTF_8));
+        }
+    }
+
+    /** Writes what the cameras saw that looked. */
+    public void observed(Frame frame) throws IOException {
+        for (int i = 0; i < cameras.size(); i++) {
+            LabelledCamera camera = cameras.get(i);
+            long look = camera.look(frame);
+            if (look >= 0) {
+                String name = name(frame.run(), camera.id(), look);
+                writePng(camera, frame, target.file(name));
+                write(writers.get(i), image(frame, camera, look, name));
+                List<DronePixels> hits = camera.hits(frame);
+                for (int drone = 0; drone < hits.size(); drone++) {
+                    if (hits.get(drone).count() > 0) {
+                        write(writers.get(i), annotation(frame, camera, frame.drones().get(drone), hits.get(drone)));
+                    }
+                }
+            }
+        }
+    }
+
+    private String name(int run, String camera, long look) {
+        String ofRun = several ? "run-" + run + "/" : "";
+        return String.format(Locale.ROOT, "%s/%s%s/%06d.png", PICTURES, ofRun, camera, look);
+    }
+
+    private static void writePng(LabelledCamera camera, Frame frame, Path file) throws IOException {
+        // Not a channel, because an interrupt would close it.
+        try (OutputStream stream = new BufferedOutputStream(new FileOutputStream(file.toFile()))) {
+            ImageIO.write(camera.photo(frame), "png", stream);
+        }
+    }
+
+    private static ObjectNode image(Frame frame, LabelledCamera camera, long look, String name) {
+        ObjectNode image = JsonNodeFactory.instance.objectNode();
+        image.put("file_name", name);
+        image.put("width", camera.camera().width());
+        image.put("height", camera.camera().height());
+        image.put("run", frame.run());
+        image.put("camera", camera.id());
+        image.put("look", look);
+        image.put("time_s", rounded(frame.time()));
+        return image;
+    }
+
+    private static ObjectNode annotation(Frame frame, LabelledCamera camera, Drone drone, DronePixels hits) {
+        int width = camera.camera().width();
+        int height = camera.camera().height();
+        Mask mask = Mask.of(hits, width, height);
+        ObjectNode annotation = JsonNodeFactory.instance.objectNode();
+        annotation.put("category_id", 1);
+        annotation.putArray("bbox").add(mask.left()).add(mask.top()).add(mask.width()).add(mask.height());
+        annotation.put("area", hits.count());
+        annotation.put("iscrowd", 0);
+        annotation.put("run", frame.run());
+        annotation.put("time_s", rounded(frame.time()));
+        annotation.put("drone", drone.id());
+        annotation.put("range_m", rounded(drone.distance(camera.camera().position())));
+        ObjectNode segmentation = annotation.putObject("segmentation");
+        segmentation.putArray("size").add(height).add(width);
+        ArrayNode counts = segmentation.putArray("counts");
+        mask.counts().forEach(counts::add);
+        return annotation;
+    }
+
+    private static BigDecimal rounded(double value) {
+        BigDecimal shortest = BigDecimal.valueOf(value)
+                .setScale(DECIMALS, RoundingMode.HALF_EVEN)
+                .stripTrailingZeros();
+        return shortest.scale() < 0 ? shortest.setScale(0) : shortest;
+    }
+
+    private static void write(BufferedWriter writer, ObjectNode node) throws IOException {
+        writer.write(MAPPER.writeValueAsString(node));
+        writer.write('\n');
+    }
+
+    /** Writes {@code coco.json} from all that was seen. */
+    public void finish(String scene) throws IOException {
+        closeWriters();
+        ObjectNode info = JsonNodeFactory.instance.objectNode();
+        info.put("description", "What the cameras of the scene '" + scene + "' see of drones");
+        try (BufferedWriter coco = Files.newBufferedWriter(target.file(COCO), StandardCharsets.UTF_8)) {
+            coco.write("{\n\"info\": " + MAPPER.writeValueAsString(info) + ",\n\"licenses\": [],\n");
+            coco.write("\"categories\": [{\"id\":1,\"name\":\"drone\",\"supercategory\":\"aircraft\"}],\n");
+            coco.write("\"images\": [");
+            copy(coco, true);
+            coco.write("\n],\n\"annotations\": [");
+            copy(coco, false);
+            coco.write("\n]\n}\n");
+        }
+        for (Path part : parts) {
+            Files.delete(part);
+        }
+    }
+
+    /** Copies the lines of images, or those of annotations, and numbers them from 1. */
+    private void copy(BufferedWriter coco, boolean images) throws IOException {
+        int image = 0;
+        int annotation = 0;
+        for (Path part : parts) {
+            try (BufferedReader lines = Files.newBufferedReader(part, StandardCharsets.UTF_8)) {
+                for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                    boolean isImage = line.startsWith("{\"file_name\"");
+                    image += isImage ? 1 : 0;
+                    annotation += isImage ? 0 : 1;
+                    if (isImage == images) {
+                        int number = images ? image : annotation;
+                        coco.write(number == 1 ? "\n" : ",\n");
+                        coco.write("{\"id\":" + number + (images ? "," : ",\"image_id\":" + image + ","));
+                        coco.write(line, 1, line.length() - 1);
+                    }
+                }
+            }
+        }
+    }
+
+    private void closeWriters() throws IOException {
+        for (BufferedWriter writer : writers) {
+            writer.close();
+        }
+        writers.clear();
+    }
+
+    /** Ends the labels; what was not finished is the target's to remove. */
+    @Override
+    public void close() {
+        try {
+            closeWriters();
+        } catch (IOException e) {
+            // What is lost would not have been used, and the disk has already been reported.
+            return;
+        }
+    }
+}
