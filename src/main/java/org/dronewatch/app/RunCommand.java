@@ -43,7 +43,7 @@ import picocli.CommandLine.Spec;
             "",
             "Examples:",
             "  dronewatch run camera-range --set drones.quadrotor.speed=36km/h --out results",
-            "  dronewatch run scenes/daylight.yaml --labels garden --labels west --observations",
+            "  dronewatch run scenes/daylight.yaml --labels garden --labels west",
         })
 final class RunCommand implements Callable<Integer> {
     @Mixin

@@ -59,7 +59,8 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
                 SensorSettings<?> sensor = run.sensors().get(id);
                 long looks = looks(run.run().duration(), sensor.rate());
                 pictures += looks;
-                pixels += (double) looks * sensor.as(PictureSettings.class).orElseThrow().pixels();
+                pixels += (double) looks
+                        * sensor.as(PictureSettings.class).orElseThrow().pixels();
             }
         }
         if (pictures > MOST_PICTURES || pixels > MOST_PIXELS) {
@@ -85,7 +86,8 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
                     ? "no such camera"
                     : isCamera(settings.sensors().get(id))
                             ? "is switched off"
-                            : "does not take pictures in colour (" + settings.sensors().get(id).kind() + ")";
+                            : "does not take pictures in colour ("
+                                    + settings.sensors().get(id).kind() + ")";
             throw new InputException(option + " " + PlainText.value(id) + ": " + why + "; the scene has "
                     + (known.isEmpty() ? "no camera" : String.join(", ", known)));
         }

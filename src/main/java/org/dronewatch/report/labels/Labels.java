@@ -88,7 +88,9 @@ public final class Labels implements AutoCloseable {
                 List<DronePixels> hits = camera.hits(frame);
                 for (int drone = 0; drone < hits.size(); drone++) {
                     if (hits.get(drone).count() > 0) {
-                        write(writers.get(i), annotation(frame, camera, frame.drones().get(drone), hits.get(drone)));
+                        write(
+                                writers.get(i),
+                                annotation(frame, camera, frame.drones().get(drone), hits.get(drone)));
                     }
                 }
             }
@@ -125,7 +127,12 @@ public final class Labels implements AutoCloseable {
         Mask mask = Mask.of(hits, width, height);
         ObjectNode annotation = JsonNodeFactory.instance.objectNode();
         annotation.put("category_id", 1);
-        annotation.putArray("bbox").add(mask.left()).add(mask.top()).add(mask.width()).add(mask.height());
+        annotation
+                .putArray("bbox")
+                .add(mask.left())
+                .add(mask.top())
+                .add(mask.width())
+                .add(mask.height());
         annotation.put("area", hits.count());
         annotation.put("iscrowd", 0);
         annotation.put("run", frame.run());

@@ -50,9 +50,15 @@ class LabelsTest {
     }
 
     private JsonNode coco(String... arguments) throws IOException {
-        run(0, Stream.concat(
-                        Stream.of(arguments), Stream.of("--observations", "--out", directory.resolve("r").toString()))
-                .toArray(String[]::new));
+        run(
+                0,
+                Stream.concat(
+                                Stream.of(arguments),
+                                Stream.of(
+                                        "--observations",
+                                        "--out",
+                                        directory.resolve("r").toString()))
+                        .toArray(String[]::new));
         return JsonMapper.builder().build().readTree(Files.readString(directory.resolve("r/coco.json")));
     }
 
@@ -178,22 +184,20 @@ class LabelsTest {
         JsonNode coco = coco(arguments.toArray(String[]::new));
         assertNumbered(coco);
         Map<String, Integer> values = observed();
-        values.keySet()
-                .removeIf(key -> Stream.of(" south-east-2 ", " north-west-3 ", " north-east-1 ")
-                        .noneMatch(key::contains));
+        values.keySet().removeIf(key -> Stream.of(" south-east-2 ", " north-west-3 ", " north-east-1 ")
+                .noneMatch(key::contains));
         assertThat(areas(coco)).isEqualTo(values).hasSizeGreaterThan(20);
 
-        // In the order of the scene, and a picture for each look, the empty ones of the camera that sees nothing among them.
+        // In the order of the scene, and a picture for each look, the empty ones of the camera that sees nothing among
+        // them.
         assertThat(cameras(coco)).containsExactly("north-east-1", "south-east-2", "north-west-3");
         assertThat(coco.get("images")).hasSize(63 + 32 + 63);
         BufferedImage empty = ImageIO.read(
                 directory.resolve("r/labels/south-east-2/000031.png").toFile());
         assertThat(empty.getWidth() * empty.getHeight()).isEqualTo(480 * 270);
 
-        SceneRunner runner = new SceneRunner(PackagedScene.find("multi-sensor")
-                .orElseThrow()
-                .factory()
-                .get());
+        SceneRunner runner = new SceneRunner(
+                PackagedScene.find("multi-sensor").orElseThrow().factory().get());
         for (int i = 2; i < arguments.size() - 1; i++) {
             if (arguments.get(i).equals("--set")) {
                 String[] parts = arguments.get(i + 1).split("=");
@@ -207,16 +211,15 @@ class LabelsTest {
                     runner.settings().sensors().get(image.get("camera").asString());
             DepthImage depth = new DronePicture(
                             new CameraObject(sensor.as(PictureSettings.class).orElseThrow()))
-                    .depthImage(
-                            stage.world(),
-                            stage.dronesAt(image.get("look").asInt() / sensor.rate()));
+                    .depthImage(stage.world(), stage.dronesAt(image.get("look").asInt() / sensor.rate()));
             boolean[][] mask = decoded(annotation.get("segmentation"));
             for (int row = 0; row < 270; row++) {
                 for (int column = 0; column < 480; column++) {
                     assertThat(mask[row][column]).isEqualTo(depth.isHit(column, row));
                 }
             }
-            assertThat(Stream.of(0, 1, 2, 3).mapToInt(k -> annotation.get("bbox").get(k).asInt()))
+            assertThat(Stream.of(0, 1, 2, 3)
+                            .mapToInt(k -> annotation.get("bbox").get(k).asInt()))
                     .containsExactly(Arrays.stream(box(mask)).boxed().toArray(Integer[]::new));
         }
     }
@@ -224,7 +227,9 @@ class LabelsTest {
     private static List<String> cameras(JsonNode coco) {
         List<String> cameras = new ArrayList<>();
         coco.get("images").forEach(image -> {
-            if (cameras.isEmpty() || !cameras.get(cameras.size() - 1).equals(image.get("camera").asString())) {
+            if (cameras.isEmpty()
+                    || !cameras.get(cameras.size() - 1)
+                            .equals(image.get("camera").asString())) {
                 cameras.add(image.get("camera").asString());
             }
         });
@@ -240,8 +245,12 @@ class LabelsTest {
                 Files.readString(Path.of("scenes/cued-camera.yaml"))
                         .replaceAll("(?m)^ +detection: .*\n", "")
                         .replace("duration: 55 s", "duration: 12 s")
-                        .replace("sensors:\n", "sweep: {kind: values, parameter: drones.intruder.speed, values: [12, 15]}\nsensors:\n")
-                        .replace("    use: piranha-46-hr\n", "    use: piranha-46-hr\n    rate: 2 Hz\n    width: 640 px\n    height: 400 px\n"));
+                        .replace(
+                                "sensors:\n",
+                                "sweep: {kind: values, parameter: drones.intruder.speed, values: [12, 15]}\nsensors:\n")
+                        .replace(
+                                "    use: piranha-46-hr\n",
+                                "    use: piranha-46-hr\n    rate: 2 Hz\n    width: 640 px\n    height: 400 px\n"));
         JsonNode coco = coco("run", scene.toString(), "--labels", "cued", "--samples", "1");
         assertNumbered(coco);
         Map<String, Integer> values = observed();
@@ -281,7 +290,9 @@ class LabelsTest {
                                     17 + random.nextInt(9),
                                     13 + random.nextInt(9),
                                     10 + 80 * random.nextDouble());
-                            DronePixels hits = new DronePicture(camera).pixels(stage.world(), frame.drones()).get(0);
+                            DronePixels hits = new DronePicture(camera)
+                                    .pixels(stage.world(), frame.drones())
+                                    .get(0);
                             if (hits.count() > 0) {
                                 seen.add(hits);
                                 assertSame(hits, camera.width(), camera.height());
@@ -313,13 +324,24 @@ class LabelsTest {
     void wrongCamerasAndTooManyPicturesAreRefusedInOneLine() {
         String out = directory.resolve("r").toString();
         assertThat(run(2, "run", "multi-sensor", "--labels", "microphone", "--out", out))
-                .contains("--labels microphone: does not take pictures in colour (acoustic); the scene has north-east-1");
+                .contains(
+                        "--labels microphone: does not take pictures in colour (acoustic); the scene has north-east-1");
         assertThat(run(2, "run", "multi-sensor", "--labels", "nobody", "--out", out))
                 .contains("--labels nobody: no such camera; the scene has north-east-1");
         assertThat(run(2, "run", "scenes/daylight.yaml", "--labels", "west", "--labels", "west", "--out", out))
                 .contains("--labels west: is named twice");
-        assertThat(run(2, "run", "scenes/daylight.yaml", "--labels", "west", "--set", "run.duration=10h", "--set",
-                                "sensors.west.rate=10", "--out", out))
+        assertThat(run(
+                        2,
+                        "run",
+                        "scenes/daylight.yaml",
+                        "--labels",
+                        "west",
+                        "--set",
+                        "run.duration=10h",
+                        "--set",
+                        "sensors.west.rate=10",
+                        "--out",
+                        out))
                 .contains("--labels: 360001 pictures of together 331777 megapixels must be at most 100000 pictures");
         assertThat(run(2, "run", "scenes/daylight.yaml", "--samples", "3", "--out", out))
                 .contains("--samples 3: has no effect without --labels");
@@ -332,14 +354,31 @@ class LabelsTest {
     @Test
     void labelsOfAnEarlierRunDoNotStay() throws IOException {
         String[] quick = {
-            "run", "scenes/daylight.yaml", "--set", "run.duration=1", "--labels", "west", "--samples", "1", "--set",
-            "sensors.west.width=64", "--set", "sensors.west.height=36"
+            "run",
+            "scenes/daylight.yaml",
+            "--set",
+            "run.duration=1",
+            "--labels",
+            "west",
+            "--samples",
+            "1",
+            "--set",
+            "sensors.west.width=64",
+            "--set",
+            "sensors.west.height=36"
         };
         coco(quick);
         Path own = directory.resolve("r/labels/west/mine.png");
         Files.writeString(own, "mine");
         assertThat(directory.resolve("r/labels/west/000002.png")).exists();
-        run(0, "run", "scenes/daylight.yaml", "--set", "run.duration=1", "--out", directory.resolve("r").toString());
+        run(
+                0,
+                "run",
+                "scenes/daylight.yaml",
+                "--set",
+                "run.duration=1",
+                "--out",
+                directory.resolve("r").toString());
         assertThat(directory.resolve("r/labels/west/000002.png")).doesNotExist();
         assertThat(directory.resolve("r/coco.json")).doesNotExist();
         assertThat(own).exists();
@@ -348,8 +387,17 @@ class LabelsTest {
     @Test
     void labelsAreTheSameForAnyNumberOfThreads() throws IOException {
         String[] quick = {
-            "run", "scenes/daylight.yaml", "--set", "run.duration=3", "--labels", "west", "--set",
-            "sensors.west.width=160", "--set", "sensors.west.height=90", "--threads"
+            "run",
+            "scenes/daylight.yaml",
+            "--set",
+            "run.duration=3",
+            "--labels",
+            "west",
+            "--set",
+            "sensors.west.width=160",
+            "--set",
+            "sensors.west.height=90",
+            "--threads"
         };
         Map<String, byte[]> one = bytes("one", quick, "1");
         Map<String, byte[]> four = bytes("four", quick, "4");
@@ -359,7 +407,10 @@ class LabelsTest {
 
     private Map<String, byte[]> bytes(String name, String[] command, String threads) throws IOException {
         Path out = directory.resolve(name);
-        run(0, Stream.concat(Stream.of(command), Stream.of(threads, "--out", out.toString())).toArray(String[]::new));
+        run(
+                0,
+                Stream.concat(Stream.of(command), Stream.of(threads, "--out", out.toString()))
+                        .toArray(String[]::new));
         Map<String, byte[]> bytes = new HashMap<>();
         bytes.put("coco.json", Files.readAllBytes(out.resolve("coco.json")));
         try (Stream<Path> files = Files.list(out.resolve("labels/west"))) {
