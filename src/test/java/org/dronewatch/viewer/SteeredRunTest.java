@@ -1,10 +1,14 @@
 package org.dronewatch.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import javax.swing.SwingUtilities;
 import org.dronewatch.examples.Chase;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
@@ -16,6 +20,7 @@ import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** A run with a steered drone is shown while it goes on: as far as it has flown, and no farther. */
 class SteeredRunTest {
@@ -65,5 +70,37 @@ class SteeredRunTest {
         assertThat(whole.toCome().get(600)).isEqualTo(places.get(places.size() - 1));
         assertThat(frames.get(0).maxX())
                 .isLessThan(viewed.get(0).picture().frame().maxX());
+    }
+
+    /** In a window that is open while another thread simulates, and at any time afterwards. */
+    @Test
+    void theWindowFollowsTheRun(@TempDir Path directory) throws Exception {
+        assumeTrue(Viewer.obstacle().isEmpty(), "needs a display");
+        Chase chase = new Chase();
+        SceneRunner runner = new SceneRunner(chase);
+        try (Viewer viewer = Viewer.open(chase, runner, 2, directory.resolve("viewer.properties"))) {
+            runner.listener(viewer.listener()).cancelWhen(viewer::isClosed).run();
+            viewer.finished(true);
+            ViewerPane pane = viewer.pane();
+            await("the site is there", () -> pane.viewed().isPresent());
+            for (double time : new double[] {30.0, 12.0, 0.0}) {
+                SwingUtilities.invokeAndWait(() -> {
+                    pane.playback().pause();
+                    pane.playback().jump(time);
+                });
+                await("drawn at " + time, () -> pane.world().image() != null && pane.isIdle());
+                assertThat(pane.playback().time()).isEqualTo(time);
+            }
+        }
+    }
+
+    private static void await(String what, BooleanSupplier condition) throws Exception {
+        long end = System.nanoTime() + 60_000_000_000L;
+        boolean[] holds = new boolean[1];
+        while (!holds[0]) {
+            assertThat(System.nanoTime()).as(what).isLessThan(end);
+            Thread.sleep(20);
+            SwingUtilities.invokeAndWait(() -> holds[0] = condition.getAsBoolean());
+        }
     }
 }
