@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Hit;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.render.CameraView;
+import org.dronewatch.render.photo.ColourCamera;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
@@ -28,6 +30,8 @@ final class CameraEye {
     private PictureSettings pointed;
     private volatile DronePicture picture;
     private BufferedImage background;
+    private ColourCamera photographer;
+    private volatile boolean colour;
 
     /**
      * A camera's eye.
@@ -53,6 +57,11 @@ final class CameraEye {
         return settings;
     }
 
+    /** Shows, from the next look on, what the camera would photograph, or distances in blues; on any thread. */
+    void showColour(boolean shown) {
+        colour = shown;
+    }
+
     /** When its last frame up to a time was, s. */
     double frameTime(double time) {
         return CameraView.lookTime(sensor, time);
@@ -64,12 +73,23 @@ final class CameraEye {
         turn(pointings.apply(frame + 1e-9));
         int columns = Math.max(1, Math.min(settings.width(), width));
         int rows = Math.max(1, Math.min(settings.height(), height));
+        if (colour && settings.seesColour()) {
+            if (photographer == null
+                    || photographer.camera().width() != columns
+                    || photographer.camera().height() != rows) {
+                photographer =
+                        new ColourCamera(picture.camera().withPixels(columns, rows), stage, ColourCamera.SAMPLES);
+            }
+            List<Drone> drones = stage.dronesAt(frame);
+            return new CameraShot(
+                    photographer.picture(drones), frame, picture.pixels(stage.world(), drones), pointing, true);
+        }
         if (background == null || background.getWidth() != columns || background.getHeight() != rows) {
             CameraObject shown = picture.camera().withPixels(columns, rows);
             background =
                     new DronePicture(shown).depthImage(stage.world(), List.of()).toImage();
         }
-        return new CameraShot(background, frame, picture.pixels(stage.world(), stage.dronesAt(frame)), pointing);
+        return new CameraShot(background, frame, picture.pixels(stage.world(), stage.dronesAt(frame)), pointing, false);
     }
 
     private void turn(Optional<Pointing> next) {
@@ -78,6 +98,7 @@ final class CameraEye {
             pointed = Mounted.pointed(sensor, next).as(PictureSettings.class).orElseThrow();
             picture = new DronePicture(new CameraObject(pointed));
             background = null;
+            photographer = null;
         }
     }
 

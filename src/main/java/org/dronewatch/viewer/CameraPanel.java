@@ -28,6 +28,7 @@ final class CameraPanel extends JPanel {
     private final transient Consumer<String> selection;
     private transient CameraVisual enlarged;
     private double time;
+    private boolean colour;
 
     /** Whether a scene is displayed; before that, the number of cameras is unknown. */
     private boolean known;
@@ -71,6 +72,7 @@ final class CameraPanel extends JPanel {
     }
 
     private CameraVisual visual(CameraEye eye) {
+        eye.showColour(colour);
         CameraVisual visual = new CameraVisual(eye);
         visual.onHint(hint);
         visual.addMouseListener(new MouseAdapter() {
@@ -133,6 +135,13 @@ final class CameraPanel extends JPanel {
             }
         }
         return best;
+    }
+
+    /** Shows what cameras for visible light would photograph, or distances in blues. */
+    void showColour(boolean shown) {
+        colour = shown;
+        visuals.forEach(visual -> visual.eye().showColour(shown));
+        show(time);
     }
 
     /** The cameras that are shown now. */

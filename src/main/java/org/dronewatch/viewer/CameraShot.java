@@ -9,9 +9,15 @@ import org.dronewatch.sensor.optics.DronePixels;
 /**
  * A camera's view at one time; its arrays are no longer modified.
  *
- * @param background the site in blues, at no more pixels than the panel has
+ * @param background the site in blues, or the site and the drones in colour, at no more pixels than the panel has
  * @param time seconds since the start of the run
  * @param drones the pixels of each drone, at the camera's own resolution
  * @param pointing where its positioner points then; empty for a fixed camera
+ * @param inColour whether the background shows what the camera would photograph
  */
-record CameraShot(BufferedImage background, double time, List<DronePixels> drones, Optional<Pointing> pointing) {}
+record CameraShot(
+        BufferedImage background,
+        double time,
+        List<DronePixels> drones,
+        Optional<Pointing> pointing,
+        boolean inColour) {}

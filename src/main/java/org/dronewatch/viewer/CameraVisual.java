@@ -188,7 +188,7 @@ public final class CameraVisual extends JPanel {
         g.setColor(HIT);
         for (int row = drone.top(); row < drone.top() + drone.rows(); row++) {
             for (int column = drone.left(); column < drone.left() + drone.columns(); column++) {
-                if (drone.isHit(column, row)) {
+                if (!shot.inColour() && drone.isHit(column, row)) {
                     g.fill(new Rectangle2D.Double(frame.x + column * sx, frame.y + row * sy, sx, sy));
                 }
             }

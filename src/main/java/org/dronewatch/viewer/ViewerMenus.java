@@ -212,6 +212,12 @@ final class ViewerMenus {
         menu.add(item(
                 "Zoom out", "Moves the viewpoint away", ViewerActions.key(KeyEvent.VK_PAGE_DOWN), () -> zoom(1.25)));
         menu.addSeparator();
+        menu.add(toggle(
+                "Cameras in colour",
+                "Shows what cameras would photograph, or distances in shades of blue",
+                'C',
+                false,
+                shown -> pane.cameras().showColour(shown)));
         menu.add(item(
                 "All cameras",
                 "Shows all cameras side by side",
@@ -221,7 +227,12 @@ final class ViewerMenus {
     }
 
     private static JCheckBoxMenuItem toggle(String name, String explanation, char key, Consumer<Boolean> chosen) {
-        JCheckBoxMenuItem item = new QuickToggle(name, true);
+        return toggle(name, explanation, key, true, chosen);
+    }
+
+    private static JCheckBoxMenuItem toggle(
+            String name, String explanation, char key, boolean at, Consumer<Boolean> chosen) {
+        JCheckBoxMenuItem item = new QuickToggle(name, at);
         item.setToolTipText(explanation);
         item.setAccelerator(ViewerActions.key(key));
         item.addActionListener(e -> chosen.accept(item.isSelected()));

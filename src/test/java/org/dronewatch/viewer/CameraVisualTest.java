@@ -16,11 +16,13 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.render.Yard;
+import org.dronewatch.render.photo.ColourCamera;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.DronePixels;
 import org.junit.jupiter.api.BeforeEach;
@@ -66,6 +68,32 @@ class CameraVisualTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> CameraVisual.of("ear", AcousticSettings.at(new Position(0, 0, 2)), stage))
                 .withMessage("sensor 'ear' of kind acoustic sees no image");
+    }
+
+    /** In colour, a panel of the camera's size shows what it photographs: the drone is not orange, but framed. */
+    @Test
+    void theSwitchToColourShowsWhatTheCameraPhotographs() {
+        CameraShot blue = eye.look(8.0, 320, 240);
+        eye.showColour(true);
+        CameraShot colour = eye.look(8.0, 320, 240);
+        BufferedImage photo =
+                new ColourCamera(new CameraObject(settings), stage, ColourCamera.SAMPLES).picture(stage.dronesAt(8.0));
+        BufferedImage shown = painted(new CameraVisual(eye), colour, 320, 240);
+        DronePixels hits = colour.drones().get(0);
+        int same = 0;
+        for (int row = 0; row < 240; row++) {
+            for (int column = 0; column < 320; column++) {
+                assertThat(colour.background().getRGB(column, row)).isEqualTo(photo.getRGB(column, row));
+                if (hits.isHit(column, row)) {
+                    assertThat(shown.getRGB(column, row) & 0xffffff).isNotEqualTo(CameraVisual.HIT.getRGB() & 0xffffff);
+                    same += shown.getRGB(column, row) == photo.getRGB(column, row) ? 1 : 0;
+                }
+            }
+        }
+        assertThat(same).isGreaterThan(hits.count() / 2);
+        eye.showColour(false);
+        assertThat(eye.look(8.0, 320, 240).background().getRGB(160, 200))
+                .isEqualTo(blue.background().getRGB(160, 200));
     }
 
     @Test
