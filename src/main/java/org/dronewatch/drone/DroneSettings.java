@@ -100,6 +100,8 @@ public record DroneSettings(
                 directivity,
                 swarm,
                 label);
+        spectrum.ifPresent(own -> Limits.check(
+                BandLevels.class, Arrays.stream(own.toArray()).boxed().toArray()));
         checkSound(sound, spectrum.isPresent());
     }
 
@@ -194,7 +196,7 @@ public record DroneSettings(
      * These settings with the sound of another kind of drone, spectrum and loudness: one of the library's table, or one's
      * own.
      *
-     * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's is not finite
+     * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB
      */
     public DroneSettings withSound(DroneSound other) {
         boolean packaged = DroneSounds.find(other.name()).equals(Optional.of(other));

@@ -1,12 +1,13 @@
 package org.dronewatch.sound;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
  * What a kind of drone sounds like.
  *
- * @param name its name in the table
+ * @param name its name in the table, or any name for a sound of one's own
  * @param level A-weighted sound power level, dB re 1 pW
  * @param shape A-weighted level of each octave band over that of the loudest, dB
  * @param basis whether the spectrum was measured or is assumed
@@ -52,5 +53,24 @@ public record DroneSound(String name, double level, List<Double> shape, Basis ba
             levels.add(aWeighted + shape.get(band) - all - OctaveBands.aWeight(band));
         }
         return levels;
+    }
+
+    /**
+     * A sound of one's own from the sound power levels of its octave bands, as a measurement to ISO 3744 states them.
+     *
+     * @param name any name
+     * @param power levels without weighting, dB re 1 pW
+     * @param basis whether they were measured or are assumed
+     * @param source where they come from
+     */
+    public static DroneSound of(String name, BandLevels power, Basis basis, String source) {
+        double[] weighted = power.toArray();
+        for (int band = 0; band < weighted.length; band++) {
+            weighted[band] += OctaveBands.aWeight(band);
+        }
+        double loudest = Arrays.stream(weighted).max().orElseThrow();
+        List<Double> shape =
+                Arrays.stream(weighted).map(level -> level - loudest).boxed().toList();
+        return new DroneSound(name, power.aWeighted(), shape, basis, source);
     }
 }

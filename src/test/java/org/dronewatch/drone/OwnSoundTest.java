@@ -87,4 +87,25 @@ class OwnSoundTest {
                         DRONE.withSound(new DroneSound(" ", 80.0, Collections.nCopies(8, 0.0), Basis.ASSUMED, "mine")))
                 .withMessage("sound ' ' must be a name");
     }
+
+    /** What cannot be written into a scene file and read again is refused in Java as well. */
+    @Test
+    void theLimitsOfAFileHoldInJava() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> DRONE.withSpectrum(BandLevels.of(0, 0, 0, 0, 0, 201, 0, 0)))
+                .withMessageContaining("hz2000 201")
+                .withMessageContaining("-200 to 200");
+    }
+
+    /** What was measured by band without weighting comes back by band, through the A-weighted sum and shape. */
+    @Test
+    void measuredSoundPowerIsKept() {
+        BandLevels power = BandLevels.of(90, 88, 86, 84, 82, 80, 78, 76);
+        DroneSettings drone = DRONE.withSound(DroneSound.of("own", power, Basis.MEASURED, "field test"));
+
+        assertThat(drone.soundPowerLevel()).isCloseTo(power.aWeighted(), within(1e-12));
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            assertThat(drone.soundPower().get(band)).isCloseTo(power.level(band), within(1e-9));
+        }
+    }
 }

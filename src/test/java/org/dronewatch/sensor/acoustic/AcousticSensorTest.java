@@ -18,6 +18,7 @@ import org.dronewatch.sensor.acoustic.energy.EnergyModel.Criterion;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.BandLevels;
+import org.dronewatch.sound.DroneSound;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.SurfaceSettings;
@@ -76,6 +77,36 @@ class AcousticSensorTest {
         assertThat(heard.figures().get("reverberant_db")).isLessThan(-30.0);
         assertThat(heard.arrival()).isEqualTo(10.0);
         assertThat(heard.time()).isCloseTo(10.0 - 60.0 / Atmosphere.STANDARD.speedOfSound(), within(1e-9));
+    }
+
+    private static Observation hear(DroneSettings settings) {
+        TriangleMesh any = TriangleMesh.of(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
+        Drone drone = new Drone("drone", settings, KDTree.of(any)).move(new Position(0, 60, 0).toVector3d());
+        return AcousticSettings.at(MICROPHONE)
+                .withPropagation(FEW.withCriterion(Criterion.BEST_BAND))
+                .create()
+                .observe(open(BackgroundNoise.of(28.0)), List.of(drone), Look.of(1, "microphone", 0, 10.0))
+                .get(0);
+    }
+
+    private static DroneSettings hovering() {
+        return DroneSettings.of(ModelSettings.of("none.obj"), new Hover(new Position(0, 60, 0), 0.0));
+    }
+
+    /** In the free field each octave travels alone: 6 dB more at the source are 6 dB more in that band, and in no other. */
+    @Test
+    void sixDecibelsInOneBandAreHeardInThatBand() {
+        double[] power = {70, 72, 74, 76, 78, 76, 74, 70};
+        DroneSound quiet = DroneSound.of("own", BandLevels.of(power), DroneSound.Basis.ASSUMED, "test");
+        power[5] += 6.0;
+        DroneSound loud = DroneSound.of("own", BandLevels.of(power), DroneSound.Basis.ASSUMED, "test");
+        Observation before = hear(hovering().withSound(quiet));
+        Observation after = hear(hovering().withSound(loud));
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            String figure = "level_" + OctaveBands.nominal(band) + "hz_db";
+            double raised = after.figures().get(figure) - before.figures().get(figure);
+            assertThat(raised).as(figure).isCloseTo(band == 5 ? 6.0 : 0.0, within(1e-9));
+        }
     }
 
     /** A background that is loud but in one band: by the A-weighted level the drone is lost in it, by bands it is not. */
