@@ -2,6 +2,7 @@ package org.dronewatch.flight;
 
 import de.siegmar.fastcsv.reader.CsvParseException;
 import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.FieldMismatchStrategy;
 import de.siegmar.fastcsv.reader.NamedCsvRecord;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -70,8 +71,8 @@ public final class FlightsFile {
         this.name = PlainText.value(name);
         this.hash = hash(name, bytes);
         try (CsvReader<NamedCsvRecord> rows = CsvReader.builder()
-                .allowMissingFields(true)
-                .allowExtraFields(true)
+                .missingFieldStrategy(FieldMismatchStrategy.IGNORE)
+                .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
                 .ofNamedCsvRecord(new String(bytes, StandardCharsets.UTF_8))) {
             int number = 0;
             for (NamedCsvRecord row : rows) {

@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import javax.tools.ToolProvider;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aimed;
@@ -113,6 +114,56 @@ class ForeignProjectTest {
         assertThat(looks).allSatisfy(row -> assertThat(
                         number(row, names, "value") + 20.0 * Math.log10(number(row, names, "range_m")))
                 .isCloseTo(atOneMetre, within(1e-3)));
+    }
+
+    /** A drone whose mesh and flight come from the other jar and whose sound is its own, beside one of the library. */
+    @Test
+    void aDroneOfForeignPartsFliesBesideAPackagedOne() throws IOException, InterruptedException {
+        copyTheScene();
+        Files.writeString(
+                directory.resolve("kite.stl"), "solid kite\n" + facet("-1 0 0", "1 0 0", "0 0 1.5") + "endsolid\n");
+        Files.writeString(
+                directory.resolve("kite.yaml"),
+                """
+                world: {models: [wall.stl]}
+                drones:
+                  kite:
+                    model: {file: kite.stl, upAxis: z}
+                    flight: {kind: zigzag, from: [0, 190, 20], sway: 3 m}
+                    speed: 5 m/s
+                    sound: kite-motor
+                    spectrum: [0, 0, 0, 0, 10, 0, 0, 0]
+                    soundPowerLevel: 80 dB
+                  quadrotor:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: approach, from: [5, 190, 20], to: [5, 40, 20]}
+                    speed: 5 m/s
+                sensors:
+                  ear: {kind: acoustic, position: [0, 0, 2], propagation: energy-model, rate: 1 Hz}
+                  camera: {kind: camera, position: [0, 0, 2], aim: {lookAt: [0, 190, 20]}, rate: 1 Hz}
+                run: {duration: 20 s}
+                """);
+
+        Program.Outcome outcome = run(List.of(jar), "run", "kite.yaml", "--observations", "--out", "kites");
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        List<String> rows = Files.readAllLines(directory.resolve("kites/observations.csv"));
+        List<String> names = Arrays.asList(rows.get(0).split(","));
+        for (String drone : List.of("kite", "quadrotor")) {
+            for (String sensor : List.of("ear", "camera")) {
+                assertThat(rows.stream()
+                                .filter(row -> row.contains("," + sensor + ",") && row.contains("," + drone + ",")))
+                        .as("%s of %s", sensor, drone)
+                        .hasSizeGreaterThan(15)
+                        .anyMatch(row -> number(row, names, "value") > 0.0);
+            }
+        }
+    }
+
+    private static String facet(String... vertices) {
+        String lines =
+                Arrays.stream(vertices).map(vertex -> "vertex " + vertex + "\n").collect(Collectors.joining());
+        return "facet normal 0 1 0\nouter loop\n" + lines + "endloop\nendfacet\n";
     }
 
     @Test

@@ -57,7 +57,7 @@ class SteeredRunTest {
                         places.add(here);
                         assertThat(guard(viewed.get(0), 0.5 * frame.time()).toCome())
                                 .last()
-                                .satisfies(last -> assertThat(((Position) last).distance(here))
+                                .satisfies(last -> assertThat((last).distance(here))
                                         .as("at most a sample behind")
                                         .isLessThan(20.0 * 30.0 / 600 + 1e-9));
                     }
