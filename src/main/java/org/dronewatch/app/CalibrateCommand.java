@@ -111,7 +111,7 @@ final class CalibrateCommand implements Callable<Integer> {
             throw new InputException(asked + "must end in " + ENDING);
         }
         WholeFile target = new WholeFile("--out", out);
-        String name = target.path().getFileName().toString();
+        String name = String.valueOf(target.path().getFileName());
         if (!name.matches("[A-Za-z0-9_-]{1,64}\\.yaml")) {
             throw new InputException(asked + "the name before " + ENDING
                     + " must be 1 to 64 letters, digits, '-' or '_', so that 'use' can name it");

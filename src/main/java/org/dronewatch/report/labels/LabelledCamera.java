@@ -52,7 +52,7 @@ final class LabelledCamera {
     /** Index of the look that a frame is; negative when the camera does not look then. Asked once for each frame. */
     long look(Frame frame) {
         // As a run computes it: the same numbers.
-        if (nextLook / sensor.rate() != frame.time()) {
+        if (Double.compare(nextLook / sensor.rate(), frame.time()) != 0) {
             return -1;
         }
         Optional<Pointing> now = Optional.ofNullable(frame.pointings().get(id));
