@@ -1,7 +1,10 @@
 package org.dronewatch.drone;
 
+import java.util.Optional;
 import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
 
 /**
  * What a drone means to the site, for readers of the results. No sensor uses it: it changes no detection.
@@ -9,11 +12,21 @@ import org.dronewatch.setting.Limits;
  * @param role its role in the scene
  * @param purpose what its owner wants
  * @param platform how it is built
+ * @param powerSource what drives it
+ * @param weight take-off weight, above 0 and at most 10 t, kg
+ * @param size its largest dimension as built, above 0 and at most 100 m; what sensors see is the model
  */
-public record ThreatLabel(Role role, Purpose purpose, Platform platform) {
+public record ThreatLabel(
+        Role role,
+        Purpose purpose,
+        Platform platform,
+        PowerSource powerSource,
+        @In(value = Quantity.MASS, above = 0, to = 10_000) Optional<Double> weight,
+        @In(value = Quantity.LENGTH, above = 0, to = 100) Optional<Double> size) {
     /** An attack of which nothing else is known. */
     @Defaults
-    public static final ThreatLabel DEFAULT = new ThreatLabel(Role.ATTACK, Purpose.UNKNOWN, Platform.UNKNOWN);
+    public static final ThreatLabel DEFAULT = new ThreatLabel(
+            Role.ATTACK, Purpose.UNKNOWN, Platform.UNKNOWN, PowerSource.UNKNOWN, Optional.empty(), Optional.empty());
 
     /** The role of a drone. */
     public enum Role {
@@ -36,7 +49,13 @@ public record ThreatLabel(Role role, Purpose purpose, Platform platform) {
         /** Disruption of operations, such as air traffic. */
         DISRUPTION,
         /** To destroy. */
-        STRIKE
+        STRIKE,
+        /** Theft of intellectual property. */
+        ESPIONAGE,
+        /** To annoy or frighten people. */
+        HARASSMENT,
+        /** None: a careless owner. */
+        UNINTENTIONAL
     }
 
     /** How a drone is built. */
@@ -52,11 +71,27 @@ public record ThreatLabel(Role role, Purpose purpose, Platform platform) {
         /** A small fast multirotor that is flown by first-person view (FPV). */
         FPV,
         /** With one main rotor. */
-        HELICOPTER
+        HELICOPTER,
+        /** With rotors to climb and a wing to glide. */
+        HYBRID
     }
 
-    /** Checks that no component is missing. */
+    /** What drives a drone: the thesis's section 2.1.3. */
+    public enum PowerSource {
+        /** Not known. */
+        UNKNOWN,
+        /** A battery. */
+        BATTERY,
+        /** A combustion engine. */
+        FUEL,
+        /** A fuel cell. */
+        FUEL_CELL,
+        /** Solar cells. */
+        SOLAR
+    }
+
+    /** Checks that no component is missing, and the limits. */
     public ThreatLabel {
-        Limits.check(ThreatLabel.class, role, purpose, platform);
+        Limits.check(ThreatLabel.class, role, purpose, platform, powerSource, weight, size);
     }
 }

@@ -18,6 +18,7 @@ final class KnownUnits {
             Map.entry(Quantity.TEMPERATURE, List.of("K", "degC", "degF")),
             Map.entry(Quantity.TEMPERATURE_DIFFERENCE, List.of("K")),
             Map.entry(Quantity.PRESSURE, List.of("Pa", "hPa", "kPa", "bar", "atm")),
+            Map.entry(Quantity.MASS, List.of("kg", "g", "t", "lb")),
             Map.entry(Quantity.POWER, List.of("W", "mW", "kW", "MW")),
             Map.entry(Quantity.RATIO, List.of("%")));
 

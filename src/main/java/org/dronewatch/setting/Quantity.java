@@ -14,6 +14,7 @@ import org.djunits.value.vdouble.scalar.Area;
 import org.djunits.value.vdouble.scalar.Duration;
 import org.djunits.value.vdouble.scalar.Frequency;
 import org.djunits.value.vdouble.scalar.Length;
+import org.djunits.value.vdouble.scalar.Mass;
 import org.djunits.value.vdouble.scalar.Power;
 import org.djunits.value.vdouble.scalar.Pressure;
 import org.djunits.value.vdouble.scalar.Speed;
@@ -43,6 +44,8 @@ public enum Quantity {
     TEMPERATURE_DIFFERENCE("K", unit -> Temperature.valueOf(unit).si),
     /** Pascal. */
     PRESSURE("Pa", unit -> Pressure.valueOf(unit).si),
+    /** Kilograms. */
+    MASS("kg", unit -> Mass.valueOf(unit).si),
     /** Watts. */
     POWER("W", unit -> Power.valueOf(unit).si),
     /** A fraction, usually 0 to 1; percentages are accepted. */

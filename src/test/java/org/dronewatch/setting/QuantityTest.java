@@ -27,6 +27,8 @@ class QuantityTest {
         "ACCELERATION, 2 m/s2, 2",
         "FREQUENCY, 2.4 GHz, 2.4e9",
         "AREA, 100 cm^2, 0.01",
+        "MASS, 1.4, 1.4",
+        "MASS, 250 g, 0.25",
         "TEMPERATURE, 293.15, 293.15",
         "TEMPERATURE, 20 degC, 293.15",
         "TEMPERATURE, -20 degC, 253.15",

@@ -13,6 +13,7 @@ import org.dronewatch.setting.Choices;
 
 /** The table of all drones and swarms. */
 final class DroneRows {
+    private static final String UNKNOWN = "unknown";
     private static final List<String> HEAD =
             List.of("drone", "model", "speed", "sound", "radar cross-section", "heat", "control", "label");
 
@@ -38,16 +39,19 @@ final class DroneRows {
         return Html.table(HEAD, rows);
     }
 
+
     private static String sound(DroneSettings drone) {
         return ReadableNumbers.number(drone.soundPowerLevel()) + " dB(A) sound power; "
                 + ReadableNumbers.number(drone.soundLevel()) + " dB in the level model";
     }
 
-    /** Its label: {@code attack, strike, fixed-wing}. */
+    /** Its label: {@code attack, strike, fixed-wing, battery, 5 kg, 1.5 m}. */
     private static String label(ThreatLabel label) {
-        return Stream.of(label.role(), label.purpose(), label.platform())
-                .filter(part -> part != ThreatLabel.Purpose.UNKNOWN && part != ThreatLabel.Platform.UNKNOWN)
+        Stream<String> words = Stream.of(label.role(), label.purpose(), label.platform(), label.powerSource())
                 .map(part -> Choices.name(part.name()))
-                .collect(Collectors.joining(", "));
+                .filter(word -> !word.equals(UNKNOWN));
+        Stream<String> weight = label.weight().stream().map(kg -> ReadableNumbers.number(kg) + " kg");
+        Stream<String> size = label.size().stream().map(metres -> ReadableNumbers.number(metres) + " m");
+        return Stream.of(words, weight, size).flatMap(part -> part).collect(Collectors.joining(", "));
     }
 }

@@ -171,14 +171,14 @@ class HtmlReportTest {
                     model: packaged:quadrotor.obj
                     flight: {kind: hover, position: [0, 50, 150]}
                     swarm: 25
-                    label: {role: decoy, platform: fixed-wing}
+                    label: {role: decoy, platform: fixed-wing, powerSource: fuel-cell, weight: 2.5 kg, size: 180 cm}
                 sensors:
                   radar: {use: droneshield-radarone, position: [0, 0, 140], aim: {azimuth: 0, elevation: 0}}
                 run: {duration: 1}
                 """);
         Document document = parsed(report(new SceneFile(file), List.of()));
 
-        assertThat(texts(document, "td").stream().filter("decoy, fixed-wing"::equals))
+        assertThat(texts(document, "td").stream().filter("decoy, fixed-wing, fuel-cell, 2.5 kg, 1.8 m"::equals))
                 .hasSize(1);
         assertThat(texts(document, "td").stream().filter("x (25 drones, decoy)"::equals))
                 .as("alert, detections and misses")
