@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.catalog.Positioners;
+import org.dronewatch.catalog.SensorSystem;
 import org.dronewatch.mesh.io.MeshReaders;
 import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.setting.Choices;
@@ -60,6 +61,14 @@ final class ListCommand implements Callable<Integer> {
                     entry.coverage(),
                     entry.basis().name().toLowerCase(Locale.ROOT),
                     entry.price().map(price -> "; " + price).orElse(""));
+        }
+        for (String name : Catalog.systemNames()) {
+            SensorSystem system = Catalog.system(name).orElseThrow();
+            String parts = system.sensors().entrySet().stream()
+                    .map(part ->
+                            part.getKey() + " " + part.getValue().text("use").orElse(""))
+                    .collect(Collectors.joining(", "));
+            out.printf("%-10s %-22s %s: %s%n", "system", name, system.title(), parts);
         }
         for (String name : Positioners.packagedNames()) {
             CatalogEntry entry = new Positioners().entry(name).orElseThrow();

@@ -40,6 +40,7 @@ public final class Catalog implements Kinds.NamedSettings {
             "blighter-a400",
             "blighter-a400-m10s",
             "spotterrf-c550",
+            "spotterrf-c550ext",
             "droneshield-radarone",
             "droneshield-rfone",
             "droneshield-v2",
@@ -50,6 +51,8 @@ public final class Catalog implements Kinds.NamedSettings {
             "cooled-thermal-camera-tele",
             "piranha-46-hr",
             "piranha-46-hr-tele");
+
+    private static final List<String> SYSTEMS = List.of("droneshield-sentry", "liteye");
 
     private final Optional<Path> directory;
     private final Set<Path> read = Collections.synchronizedSet(new LinkedHashSet<>());
@@ -74,6 +77,30 @@ public final class Catalog implements Kinds.NamedSettings {
         return PACKAGED;
     }
 
+    /** The names of systems of several sensors, in the order in which to show them. */
+    public static List<String> systemNames() {
+        return SYSTEMS;
+    }
+
+    /** A system of several sensors; empty when there is none of this name. They come with the library. */
+    public static Optional<SensorSystem> system(String name) {
+        return SYSTEMS.contains(name)
+                ? Optional.of(SettingsFile.read(
+                        resource("system/" + name + ENDING),
+                        SensorSystem.class,
+                        Kinds.FOUND,
+                        Path.of(""),
+                        new FormerNames()))
+                : Optional.empty();
+    }
+
+    @Override
+    public Map<String, Node.Mapping> partsOf(String name) {
+        return ownFile(name).isPresent()
+                ? Map.of()
+                : system(name).map(SensorSystem::sensors).orElse(Map.of());
+    }
+
     /** The user's files that were read so far, in the order in which they were read. */
     public List<Path> filesRead() {
         synchronized (read) {
@@ -89,6 +116,7 @@ public final class Catalog implements Kinds.NamedSettings {
     @Override
     public Set<String> names() {
         Set<String> names = new LinkedHashSet<>(PACKAGED);
+        names.addAll(SYSTEMS);
         if (directory.isPresent()) {
             try (Stream<Path> files = Files.list(directory.get())) {
                 files.filter(file -> file.toString().endsWith(ENDING))
@@ -139,6 +167,10 @@ public final class Catalog implements Kinds.NamedSettings {
      * @throws InputException if there is no such sensor, or the settings do not fit
      */
     public SensorSettings<?> settings(String name, Map<String, ?> parts) {
+        if (!partsOf(name).isEmpty()) {
+            throw new InputException("'" + name
+                    + "' is a system of several sensors: only a scene file takes it, by 'use: " + name + "'");
+        }
         Node.Mapping known = find(name)
                 .or(() -> ofKind(name))
                 .orElseThrow(() -> new InputException(
@@ -198,14 +230,19 @@ public final class Catalog implements Kinds.NamedSettings {
         if (!name.matches(NAME)) {
             return Optional.empty();
         }
-        // Whatever has the name is meant, also what cannot be read as a file: then the message says so.
-        Optional<Path> own =
-                directory.map(folder -> folder.resolve(name + ENDING)).filter(Files::exists);
+        Optional<Path> own = ownFile(name);
         if (own.isPresent()) {
             read.add(own.get());
             return own.map(SettingsFile::document);
         }
         return PACKAGED.contains(name) ? Optional.of(resource(name + ENDING)) : Optional.empty();
+    }
+
+    /** The user's file of a name; whatever has the name is meant, also what cannot be read as a file: then the message says so. */
+    private Optional<Path> ownFile(String name) {
+        return name.matches(NAME)
+                ? directory.map(folder -> folder.resolve(name + ENDING)).filter(Files::exists)
+                : Optional.empty();
     }
 
     /** Reads a file of the library. */

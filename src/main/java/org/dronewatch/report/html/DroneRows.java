@@ -39,7 +39,6 @@ final class DroneRows {
         return Html.table(HEAD, rows);
     }
 
-
     private static String sound(DroneSettings drone) {
         return ReadableNumbers.number(drone.soundPowerLevel()) + " dB(A) sound power; "
                 + ReadableNumbers.number(drone.soundLevel()) + " dB in the level model";

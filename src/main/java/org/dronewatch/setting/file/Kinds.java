@@ -30,6 +30,14 @@ public final class Kinds {
 
         /** All names. */
         Set<String> names();
+
+        /**
+         * The settings that a name stands for together, in a place where there may be several: by what their names there end in.
+         * None unless it is the name of a system.
+         */
+        default Map<String, Node.Mapping> partsOf(String name) {
+            return Map.of();
+        }
     }
 
     /** These and the kinds of one more interface, by the names used in files. */

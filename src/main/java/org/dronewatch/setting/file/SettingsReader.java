@@ -197,7 +197,7 @@ final class SettingsReader {
             Object value = read(
                     part.get().getGenericType(),
                     SettingText.quantity(part.get()),
-                    switched(form, part.get(), node, field, values),
+                    switched(form, part.get(), withoutSystems(part.get(), node, field), field, values),
                     field);
             if (value != FAILED && fits(part.get(), node, value, field)) {
                 values.put(name, value);
@@ -223,6 +223,19 @@ final class SettingsReader {
             }
             return FAILED;
         }
+    }
+
+    /** The entries of a component with the parts of systems in their places. */
+    private Node withoutSystems(RecordComponent part, Node node, String field) {
+        return node instanceof Node.Mapping all
+                        && part.getGenericType() instanceof ParameterizedType type
+                        && type.getRawType() == Map.class
+                ? new NamedGroups(kinds, problems).expanded(rawType(type.getActualTypeArguments()[1]), all, field)
+                : node;
+    }
+
+    private static Class<?> rawType(Type type) {
+        return (Class<?>) (type instanceof ParameterizedType parameterized ? parameterized.getRawType() : type);
     }
 
     /** The entries of a component without their switches, which become another component's value. */
