@@ -91,7 +91,7 @@ class KindRegistryTest {
     void theLibrarysOwnAreFoundOnTheClassPath() {
         assertThat(KindRegistry.found().of(SensorSettings.class).keySet())
                 .containsExactly("camera", "acoustic", "radar", "rf", "thermal");
-        assertThat(Choices.of(FlightPathSettings.class)).hasSize(10).containsKeys("hover", "pop-up");
+        assertThat(Choices.of(FlightPathSettings.class)).hasSize(12).containsKeys("hover", "pop-up", "steered");
         assertThat(KindRegistry.found().all()).allMatch(FoundKind::builtIn);
         assertThat(KindRegistry.found().all())
                 .allSatisfy(one -> assertThat(Choices.nameOf(one.kind().settings()))
