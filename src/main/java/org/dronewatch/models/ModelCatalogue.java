@@ -12,6 +12,10 @@ public enum ModelCatalogue {
     HILL(() -> new HillTerrain().mesh()),
     /** The drone of the packaged scenes. */
     QUADROTOR(QuadrotorModel::mesh),
+    /** An aircraft with a wing and a motor. */
+    FIXED_WING(FixedWingModel::mesh),
+    /** A glider with lift rotors. */
+    HYBRID_GLIDER(HybridGliderModel::mesh),
     /** A house with a roof platform. */
     HOUSE(HouseModel::mesh),
     /** The inside of a church. */

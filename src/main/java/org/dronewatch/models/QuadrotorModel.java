@@ -1,6 +1,5 @@
 package org.dronewatch.models;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -18,8 +17,6 @@ public final class QuadrotorModel {
     /** Overall length, metres. */
     public static final double LENGTH_METRES = 0.40;
 
-    private static final int DECIMALS = 5;
-
     private static final Material SHELL = new Material("shell", 0.82, 0.83, 0.85);
     private static final Material DARK = new Material("dark_plastic", 0.16, 0.17, 0.19);
     private static final Material METAL = new Material("metal", 0.55, 0.56, 0.58);
@@ -30,8 +27,7 @@ public final class QuadrotorModel {
     private static final double ARM_Y = 0.018;
     private static final double PROPELLER_RADIUS = 0.093;
 
-    private final List<String> names = new ArrayList<>();
-    private final List<Solid> solids = new ArrayList<>();
+    private final Assembly parts = new Assembly();
 
     private QuadrotorModel() {}
 
@@ -42,12 +38,7 @@ public final class QuadrotorModel {
         model.addRotors();
         model.addLandingGear();
         model.addCamera();
-        return model.fitted();
-    }
-
-    private void add(String name, Solid solid) {
-        names.add(name);
-        solids.add(solid);
+        return model.parts.fitted("quadrotor", new Point(WIDTH_METRES, HEIGHT_METRES, LENGTH_METRES));
     }
 
     private void addBody() {
@@ -63,7 +54,7 @@ public final class QuadrotorModel {
             {0.158, 0.042, 0.029, 0.008},
             {0.166, 0.020, 0.015, 0.008}
         };
-        add("hull", lengthwise(SHELL, hull, 2.6));
+        parts.add("hull", Solids.lengthwise(SHELL, hull, 2.6));
         double[][] battery = {
             {-0.070, 0.034, 0.010, 0.052},
             {-0.064, 0.050, 0.024, 0.056},
@@ -71,31 +62,10 @@ public final class QuadrotorModel {
             {0.090, 0.050, 0.024, 0.058},
             {0.098, 0.034, 0.010, 0.054}
         };
-        add("battery", lengthwise(DARK, battery, 4.0));
-        add("antenna_mast", Solids.cylinder(DARK, new Point(0, 0.07, 0.045), 0.006, 0.042, 12));
+        parts.add("battery", Solids.lengthwise(DARK, battery, 4.0));
+        parts.add("antenna_mast", Solids.cylinder(DARK, new Point(0, 0.07, 0.045), 0.006, 0.042, 12));
         double[][] dome = {{0.030, 0}, {0.034, 0.006}, {0.030, 0.013}, {0.016, 0.018}};
-        add("antenna", Solids.turned(SHELL, new Point(0, 0.108, 0.045), dome, 24));
-    }
-
-    /** Superellipses across the z axis: position, half width, half height, height of the centre. */
-    private static Solid lengthwise(Material material, double[][] sections, double exponent) {
-        int sides = 36;
-        List<List<Point>> outlines = new ArrayList<>();
-        for (double[] section : sections) {
-            List<Point> outline = new ArrayList<>();
-            for (int i = 0; i < sides; i++) {
-                double angle = 2 * StrictMath.PI * i / sides;
-                double x = section[1] * rounded(StrictMath.cos(angle), exponent);
-                double y = section[2] * rounded(StrictMath.sin(angle), exponent);
-                outline.add(new Point(x, section[3] + y, section[0]));
-            }
-            outlines.add(outline);
-        }
-        return Solids.loft(material, outlines);
-    }
-
-    private static double rounded(double value, double exponent) {
-        return Math.signum(value) * StrictMath.pow(Math.abs(value), 2 / exponent);
+        parts.add("antenna", Solids.turned(SHELL, new Point(0, 0.108, 0.045), dome, 24));
     }
 
     private void addRotors() {
@@ -105,44 +75,22 @@ public final class QuadrotorModel {
                 number++;
                 Point shoulder = new Point(0.055 * side, 0.004, 0.050 * end);
                 Point motor = new Point(MOTOR_X * side, ARM_Y, MOTOR_Z * end);
-                add("arm_" + number, Solids.taperedTube(SHELL, shoulder, 0.026, motor, 0.0185, 14));
+                parts.add("arm_" + number, Solids.taperedTube(SHELL, shoulder, 0.026, motor, 0.0185, 14));
                 double[][] housing = {{0.013, 0}, {0.021, 0.006}, {0.022, 0.034}, {0.018, 0.046}, {0.007, 0.050}};
                 Point foot = motor.minus(new Point(0, 0.016, 0));
-                add("motor_" + number, Solids.turned(METAL, foot, housing, 20));
+                parts.add("motor_" + number, Solids.turned(METAL, foot, housing, 20));
                 Point hub = foot.plus(new Point(0, 0.048, 0));
-                add("hub_" + number, Solids.cylinder(DARK, hub, 0.008, 0.010, 12));
+                parts.add("hub_" + number, Solids.cylinder(DARK, hub, 0.008, 0.010, 12));
                 // As they happen to stand after landing; neighbours turn in opposite directions.
                 double standing = StrictMath.toRadians(new double[] {8, -38, -25, 12}[number - 1]);
                 double turn = side * end;
                 Point middle = hub.plus(new Point(0, 0.006, 0));
-                add("blade_" + number + "a", blade(middle, standing, turn));
-                add("blade_" + number + "b", blade(middle, standing + StrictMath.PI, turn));
+                parts.add("blade_" + number + "a", Propeller.blade(DARK, middle, PROPELLER_RADIUS, standing, turn));
+                parts.add(
+                        "blade_" + number + "b",
+                        Propeller.blade(DARK, middle, PROPELLER_RADIUS, standing + StrictMath.PI, turn));
             }
         }
-    }
-
-    /** A thin twisted blade, widest at a third of its length: pitch falls from root to tip. */
-    private static Solid blade(Point hub, double standing, double turn) {
-        double[] radius = {0.06, 0.14, 0.30, 0.50, 0.70, 0.88, 0.97, 1.00};
-        double[] chord = {0.010, 0.016, 0.023, 0.020, 0.016, 0.012, 0.008, 0.003};
-        double[] pitchDegrees = {26, 24, 20, 15, 12, 9, 8, 8};
-        Point along = new Point(StrictMath.cos(standing), 0, StrictMath.sin(standing));
-        Point aside = new Point(-StrictMath.sin(standing), 0, StrictMath.cos(standing));
-        List<List<Point>> outlines = new ArrayList<>();
-        for (int i = 0; i < radius.length; i++) {
-            double pitch = StrictMath.toRadians(pitchDegrees[i]) * turn;
-            Point wide = aside.times(StrictMath.cos(pitch)).plus(new Point(0, StrictMath.sin(pitch), 0));
-            Point thick = along.cross(wide);
-            Point centre = hub.plus(along.times(radius[i] * PROPELLER_RADIUS));
-            List<Point> outline = new ArrayList<>();
-            for (int k = 0; k < 10; k++) {
-                double angle = 2 * StrictMath.PI * k / 10;
-                outline.add(centre.plus(wide.times(0.5 * chord[i] * StrictMath.cos(angle)))
-                        .plus(thick.times(0.0011 * StrictMath.sin(angle))));
-            }
-            outlines.add(outline);
-        }
-        return Solids.loft(DARK, outlines);
     }
 
     private void addLandingGear() {
@@ -152,49 +100,27 @@ public final class QuadrotorModel {
             Point front = new Point(0.128 * side, -0.148, -0.125);
             Point frontEnd = new Point(0.128 * side, -0.136, -0.150);
             Point back = new Point(0.128 * side, -0.148, 0.140);
-            add("skid_" + name, Solids.pipe(DARK, List.of(frontEnd, front, back), 0.0095, 12));
+            parts.add("skid_" + name, Solids.pipe(DARK, List.of(frontEnd, front, back), 0.0095, 12));
             for (double end : new double[] {-1, 1}) {
                 number++;
                 Point top = new Point(0.050 * side, -0.026, 0.055 * end);
                 Point knee = new Point(0.100 * side, -0.070, 0.072 * end);
                 Point foot = new Point(0.128 * side, -0.148, 0.082 * end);
-                add("leg_" + number, Solids.pipe(DARK, List.of(top, knee, foot), 0.0115, 12));
+                parts.add("leg_" + number, Solids.pipe(DARK, List.of(top, knee, foot), 0.0115, 12));
             }
         }
     }
 
     private void addCamera() {
-        add("gimbal_mount", Solids.cylinder(DARK, new Point(0, -0.074, -0.098), 0.020, 0.040, 16));
+        parts.add("gimbal_mount", Solids.cylinder(DARK, new Point(0, -0.074, -0.098), 0.020, 0.040, 16));
         double[][] ball = new double[11][];
         for (int i = 0; i < ball.length; i++) {
             double angle = StrictMath.PI * (i + 0.5) / ball.length;
             ball[i] = new double[] {0.039 * StrictMath.sin(angle), -0.039 * StrictMath.cos(angle)};
         }
         Point centre = new Point(0, -0.092, -0.100);
-        add("camera", Solids.turned(SHELL, centre, ball, 24));
+        parts.add("camera", Solids.turned(SHELL, centre, ball, 24));
         Point lens = centre.minus(new Point(0, 0, 0.033));
-        add("lens", Solids.taperedTube(LENS, lens, 0.016, lens.minus(new Point(0, 0, 0.012)), 0.014, 16));
-    }
-
-    /** Stretches each axis so that the whole has its stated size about the origin. */
-    private Mesh fitted() {
-        Extent rough = extent();
-        Point size = rough.size();
-        Point middle = rough.min().towards(rough.max(), 0.5);
-        Point stretch = new Point(WIDTH_METRES / size.x(), HEIGHT_METRES / size.y(), LENGTH_METRES / size.z());
-        MeshBuilder builder = new MeshBuilder("quadrotor", DECIMALS);
-        for (int i = 0; i < solids.size(); i++) {
-            builder.add(names.get(i), solids.get(i).moved(p -> {
-                Point q = p.minus(middle);
-                return new Point(q.x() * stretch.x(), q.y() * stretch.y(), q.z() * stretch.z());
-            }));
-        }
-        return builder.build();
-    }
-
-    private Extent extent() {
-        List<Point> all = new ArrayList<>();
-        solids.forEach(solid -> all.addAll(solid.corners()));
-        return Extent.of(all);
+        parts.add("lens", Solids.taperedTube(LENS, lens, 0.016, lens.minus(new Point(0, 0, 0.012)), 0.014, 16));
     }
 }

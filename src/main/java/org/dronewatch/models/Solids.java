@@ -73,6 +73,27 @@ final class Solids {
         return solid.addFan(material, outlines.get(outlines.size() - 1));
     }
 
+    /** Body along the z axis, of superellipses: position, half width, half height, height of the centre. */
+    static Solid lengthwise(Material material, double[][] sections, double exponent) {
+        int sides = 36;
+        List<List<Point>> outlines = new ArrayList<>();
+        for (double[] section : sections) {
+            List<Point> outline = new ArrayList<>();
+            for (int i = 0; i < sides; i++) {
+                double angle = 2 * StrictMath.PI * i / sides;
+                double x = section[1] * rounded(StrictMath.cos(angle), exponent);
+                double y = section[2] * rounded(StrictMath.sin(angle), exponent);
+                outline.add(new Point(x, section[3] + y, section[0]));
+            }
+            outlines.add(outline);
+        }
+        return loft(material, outlines);
+    }
+
+    private static double rounded(double value, double exponent) {
+        return Math.signum(value) * StrictMath.pow(Math.abs(value), 2 / exponent);
+    }
+
     /** Surface of revolution about the upright axis through {@code foot}: pairs of radius and height. */
     static Solid turned(Material material, Point foot, double[][] profile, int sides) {
         List<List<Point>> rings = new ArrayList<>();

@@ -47,7 +47,7 @@ class ShippedModelsTest {
 
     /** Every edge of a part belongs to two faces that run along it in opposite directions; solids face outward. */
     @ParameterizedTest
-    @EnumSource(names = {"QUADROTOR", "HOUSE", "CATHEDRAL"})
+    @EnumSource(names = {"QUADROTOR", "FIXED_WING", "HYBRID_GLIDER", "HOUSE", "CATHEDRAL"})
     void everyPartIsAClosedSolidThatFacesOutward(ModelCatalogue model) {
         Mesh mesh = model.mesh();
         for (Mesh.Part part : mesh.parts()) {
@@ -89,6 +89,35 @@ class ShippedModelsTest {
     }
 
     @Test
+    void theWingedCraftHaveTheirStatedSizes() {
+        for (Mesh craft : List.of(FixedWingModel.mesh(), HybridGliderModel.mesh())) {
+            Extent extent = craft.extent();
+            boolean isGlider = craft.name().equals("hybrid-glider");
+
+            assertThat(extent.size().x()).isCloseTo(isGlider ? 2.00 : 1.80, within(1e-9));
+            assertThat(extent.size().y()).isCloseTo(isGlider ? 0.34 : 0.36, within(1e-9));
+            assertThat(extent.size().z()).isCloseTo(isGlider ? 1.16 : 1.20, within(1e-9));
+            assertThat(extent.min().plus(extent.max()).length()).isCloseTo(0.0, within(1e-9));
+        }
+    }
+
+    /** The volume of a straight wing is that of its section: 0.6851 t c2 for the four-digit thickness with a closed edge. */
+    @Test
+    void aWingHasTheAreaOfItsSection() {
+        List<Airfoil.Station> straight =
+                List.of(new Airfoil.Station(new Point(0, 0, 0), 0.5), new Airfoil.Station(new Point(2, 0, 0), 0.5));
+        // 10 t times the integral of 0.2969 sqrt(x) - 0.126 x - 0.3516 x2 + 0.2843 x3 - 0.1036 x4 from 0 to 1.
+        double section = 10 * 0.12 * (0.2969 * 2 / 3 - 0.126 / 2 - 0.3516 / 3 + 0.2843 / 4 - 0.1036 / 5);
+
+        double volume = new Airfoil(0.04, 0.12)
+                .wing(new Material("skin", 1, 1, 1), new Point(0, 1, 0), straight)
+                .signedVolume();
+
+        // A polygon of 28 corners lies inside the curve.
+        assertThat(Math.abs(volume)).isBetween(0.98 * section * 0.25 * 2, section * 0.25 * 2);
+    }
+
+    @Test
     void theHouseHasItsPlatform() {
         Mesh house = HouseModel.mesh();
         Extent extent = house.extent();
@@ -124,14 +153,16 @@ class ShippedModelsTest {
     @Test
     void theFiguresOfTheReadmeAreTrue() throws IOException {
         String readme = Files.readString(SHIPPED.resolve("README.md"));
-        Mesh quadrotor = QuadrotorModel.mesh();
-        for (ProjectedArea.View view : ProjectedArea.View.values()) {
-            assertThat(readme)
-                    .contains(String.format(
-                            Locale.ROOT,
-                            "| %s | %.4f |",
-                            view.name().toLowerCase(Locale.ROOT),
-                            ProjectedArea.area(quadrotor, view)));
+        for (Mesh craft : List.of(QuadrotorModel.mesh(), FixedWingModel.mesh(), HybridGliderModel.mesh())) {
+            String section = readme.substring(readme.indexOf("## " + craft.name()));
+            for (ProjectedArea.View view : ProjectedArea.View.values()) {
+                assertThat(section.substring(0, section.indexOf("## ", 3)))
+                        .contains(String.format(
+                                Locale.ROOT,
+                                "| %s | %.4f |",
+                                view.name().toLowerCase(Locale.ROOT),
+                                ProjectedArea.area(craft, view)));
+            }
         }
         for (ModelCatalogue model : ModelCatalogue.all()) {
             Mesh mesh = model.mesh();

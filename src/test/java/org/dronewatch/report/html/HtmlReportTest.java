@@ -88,14 +88,14 @@ class HtmlReportTest {
         assertThat(texts(document, "p"))
                 .anyMatch(text ->
                         text.equals("'glider' is first detected by 'radar' (radar) at a range of 664 m, 8 s after"
-                                + " the start; 6 of 7 sensors never detect it. The alert is raised by 'radar' 8 s after the start,"
+                                + " the start; 5 of 7 sensors never detect it. The alert is raised by 'radar' 8 s after the start,"
                                 + " when the drone is 609 m (40.6 s of flight) from the protected zone: in time (required response"
                                 + " time: 30 s)."));
         assertThat(texts(document, "td"))
                 .anyMatch(text -> text.startsWith("always radio-silent (autonomous)"))
                 .anyMatch(text ->
-                        text.matches("81 % of the time: out of its field of view; 19 % of the time: too small or too"
-                                + " faint \\(best 8 px at 159 m, threshold 12 px\\)"))
+                        text.matches("56 % of the time: out of its field of view; 44 % of the time: too small or too"
+                                + " faint \\(best 8 px at 389 m, threshold 12 px\\)"))
                 .anyMatch(
                         text -> text.matches("always too quiet \\(best [0-9.]+ dB at \\d+ m, threshold 47 dB\\); motors"
                                 + " off 79 % of the time"));
