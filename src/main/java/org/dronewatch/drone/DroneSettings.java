@@ -48,7 +48,7 @@ import org.dronewatch.world.World;
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; with a {@code spectrum}, any name
  *     for it
  * @param spectrum the drone's own spectrum in place of the table's: A-weighted levels of the octave bands relative to one
- *     another, as in the table; how loud it is, {@code soundPowerLevel} says
+ *     another, as in the table; {@code soundPowerLevel} sets how loud it is
  * @param directivity how the sound radiated depends on elevation, for the energy model
  * @param swarm how many such drones fly in formation; a single drone if empty
  * @param label what it means to the site, for readers of the results; no sensor uses it

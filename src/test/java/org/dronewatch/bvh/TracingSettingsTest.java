@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** How rays are traced changes no result. */
 class TracingSettingsTest {
-    /** Cameras of the scene with the house on the hill, and a microphone whose rays are many; three seconds of each. */
+    /** Cameras of the scene with the house on the hill, and a microphone whose rays are many; one second of each. */
     private static final List<String> SCENES = List.of("multi-sensor", "closed-space");
 
     @TempDir
@@ -38,7 +38,7 @@ class TracingSettingsTest {
         for (String scene : SCENES) {
             Path out = directory.resolve(scene + String.join("", settings).hashCode());
             List<String> words = new ArrayList<>(
-                    List.of("run", scene, "--observations", "--out", out.toString(), "--set", "run.duration=3 s"));
+                    List.of("run", scene, "--observations", "--out", out.toString(), "--set", "run.duration=1 s"));
             for (String setting : settings) {
                 words.addAll(List.of("--set", setting));
             }
