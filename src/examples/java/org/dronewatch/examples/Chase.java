@@ -36,7 +36,7 @@ public class Chase extends Scene {
         return new Guard();
     }
 
-    /** Flies at where the visitor is, and corrects its course ten times a second; every run has a new one. */
+    /** Flies towards the visitor, and corrects its course ten times a second; every run has a new one. */
     private static final class Guard implements Pilot {
         private PilotedRun run;
 

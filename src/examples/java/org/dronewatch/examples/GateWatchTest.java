@@ -10,6 +10,6 @@ class GateWatchTest {
     void theRoofCameraSeesTheIntruderBeforeTheTurn() {
         SceneResult result = new GateWatch().run();
         double range = result.firstDetectionRange("roof", "intruder").orElse(0.0);
-        assertTrue(range > 120.0, "first seen at " + range + " m only");
+        assertTrue(range > 120.0, "first seen only at " + range + " m");
     }
 }

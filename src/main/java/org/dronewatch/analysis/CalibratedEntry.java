@@ -77,7 +77,8 @@ public final class CalibratedEntry {
     }
 
     private static String note(Calibration fit) {
-        return "Fitted in free sight, without the models of the scene. " + String.join("; ", lines(fit)) + ".";
+        return "Fitted with a clear line of sight, without the models of the scene. " + String.join("; ", lines(fit))
+                + ".";
     }
 
     /** What was fitted, and the range of each value, in words. */

@@ -13,7 +13,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The threshold with which a sensor detects a drone from a given range on, in free sight and under a scene's conditions
+ * The threshold with which a sensor detects a drone from a given range on, with a clear line of sight and under a scene's
+ * conditions
  * ({@link FreeSight}). It uses {@link org.dronewatch.sensor.AssessableSensor#assess}, not runs, so that nothing is left to chance.
  *
  * @param sensor the sensor with its fitted threshold
@@ -147,7 +148,8 @@ public record Calibration(
         }
 
         /**
-         * The greatest range of a count from which on it is reached for the length of a look's flight, looked for from far away inwards,
+         * The greatest range of a count from which on it is reached for the length of a look's flight, looked for from far away
+         * inwards,
          * m; NaN when there is none.
          */
         private double greatestByCount(double threshold, double about) {

@@ -59,7 +59,7 @@ final class CalibrateCommand implements Callable<Integer> {
             names = "--probability",
             defaultValue = "0.5",
             paramLabel = "P",
-            description = "Least probability with which a look at this range detects the drone; 0.5 by default.")
+            description = "Minimum probability with which a look at this range detects the drone; 0.5 by default.")
     private String probability;
 
     @Option(

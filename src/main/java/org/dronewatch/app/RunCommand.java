@@ -208,7 +208,7 @@ final class RunCommand implements Callable<Integer> {
                 .mapToInt(pair -> sweptValue(result, pair).length())
                 .reduce(Math.max(1, heading.length()), Math::max);
         String row = "%-4s %-" + width + "s %-16s %-16s %14s %10s%n";
-        target.printf(row, "run", heading, "sensor", "drone", "first seen [s]", "range [m]");
+        target.printf(row, "run", heading, "sensor", "drone", "first detected [s]", "range [m]");
         for (PairResult pair : result.pairs()) {
             target.printf(
                     row,

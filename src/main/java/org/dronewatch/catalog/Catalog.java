@@ -169,7 +169,7 @@ public final class Catalog implements Kinds.NamedSettings {
     public SensorSettings<?> settings(String name, Map<String, ?> parts) {
         if (!partsOf(name).isEmpty()) {
             throw new InputException("'" + name
-                    + "' is a system of several sensors: only a scene file takes it, by 'use: " + name + "'");
+                    + "' is a system of several sensors: it can be used only in a scene file, as 'use: " + name + "'");
         }
         Node.Mapping known = find(name)
                 .or(() -> ofKind(name))

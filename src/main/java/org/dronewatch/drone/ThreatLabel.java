@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
  * What a drone means to the site, for readers of the results. No sensor uses it: it changes no detection.
  *
  * @param role its role in the scene
- * @param purpose what its owner wants
+ * @param purpose what its owner intends
  * @param platform how it is built
  * @param powerSource what drives it
  * @param weight take-off weight, above 0 and at most 10 t, kg
@@ -53,9 +53,7 @@ public record ThreatLabel(
         /** Theft of intellectual property. */
         ESPIONAGE,
         /** To annoy or frighten people. */
-        HARASSMENT,
-        /** None: a careless owner. */
-        UNINTENTIONAL
+        HARASSMENT
     }
 
     /** How a drone is built. */

@@ -136,7 +136,7 @@ public interface FlightPathSettings {
      * Flies from waypoint to waypoint, starting and ending at rest, never faster than the cruise speed, stopping at
      * each waypoint where the path bends; it stays at the last one.
      *
-     * @param points 2 to 10,000 waypoints, neighbours 1 mm or more apart, m
+     * @param points 2 to 10,000 waypoints, consecutive ones 1 mm or more apart, m
      */
     record Waypoints(List<Position> points) implements FlightPathSettings {
         /** Checks the limits and keeps its own list. */

@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * Flies as a drone flew in an earlier run, which wrote its {@code flights.csv}: a steered flight is repeated bit by bit. After
+ * Flies as a drone flew in an earlier run, which wrote its {@code flights.csv}: a steered flight is repeated bit for bit. After
  * the last row it flies on as that row says. The drone's speed does not matter.
  *
  * @param file path of the {@code flights.csv}

@@ -68,7 +68,8 @@ public final class SteeredFlight implements FlownPath {
     }
 
     /**
-     * Flies straight and evenly to a point, its nose as by {@link #fly(double, Position)}, and hovers there unless another
+     * Flies in a straight line at constant speed to a point, its nose as for {@link #fly(double, Position)}, and hovers there
+     * unless another
      * command comes before.
      *
      * @param time seconds since the start of the run

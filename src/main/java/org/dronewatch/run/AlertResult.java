@@ -10,7 +10,8 @@ import org.dronewatch.fusion.Alert;
  *
  * @param run number of the run in a sweep, from 0
  * @param drone name of the drone
- * @param firstSight when a sensor could have seen it for the first time: an unobstructed line of sight to it, within the sensor's field
+ * @param firstSight when a sensor could have seen it for the first time: an unobstructed line of sight to it, within the
+ *     sensor's field
  *     of view and range, s; empty for never, and where no sensor has a field of view
  * @param alert the alert, or empty when there was none
  * @param zoneDistance the drone's distance to the protected zone at the alert, m; empty without zone or alert
@@ -30,7 +31,7 @@ public record AlertResult(
         OptionalDouble entered,
         Optional<Boolean> inTime) {
 
-    /** When the alert was, s; empty for never. */
+    /** When the alert was raised, s; empty if never. */
     public OptionalDouble time() {
         return alert.map(one -> OptionalDouble.of(one.time())).orElse(OptionalDouble.empty());
     }

@@ -14,7 +14,7 @@ import org.dronewatch.geometry.Position;
  * A drone during a run, at the simulator's time: where any drone is, and commands for those whose flight is {@code
  * steered}. A command counts from now until the next one; between two commands velocity and attitude are constant, and the
  * position follows from them. Of several commands at one time the last counts. A command from a listener of
- * a scene's observations counts from just after that look.
+ * a scene's observations takes effect just after that look.
  *
  * <p>A drone whose flight is {@code recorded} flies as it did: commands change nothing, so a scene with its pilot can be
  * replayed.
@@ -83,7 +83,7 @@ public final class DroneInFlight {
     }
 
     /**
-     * Flies straight and evenly to a point and hovers there, until the next command.
+     * Flies in a straight line at constant speed to a point and hovers there, until the next command.
      *
      * @param target the point, m
      * @param time when it is to be there, after now, seconds since the start of the run

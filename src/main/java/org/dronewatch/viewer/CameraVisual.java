@@ -66,11 +66,11 @@ public final class CameraVisual extends JPanel {
      * @param id name that it shows
      * @param sensor settings of the camera
      * @param stage world and drones
-     * @throws IllegalArgumentException when the sensor sees no image
+     * @throws IllegalArgumentException when the sensor takes no images
      */
     public static CameraVisual of(String id, SensorSettings<?> sensor, Stage stage) {
         if (sensor.as(PictureSettings.class).isEmpty()) {
-            throw new IllegalArgumentException("sensor '" + id + "' of kind " + sensor.kind() + " sees no image");
+            throw new IllegalArgumentException("sensor '" + id + "' of kind " + sensor.kind() + " takes no images");
         }
         return new CameraVisual(new CameraEye(id, sensor, stage, time -> Optional.empty()));
     }

@@ -81,14 +81,15 @@ class SensorSystemTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> scene("  gate-radar: {kind: radar, position: [0, 0, 9]}\n"
                         + "  gate: {use: droneshield-sentry, position: [1, 2, 30]}\n"))
-                .withMessageContaining("sensors.gate-radar: is there twice: once as a part of a system");
+                .withMessageContaining("sensors.gate-radar: is defined twice: once as a part of a system");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> scene("  gate: {use: droneshield-sentry, position: [1, 2, 30], colour: 1}\n"))
                 .withMessageContaining("scene.yaml:4:")
                 .withMessageContaining("sensors.gate-radar: unknown setting 'colour'");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> Catalog.packaged().settings("liteye", Map.of("position", MAST)))
-                .withMessage("'liteye' is a system of several sensors: only a scene file takes it, by 'use: liteye'");
+                .withMessage(
+                        "'liteye' is a system of several sensors: it can be used only in a scene file, as 'use: liteye'");
     }
 
     @Test

@@ -67,7 +67,7 @@ class CameraVisualTest {
         }
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> CameraVisual.of("ear", AcousticSettings.at(new Position(0, 0, 2)), stage))
-                .withMessage("sensor 'ear' of kind acoustic sees no image");
+                .withMessage("sensor 'ear' of kind acoustic takes no images");
     }
 
     /** In colour, a panel of the camera's size shows what it photographs: the drone is not orange, but framed. */

@@ -12,8 +12,8 @@ import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.World;
 
 /**
- * Takes the pictures that a camera would photograph: the colours of the materials, Lambert's cosine law and shadows for
- * the sun, light from the sky, and haze by Koschmieder's law, all after the world's {@link org.dronewatch.world.Light}.
+ * Takes the pictures that a camera would take: the colours of the materials, Lambert's cosine law and shadows for
+ * the sun, light from the sky, and haze by Koschmieder's law, all according to the world's {@link org.dronewatch.world.Light}.
  * Surfaces are matt; drones throw no shadows. No detection depends on it: the pixels that a sensor counts are those
  * whose centres show the drone, whatever is seen here.
  *

@@ -30,7 +30,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by
  *     chance
  * @param byChance whether each frame is decided at random instead, with the probability computed for it
- * @param contrast contrast of the drone to its background at close range, above 0 and at most 1
+ * @param contrast contrast of the drone against its background at close range, above 0 and at most 1
  * @param contrastThreshold least contrast that the camera can detect in good light, above 0 and below 1
  * @param shotNoiseIlluminance illuminance below which shot noise raises the contrast threshold, above 0, lx
  * @param exposure exposure time of a frame, 0 to 1 s

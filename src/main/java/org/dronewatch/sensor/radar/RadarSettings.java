@@ -173,7 +173,7 @@ public record RadarSettings(
     @Override
     public SensorDescription description() {
         return SensorDescription.measuring("signal-to-noise ratio")
-                .withWeakness("its echo too weak")
+                .withWeakness("echo too weak")
                 .withLeavesOut("For radars, clutter, birds and the micro-Doppler of rotors are not modelled.");
     }
 

@@ -114,7 +114,7 @@ public record RfSettings(
     @Override
     public SensorDescription description() {
         return SensorDescription.measuring("signal-to-noise ratio")
-                .withWeakness("its signal too weak")
+                .withWeakness("signal too weak")
                 .withLeavesOut(
                         "Radio propagation: free-space loss plus knife-edge diffraction at one edge of the site; interference and"
                                 + " reflections are not modelled.");

@@ -59,7 +59,7 @@ final class NamedGroups {
 
     private void put(Map<String, Node> values, String name, Node node, String field) {
         if (values.putIfAbsent(name, node) != null) {
-            problems.add(node.mark(), field + "." + name, "is there twice: once as a part of a system");
+            problems.add(node.mark(), field + "." + name, "is defined twice: once as a part of a system");
         }
     }
 

@@ -41,7 +41,7 @@ final class Problems {
      */
     void unknownKind(Mark mark, String field, String name, Collection<String> known, boolean open) {
         String meant = Spelling.didYouMean(name, known);
-        String jar = "; a kind of another jar needs that jar on the class path";
+        String jar = "; a kind from another jar needs that jar on the class path";
         unknown(mark, field, KindChooser.KIND, name, known, meant.isEmpty() && open ? jar : meant);
     }
 

@@ -24,9 +24,9 @@ import org.dronewatch.world.World;
  * @param maxOrder how many surfaces a ray may hit before it ends, 0 to 100
  * @param rayBudget how many ray segments one look may trace, 1 to 50,000,000
  * @param listening {@code fast}: a look ends with the first ray that is loud enough; {@code thorough}: it traces all rays, and
- *     reports the highest level and the cumulated energy
+ *     reports the highest level and the cumulative energy
  * @param diffraction fraction of the reflected and of the transmitted energy that is scattered, 0 to 1; the specular and the
- *     refracted ray carry the rest; without it all rays carry equal energy. It changes the cumulated energy, not the levels, which
+ *     refracted ray carry the rest; without it all rays carry equal energy. It changes the cumulative energy, not the levels, which
  *     are not divided
  * @param transmittedRays rays that leave the far side of a wall that lets sound through, 1 to 10,000: one refracted, the others
  *     scattered
