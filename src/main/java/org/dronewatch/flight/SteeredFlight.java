@@ -69,8 +69,7 @@ public final class SteeredFlight implements FlownPath {
 
     /**
      * Flies in a straight line at constant speed to a point, its nose as for {@link #fly(double, Position)}, and hovers there
-     * unless another
-     * command comes before.
+     * unless another command comes before.
      *
      * @param time seconds since the start of the run
      * @param target the point, m
