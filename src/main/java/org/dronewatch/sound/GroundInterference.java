@@ -1,0 +1,95 @@
+package org.dronewatch.sound;
+
+/**
+ * The mean energy of direct and ground-reflected sound together in an octave band: over equal parts of lg f, of
+ * {@code a1^2 + a2^2 |Q|^2 + 2 a1 a2 |Q| C cos(k (R2 - R1) + arg Q)}, where Q is that of the {@link SphericalReflection} and C
+ * the coherence. The paths' loss by spreading, air and directivity is the caller's.
+ *
+ * @param ground what reflects
+ * @param soundSpeed m/s, above 0
+ * @param direct length of the direct path R1, m, above 0
+ * @param reflected length of the reflected path R2, m, R1 or more
+ * @param sourceHeight of the source above the plane of the ground, m, 0 or more
+ * @param receiverHeight of the receiver above it, m, 0 or more
+ * @param unevenness standard deviation of the ground's height about the plane, m, 0 or more: as much of the reflected
+ *     wave is out of step as the Rayleigh criterion states, {@code exp(-2 (k s cos t)^2)}
+ * @param turbulence of the air
+ */
+public record GroundInterference(
+        GroundImpedance ground,
+        double soundSpeed,
+        double direct,
+        double reflected,
+        double sourceHeight,
+        double receiverHeight,
+        double unevenness,
+        TurbulentCoherence turbulence) {
+    /** In each part of a band Q and coherence are taken as constant; the phase of the path difference is integrated. */
+    private static final int PARTS = 24;
+
+    /** Decades of an octave band (IEC 61260-1, base ten). */
+    private static final double OCTAVE = 0.3;
+
+    /**
+     * The mean energy in a band.
+     *
+     * @param band 0 for 63 Hz to 7 for 8 kHz
+     * @param directEnergy what the direct path brings alone, a1 squared
+     * @param reflectedEnergy what the reflected path would bring alone from rigid ground, a2 squared
+     * @return in the unit of the two energies
+     */
+    public double inBand(int band, double directEnergy, double reflectedEnergy) {
+        double sum = 0.0;
+        for (int part = 0; part < PARTS; part++) {
+            double width = waveNumber(frequency(band, part + 1.0)) - waveNumber(frequency(band, part));
+            sum += energy(frequency(band, part + 0.5), width, directEnergy, reflectedEnergy);
+        }
+        return sum / PARTS;
+    }
+
+    /**
+     * The energy at one frequency.
+     *
+     * @param frequency Hz, above 0
+     * @param directEnergy what the direct path brings alone, a1 squared
+     * @param reflectedEnergy what the reflected path would bring alone from rigid ground, a2 squared
+     * @return in the unit of the two energies
+     */
+    public double atFrequency(double frequency, double directEnergy, double reflectedEnergy) {
+        return energy(frequency, 0.0, directEnergy, reflectedEnergy);
+    }
+
+    /** The mean over wave numbers in an interval of some width, 1/m, about that of a frequency. */
+    private double energy(double frequency, double width, double directEnergy, double reflectedEnergy) {
+        double waveNumber = waveNumber(frequency);
+        double cosine = (sourceHeight + receiverHeight) / reflected;
+        Complex q = SphericalReflection.coefficient(ground, frequency, soundSpeed, reflected, cosine);
+        double size = q.absolute();
+        double difference = reflected - direct;
+        double uneven = unevenness * cosine;
+        double coherence = Math.exp(-waveNumber
+                * waveNumber
+                * (turbulence.exponent(direct, sourceHeight, receiverHeight) + 2.0 * uneven * uneven));
+        double phase = waveNumber * difference + Math.atan2(q.im(), q.re());
+        return directEnergy
+                + reflectedEnergy * size * size
+                + 2.0
+                        * Math.sqrt(directEnergy * reflectedEnergy)
+                        * size
+                        * coherence
+                        * Math.cos(phase)
+                        * sinc(0.5 * difference * width);
+    }
+
+    private double waveNumber(double frequency) {
+        return 2.0 * Math.PI * frequency / soundSpeed;
+    }
+
+    private static double frequency(int band, double part) {
+        return OctaveBands.midband(band) * Math.pow(10.0, OCTAVE * (part / PARTS - 0.5));
+    }
+
+    private static double sinc(double x) {
+        return x == 0.0 ? 1.0 : Math.sin(x) / x;
+    }
+}

@@ -1,0 +1,67 @@
+package org.dronewatch.sound;
+
+/**
+ * How far turbulent air leaves the direct and the ground-reflected wave in step: the factor of their interference in the
+ * mean over time. The refractive index fluctuates with the variance {@code m2} and the correlation
+ * {@code exp(-r^2 / L^2)}; then the coherence of two paths of length R whose distance from each other grows to h is
+ * {@code exp(-sqrt(pi) m2 k^2 R L (1 - rho))} with {@code rho = sqrt(pi) / 2 L / h erf(h / L)}.
+ *
+ * <p>This counts the fluctuations of phase and of amplitude, as the mean of the product of two waves does (S. F. Clifford
+ * and R. J. Lataitis, JASA 73, 1545, 1983): near the source all of the variance is one of the phase, far from it, beyond
+ * {@code k L^2}, half is one of the phase and half one of the logarithm of the amplitude, and their sum is the same. With
+ * the phase alone, as in G. A. Daigle (JASA 65, 45, 1979), the exponent is half as large beyond {@code k L^2}.
+ *
+ * @param strength variance of the refractive index, 0 for still air: about 1e-8 in calm, 1e-4 in very turbulent air
+ * @param scale correlation length L, m, above 0
+ */
+public record TurbulentCoherence(double strength, double scale) {
+    /** Between calm and turbulent, near the ground. */
+    public static final TurbulentCoherence MODERATE = new TurbulentCoherence(5e-6, 1.1);
+
+    /** Below it the difference of 1 and rho is taken from its series, without cancellation. */
+    private static final double SMALL = 1e-3;
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException when the strength is negative or the scale not above 0
+     */
+    public TurbulentCoherence {
+        if (!(strength >= 0.0) || !(scale > 0.0)) {
+            throw new IllegalArgumentException(
+                    "turbulence of strength " + strength + " and scale " + scale + " m must be 0 or more, and above 0");
+        }
+    }
+
+    /**
+     * The exponent of the coherence over the square of the wave number, m2: the coherence is
+     * {@code exp(-exponent k^2)}.
+     *
+     * @param length of the paths, m
+     * @param sourceHeight of the source above the ground, m, 0 or more
+     * @param receiverHeight of the receiver above the ground, m, 0 or more
+     */
+    double exponent(double length, double sourceHeight, double receiverHeight) {
+        if (sourceHeight == 0.0 || receiverHeight == 0.0) {
+            return 0.0;
+        }
+        double apart = 2.0 * sourceHeight * receiverHeight / (sourceHeight + receiverHeight) / scale;
+        double uncorrelated =
+                apart < SMALL ? apart * apart / 3.0 : 1.0 - 0.5 * Math.sqrt(Math.PI) / apart * Faddeeva.erf(apart);
+        return Math.sqrt(Math.PI) * strength * length * scale * uncorrelated;
+    }
+
+    /**
+     * The coherence of direct and reflected sound, 0 to 1.
+     *
+     * @param frequency Hz
+     * @param soundSpeed m/s
+     * @param length of the paths, m
+     * @param sourceHeight of the source above the ground, m, 0 or more
+     * @param receiverHeight of the receiver above the ground, m, 0 or more
+     */
+    public double at(double frequency, double soundSpeed, double length, double sourceHeight, double receiverHeight) {
+        double waveNumber = 2.0 * Math.PI * frequency / soundSpeed;
+        return Math.exp(-exponent(length, sourceHeight, receiverHeight) * waveNumber * waveNumber);
+    }
+}
