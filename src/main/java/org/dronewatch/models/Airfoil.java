@@ -12,8 +12,13 @@ import java.util.List;
  * @param thickness greatest thickness, as a fraction of the chord
  */
 record Airfoil(double camber, double thickness) {
+    /** NACA 0009, as usual for tails. */
+    static final Airfoil TAIL = new Airfoil(0.0, 0.09);
+
     private static final double CREST = 0.4;
     private static final int HALF = 14;
+    private static final Point UP = new Point(0, 1, 0);
+    private static final Point RIGHT = new Point(1, 0, 0);
 
     /**
      * Where a section stands.
@@ -21,10 +26,24 @@ record Airfoil(double camber, double thickness) {
      * @param nose leading edge
      * @param chord length from the leading to the trailing edge, metres, straight backward
      */
-    record Station(Point nose, double chord) {}
+    record Station(Point nose, double chord) {
+        /** The same on the other side of the model's plane of symmetry. */
+        Station mirrored() {
+            return new Station(new Point(-nose.x(), nose.y(), nose.z()), chord);
+        }
+    }
 
-    /** A wing through stations from end to end; {@code up} is the direction of the upper side. */
-    Solid wing(Material material, Point up, List<Station> stations) {
+    /** A wing or stabiliser through stations from left to right. */
+    Solid wing(Material material, List<Station> stations) {
+        return loft(material, UP, stations);
+    }
+
+    /** An upright fin through stations from its foot to its top; its upper side faces to the right. */
+    Solid fin(Material material, List<Station> stations) {
+        return loft(material, RIGHT, stations);
+    }
+
+    private Solid loft(Material material, Point up, List<Station> stations) {
         return Solids.loft(
                 material, stations.stream().map(station -> outline(station, up)).toList());
     }

@@ -19,11 +19,6 @@ public final class FixedWingModel {
     public static final double LENGTH_METRES = 1.20;
 
     private static final Material SKIN = new Material("foam", 0.90, 0.90, 0.88);
-    private static final Material DARK = new Material("dark_plastic", 0.16, 0.17, 0.19);
-    private static final Material LENS = new Material("lens", 0.05, 0.06, 0.10);
-
-    private static final Point UP = new Point(0, 1, 0);
-    private static final Point RIGHT = new Point(1, 0, 0);
 
     private final Assembly parts = new Assembly();
 
@@ -55,9 +50,11 @@ public final class FixedWingModel {
         parts.add("fuselage", Solids.lengthwise(SKIN, hull, 2.4));
         double[][] ball = {{0.012, -0.030}, {0.026, -0.022}, {0.032, -0.008}, {0.032, 0.010}, {0.026, 0.030}};
         Point below = new Point(0, -0.086, -0.250);
-        parts.add("camera", Solids.turned(DARK, below, ball, 20));
+        parts.add("camera", Solids.turned(Material.DARK_PLASTIC, below, ball, 20));
         Point lens = below.plus(new Point(0, -0.008, -0.028));
-        parts.add("lens", Solids.taperedTube(LENS, lens, 0.012, lens.plus(new Point(0, -0.004, -0.010)), 0.010, 14));
+        parts.add(
+                "lens",
+                Solids.taperedTube(Material.LENS, lens, 0.012, lens.plus(new Point(0, -0.004, -0.010)), 0.010, 14));
     }
 
     /** Two panels in one piece: NACA 2412, tapered towards the tips, 3 degrees of dihedral. */
@@ -71,40 +68,29 @@ public final class FixedWingModel {
                     return new Airfoil.Station(new Point(x, 0.070 + lift * out, nose), chord);
                 })
                 .toList();
-        parts.add("wing", new Airfoil(0.02, 0.12).wing(SKIN, UP, stations));
+        parts.add("wing", new Airfoil(0.02, 0.12).wing(SKIN, stations));
     }
 
-    /** NACA 0009, as usual for tails. */
     private void addTail() {
-        Airfoil flat = new Airfoil(0.0, 0.09);
-        parts.add(
-                "stabiliser",
-                flat.wing(
-                        SKIN,
-                        UP,
-                        List.of(
-                                new Airfoil.Station(new Point(-0.27, 0.040, 0.500), 0.105),
-                                new Airfoil.Station(new Point(0, 0.040, 0.450), 0.155),
-                                new Airfoil.Station(new Point(0.27, 0.040, 0.500), 0.105))));
-        parts.add(
-                "fin",
-                flat.wing(
-                        SKIN,
-                        RIGHT,
-                        List.of(
-                                new Airfoil.Station(new Point(0, 0.030, 0.430), 0.195),
-                                new Airfoil.Station(new Point(0, 0.150, 0.490), 0.145),
-                                new Airfoil.Station(new Point(0, 0.235, 0.540), 0.095))));
+        Airfoil.Station tip = new Airfoil.Station(new Point(0.27, 0.040, 0.500), 0.105);
+        Airfoil.Station root = new Airfoil.Station(new Point(0, 0.040, 0.450), 0.155);
+        parts.add("stabiliser", Airfoil.TAIL.wing(SKIN, List.of(tip.mirrored(), root, tip)));
+        List<Airfoil.Station> upwards = List.of(
+                new Airfoil.Station(new Point(0, 0.030, 0.430), 0.195),
+                new Airfoil.Station(new Point(0, 0.150, 0.490), 0.145),
+                new Airfoil.Station(new Point(0, 0.235, 0.540), 0.095));
+        parts.add("fin", Airfoil.TAIL.fin(SKIN, upwards));
     }
 
     /** Stationary: one blade up to the right, one down to the left. */
     private void addPropeller() {
         Point hub = new Point(0, 0, 0);
         double[][] cone = {{0.024, -0.012}, {0.022, 0.006}, {0.015, 0.022}, {0.006, 0.032}};
-        parts.add("spinner", forward(Solids.turned(DARK, hub, cone, 20)));
+        parts.add("spinner", forward(Solids.turned(Material.DARK_PLASTIC, hub, cone, 20)));
         for (int blade = 0; blade < 2; blade++) {
             double standing = StrictMath.toRadians(-35.0) + blade * StrictMath.PI;
-            parts.add("blade_" + (blade + 1), forward(Propeller.blade(DARK, hub, 0.140, standing, 1.0)));
+            parts.add(
+                    "blade_" + (blade + 1), forward(Propeller.blade(Material.DARK_PLASTIC, hub, 0.140, standing, 1.0)));
         }
     }
 

@@ -19,11 +19,6 @@ public final class HybridGliderModel {
     public static final double LENGTH_METRES = 1.16;
 
     private static final Material SKIN = new Material("composite", 0.86, 0.88, 0.90);
-    private static final Material DARK = new Material("dark_plastic", 0.16, 0.17, 0.19);
-    private static final Material METAL = new Material("metal", 0.55, 0.56, 0.58);
-
-    private static final Point UP = new Point(0, 1, 0);
-    private static final Point RIGHT = new Point(1, 0, 0);
 
     /** How far the booms are from the middle, metres. */
     private static final double BOOM_X = 0.30;
@@ -72,29 +67,18 @@ public final class HybridGliderModel {
                     return new Airfoil.Station(nose, chord);
                 })
                 .toList();
-        parts.add("wing", new Airfoil(0.04, 0.12).wing(SKIN, UP, stations));
+        parts.add("wing", new Airfoil(0.04, 0.12).wing(SKIN, stations));
     }
 
-    /** A T-tail of NACA 0009. */
+    /** A T-tail. */
     private void addTail() {
-        Airfoil flat = new Airfoil(0.0, 0.09);
-        parts.add(
-                "fin",
-                flat.wing(
-                        SKIN,
-                        RIGHT,
-                        List.of(
-                                new Airfoil.Station(new Point(0, 0.025, 0.440), 0.160),
-                                new Airfoil.Station(new Point(0, 0.225, 0.500), 0.110))));
-        parts.add(
-                "stabiliser",
-                flat.wing(
-                        SKIN,
-                        UP,
-                        List.of(
-                                new Airfoil.Station(new Point(-0.25, 0.225, 0.530), 0.075),
-                                new Airfoil.Station(new Point(0, 0.225, 0.505), 0.110),
-                                new Airfoil.Station(new Point(0.25, 0.225, 0.530), 0.075))));
+        List<Airfoil.Station> upwards = List.of(
+                new Airfoil.Station(new Point(0, 0.025, 0.440), 0.160),
+                new Airfoil.Station(new Point(0, 0.225, 0.500), 0.110));
+        parts.add("fin", Airfoil.TAIL.fin(SKIN, upwards));
+        Airfoil.Station tip = new Airfoil.Station(new Point(0.25, 0.225, 0.530), 0.075);
+        Airfoil.Station root = new Airfoil.Station(new Point(0, 0.225, 0.505), 0.110);
+        parts.add("stabiliser", Airfoil.TAIL.wing(SKIN, List.of(tip.mirrored(), root, tip)));
     }
 
     private void addLift() {
@@ -103,17 +87,21 @@ public final class HybridGliderModel {
             String name = side < 0 ? "left" : "right";
             Point front = new Point(BOOM_X * side, 0.052, -0.400);
             Point back = new Point(BOOM_X * side, 0.052, 0.260);
-            parts.add("boom_" + name, Solids.pipe(DARK, List.of(front, back), 0.012, 14));
+            parts.add("boom_" + name, Solids.pipe(Material.DARK_PLASTIC, List.of(front, back), 0.012, 14));
             for (Point end : List.of(front, back)) {
                 number++;
                 Point foot = end.minus(new Point(0, 0.006, end.z() * 0.03));
                 double[][] housing = {{0.012, 0}, {0.019, 0.006}, {0.020, 0.028}, {0.016, 0.038}, {0.006, 0.041}};
-                parts.add("motor_" + number, Solids.turned(METAL, foot, housing, 20));
+                parts.add("motor_" + number, Solids.turned(Material.METAL, foot, housing, 20));
                 Point hub = foot.plus(new Point(0, 0.044, 0));
                 double turn = side * Math.signum(end.z());
                 // In line with the boom, so that they resist the air least.
-                parts.add("blade_" + number + "a", Propeller.blade(DARK, hub, 0.125, 0.5 * StrictMath.PI, turn));
-                parts.add("blade_" + number + "b", Propeller.blade(DARK, hub, 0.125, 1.5 * StrictMath.PI, turn));
+                parts.add(
+                        "blade_" + number + "a",
+                        Propeller.blade(Material.DARK_PLASTIC, hub, 0.125, 0.5 * StrictMath.PI, turn));
+                parts.add(
+                        "blade_" + number + "b",
+                        Propeller.blade(Material.DARK_PLASTIC, hub, 0.125, 1.5 * StrictMath.PI, turn));
             }
         }
     }

@@ -9,6 +9,14 @@ package org.dronewatch.models;
  * @param blue diffuse blue, 0 to 1
  */
 public record Material(String name, double red, double green, double blue) {
+    /** Black parts of every drone. */
+    static final Material DARK_PLASTIC = new Material("dark_plastic", 0.16, 0.17, 0.19);
+
+    /** Housings of motors. */
+    static final Material METAL = new Material("metal", 0.55, 0.56, 0.58);
+
+    /** Lenses of cameras. */
+    static final Material LENS = new Material("lens", 0.05, 0.06, 0.10);
 
     /** Refuses names an OBJ file cannot carry. */
     public Material {

@@ -18,9 +18,6 @@ public final class QuadrotorModel {
     public static final double LENGTH_METRES = 0.40;
 
     private static final Material SHELL = new Material("shell", 0.82, 0.83, 0.85);
-    private static final Material DARK = new Material("dark_plastic", 0.16, 0.17, 0.19);
-    private static final Material METAL = new Material("metal", 0.55, 0.56, 0.58);
-    private static final Material LENS = new Material("lens", 0.05, 0.06, 0.10);
 
     private static final double MOTOR_X = 0.207;
     private static final double MOTOR_Z = 0.118;
@@ -62,8 +59,8 @@ public final class QuadrotorModel {
             {0.090, 0.050, 0.024, 0.058},
             {0.098, 0.034, 0.010, 0.054}
         };
-        parts.add("battery", Solids.lengthwise(DARK, battery, 4.0));
-        parts.add("antenna_mast", Solids.cylinder(DARK, new Point(0, 0.07, 0.045), 0.006, 0.042, 12));
+        parts.add("battery", Solids.lengthwise(Material.DARK_PLASTIC, battery, 4.0));
+        parts.add("antenna_mast", Solids.cylinder(Material.DARK_PLASTIC, new Point(0, 0.07, 0.045), 0.006, 0.042, 12));
         double[][] dome = {{0.030, 0}, {0.034, 0.006}, {0.030, 0.013}, {0.016, 0.018}};
         parts.add("antenna", Solids.turned(SHELL, new Point(0, 0.108, 0.045), dome, 24));
     }
@@ -78,17 +75,20 @@ public final class QuadrotorModel {
                 parts.add("arm_" + number, Solids.taperedTube(SHELL, shoulder, 0.026, motor, 0.0185, 14));
                 double[][] housing = {{0.013, 0}, {0.021, 0.006}, {0.022, 0.034}, {0.018, 0.046}, {0.007, 0.050}};
                 Point foot = motor.minus(new Point(0, 0.016, 0));
-                parts.add("motor_" + number, Solids.turned(METAL, foot, housing, 20));
+                parts.add("motor_" + number, Solids.turned(Material.METAL, foot, housing, 20));
                 Point hub = foot.plus(new Point(0, 0.048, 0));
-                parts.add("hub_" + number, Solids.cylinder(DARK, hub, 0.008, 0.010, 12));
+                parts.add("hub_" + number, Solids.cylinder(Material.DARK_PLASTIC, hub, 0.008, 0.010, 12));
                 // As they happen to stand after landing; neighbours turn in opposite directions.
                 double standing = StrictMath.toRadians(new double[] {8, -38, -25, 12}[number - 1]);
                 double turn = side * end;
                 Point middle = hub.plus(new Point(0, 0.006, 0));
-                parts.add("blade_" + number + "a", Propeller.blade(DARK, middle, PROPELLER_RADIUS, standing, turn));
+                parts.add(
+                        "blade_" + number + "a",
+                        Propeller.blade(Material.DARK_PLASTIC, middle, PROPELLER_RADIUS, standing, turn));
                 parts.add(
                         "blade_" + number + "b",
-                        Propeller.blade(DARK, middle, PROPELLER_RADIUS, standing + StrictMath.PI, turn));
+                        Propeller.blade(
+                                Material.DARK_PLASTIC, middle, PROPELLER_RADIUS, standing + StrictMath.PI, turn));
             }
         }
     }
@@ -100,19 +100,20 @@ public final class QuadrotorModel {
             Point front = new Point(0.128 * side, -0.148, -0.125);
             Point frontEnd = new Point(0.128 * side, -0.136, -0.150);
             Point back = new Point(0.128 * side, -0.148, 0.140);
-            parts.add("skid_" + name, Solids.pipe(DARK, List.of(frontEnd, front, back), 0.0095, 12));
+            parts.add("skid_" + name, Solids.pipe(Material.DARK_PLASTIC, List.of(frontEnd, front, back), 0.0095, 12));
             for (double end : new double[] {-1, 1}) {
                 number++;
                 Point top = new Point(0.050 * side, -0.026, 0.055 * end);
                 Point knee = new Point(0.100 * side, -0.070, 0.072 * end);
                 Point foot = new Point(0.128 * side, -0.148, 0.082 * end);
-                parts.add("leg_" + number, Solids.pipe(DARK, List.of(top, knee, foot), 0.0115, 12));
+                parts.add("leg_" + number, Solids.pipe(Material.DARK_PLASTIC, List.of(top, knee, foot), 0.0115, 12));
             }
         }
     }
 
     private void addCamera() {
-        parts.add("gimbal_mount", Solids.cylinder(DARK, new Point(0, -0.074, -0.098), 0.020, 0.040, 16));
+        parts.add(
+                "gimbal_mount", Solids.cylinder(Material.DARK_PLASTIC, new Point(0, -0.074, -0.098), 0.020, 0.040, 16));
         double[][] ball = new double[11][];
         for (int i = 0; i < ball.length; i++) {
             double angle = StrictMath.PI * (i + 0.5) / ball.length;
@@ -121,6 +122,7 @@ public final class QuadrotorModel {
         Point centre = new Point(0, -0.092, -0.100);
         parts.add("camera", Solids.turned(SHELL, centre, ball, 24));
         Point lens = centre.minus(new Point(0, 0, 0.033));
-        parts.add("lens", Solids.taperedTube(LENS, lens, 0.016, lens.minus(new Point(0, 0, 0.012)), 0.014, 16));
+        parts.add(
+                "lens", Solids.taperedTube(Material.LENS, lens, 0.016, lens.minus(new Point(0, 0, 0.012)), 0.014, 16));
     }
 }

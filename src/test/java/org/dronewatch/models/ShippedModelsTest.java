@@ -110,7 +110,7 @@ class ShippedModelsTest {
         double section = 10 * 0.12 * (0.2969 * 2 / 3 - 0.126 / 2 - 0.3516 / 3 + 0.2843 / 4 - 0.1036 / 5);
 
         double volume = new Airfoil(0.04, 0.12)
-                .wing(new Material("skin", 1, 1, 1), new Point(0, 1, 0), straight)
+                .wing(new Material("skin", 1, 1, 1), straight)
                 .signedVolume();
 
         // A polygon of 28 corners lies inside the curve.
