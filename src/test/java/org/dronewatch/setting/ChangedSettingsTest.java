@@ -10,8 +10,8 @@ import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -57,9 +57,12 @@ class ChangedSettingsTest {
                 .withMessageEndingWith("Lamp has no component wats");
     }
 
-    /** All records of the library that can be made with little, and a {@code withX} of each that changes one component. */
-    private static Map<Method, Record> withers() {
-        Map<Method, Record> found = new LinkedHashMap<>();
+    /** A {@code withX} that changes one component, its own or one that several records inherit. */
+    private record Wither(Record settings, Method method) {}
+
+    /** Those of all records of the library that can be made with little. */
+    private static List<Wither> withers() {
+        List<Wither> found = new ArrayList<>();
         for (JavaClass one :
                 new ClassFileImporter(List.of(new ImportOption.DoNotIncludeTests())).importPackages("org.dronewatch")) {
             if (one.isRecord() && Modifier.isPublic(one.reflect().getModifiers())) {
@@ -69,7 +72,7 @@ class ChangedSettingsTest {
                                         && method.getParameterCount() == 1
                                         && !method.isBridge()
                                         && component(settings, method).isPresent())
-                                .forEach(method -> found.put(method, settings)));
+                                .forEach(method -> found.add(new Wither(settings, method))));
             }
         }
         return found;
@@ -126,10 +129,10 @@ class ChangedSettingsTest {
     @Test
     void everyWitherOfTheLibraryChangesWhatItIsNamedAfterAndNothingElse() throws ReflectiveOperationException {
         int changed = 0;
-        Map<Method, Record> withers = withers();
-        for (Map.Entry<Method, Record> one : withers.entrySet()) {
-            Method wither = one.getKey();
-            Record before = one.getValue();
+        List<Wither> withers = withers();
+        for (Wither one : withers) {
+            Method wither = one.method();
+            Record before = one.settings();
             RecordComponent part = component(before, wither).orElseThrow();
             assertThat(call(wither, before, SettingsForm.get(before, part)))
                     .as(wither.toString())
@@ -144,10 +147,16 @@ class ChangedSettingsTest {
                 changed++;
             }
         }
-        assertThat(new TreeSet<>(withers.keySet().stream()
-                        .map(method -> method.getDeclaringClass().getSimpleName())
+        assertThat(new TreeSet<>(withers.stream()
+                        .map(one -> one.settings().getClass().getSimpleName())
                         .toList()))
-                .contains("CameraSettings", "RadarSettings", "AcousticSettings", "DroneSettings", "ModelSettings");
+                .contains(
+                        "CameraSettings",
+                        "ThermalSettings",
+                        "RadarSettings",
+                        "AcousticSettings",
+                        "DroneSettings",
+                        "ModelSettings");
         assertThat(changed).isGreaterThan(30);
     }
 

@@ -3,12 +3,10 @@ package org.dronewatch.sensor.camera;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.Thresholded;
-import org.dronewatch.sensor.optics.CameraAxes;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.sensor.optics.Projection;
@@ -46,7 +44,7 @@ public record CameraSettings(
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         DetectionFunction detection,
         Optional<PositionerSettings> positioner)
-        implements PictureSensorSettings<CameraSensor>, Thresholded {
+        implements PictureSensorSettings<CameraSettings, CameraSensor>, Thresholded {
     /**
      * Checks the limits.
      *
@@ -90,21 +88,6 @@ public record CameraSettings(
                 Optional.empty());
     }
 
-    @Override
-    public CameraSettings withPosition(Position other) {
-        return SettingsForm.with(this, "position", other);
-    }
-
-    /** These settings looking at another point, m. */
-    public CameraSettings withLookAt(Position point) {
-        return withAim(new Aim.Target(point));
-    }
-
-    @Override
-    public CameraSettings withAim(Aim other) {
-        return SettingsForm.with(this, "aim", other);
-    }
-
     /** These settings with another image size in pixels. */
     public CameraSettings withResolution(int pixelsWide, int pixelsHigh) {
         return SettingsForm.with(this, Map.of("width", pixelsWide, "height", pixelsHigh));
@@ -113,11 +96,6 @@ public record CameraSettings(
     /** These settings with another vertical field of view, rad. */
     public CameraSettings withVerticalFov(double angle) {
         return SettingsForm.with(this, Map.of("fov", angle, "fovAxis", FieldOfView.VERTICAL));
-    }
-
-    /** These settings with another horizontal field of view, rad. */
-    public CameraSettings withHorizontalFov(double angle) {
-        return SettingsForm.with(this, Map.of("fov", angle, "fovAxis", FieldOfView.HORIZONTAL));
     }
 
     /** These settings with another frame rate, Hz. */
@@ -146,44 +124,6 @@ public record CameraSettings(
     @Override
     public CameraSettings withThreshold(double pixels) {
         return withDetection(new PixelThreshold(pixels));
-    }
-
-    /** These settings on a positioner. */
-    public CameraSettings withPositioner(PositionerSettings mount) {
-        return SettingsForm.with(this, "positioner", Optional.of(mount));
-    }
-
-    /** These settings turned about the camera's axis by an angle, its right side down, rad. */
-    public CameraSettings withRoll(double angle) {
-        return SettingsForm.with(this, "roll", angle);
-    }
-
-    /**
-     * These settings turned about the axis in which the camera points now, so that a vector points to the top of the image.
-     *
-     * @throws IllegalArgumentException when the vector is parallel to that axis
-     */
-    public CameraSettings withUp(Position up) {
-        return withRoll(CameraAxes.roll(aim.from(position), up));
-    }
-
-    /** These settings with another projection. */
-    public CameraSettings withProjection(Projection other) {
-        return SettingsForm.with(this, "projection", other);
-    }
-
-    /**
-     * These settings with a frustum given as to OpenGL's {@code glFrustum}, in m.
-     *
-     * @throws IllegalArgumentException when pixels would not be square, or a value is out of range
-     */
-    public CameraSettings withFrustum(double left, double right, double bottom, double top, double near, double far) {
-        return PictureSensorSettings.withFrustum(this, left, right, bottom, top, near, far);
-    }
-
-    @Override
-    public CameraSettings pointed(Pointing pointing) {
-        return PictureSensorSettings.pointed(this, pointing);
     }
 
     @Override

@@ -24,10 +24,61 @@ import org.dronewatch.setting.SettingsForm;
  * Settings of an imaging sensor: its field of view is a frustum, an image gives directions, and a positioner
  * may turn it about its aim.
  *
+ * @param <C> the record that implements this: {@code withRoll} and the others copy one of the same kind
  * @param <S> the sensor that they create
  */
-public interface PictureSensorSettings<S extends Sensor>
+public interface PictureSensorSettings<C extends Record & PictureSensorSettings<C, S>, S extends Sensor>
         extends SensorSettings<S>, PictureSettings, Mounted, Outlined, DirectionFinding {
+
+    @Override
+    default C withPosition(Position other) {
+        return SettingsForm.with(self(), "position", other);
+    }
+
+    @Override
+    default C withAim(Aim other) {
+        return SettingsForm.with(self(), "aim", other);
+    }
+
+    /** These settings looking at another point, m. */
+    default C withLookAt(Position point) {
+        return withAim(new Aim.Target(point));
+    }
+
+    /** These settings turned about the camera's axis by an angle, its right side down, rad. */
+    default C withRoll(double angle) {
+        return SettingsForm.with(self(), "roll", angle);
+    }
+
+    /**
+     * These settings turned about the axis in which the camera points now, so that a vector points to the top of the image.
+     *
+     * @throws IllegalArgumentException when the vector is parallel to that axis
+     */
+    default C withUp(Position up) {
+        return withRoll(CameraAxes.roll(aim().from(position()), up));
+    }
+
+    /** These settings with another horizontal field of view, rad. */
+    default C withHorizontalFov(double angle) {
+        return SettingsForm.with(self(), Map.of("fov", angle, "fovAxis", FieldOfView.HORIZONTAL));
+    }
+
+    /** These settings with another projection. */
+    default C withProjection(Projection other) {
+        return SettingsForm.with(self(), "projection", other);
+    }
+
+    /** These settings on a positioner. */
+    default C withPositioner(PositionerSettings mount) {
+        return SettingsForm.with(self(), "positioner", Optional.of(mount));
+    }
+
+    @Override
+    default C pointed(Pointing pointing) {
+        Aim aim = Aim.Direction.of(pointing.direction());
+        return SettingsForm.with(self(), Map.of("aim", aim, "fov", pointing.fov(), "positioner", Optional.empty()));
+    }
 
     @Override
     default Outline outline() {
@@ -62,14 +113,8 @@ public interface PictureSensorSettings<S extends Sensor>
         return new Sighting(position(), Direction.of(drone.minus(position())), OptionalDouble.empty());
     }
 
-    /** The settings of a camera on a fixed mount that points as a positioner does now. */
-    static <R extends Record> R pointed(R camera, Pointing pointing) {
-        Aim aim = Aim.Direction.of(pointing.direction());
-        return SettingsForm.with(camera, Map.of("aim", aim, "fov", pointing.fov(), "positioner", Optional.empty()));
-    }
-
     /**
-     * A camera with the frustum of OpenGL's {@code glFrustum}: its field of view, its shifts and its planes.
+     * These settings with the frustum of OpenGL's {@code glFrustum}: its field of view, its shifts and its planes.
      *
      * @param left left edge of the image at the near plane, to the right of the axis, m
      * @param right right edge, m
@@ -80,8 +125,7 @@ public interface PictureSensorSettings<S extends Sensor>
      * @throws IllegalArgumentException when the edges are in the wrong order, pixels would not be square to a millionth, or
      *     a setting that follows is out of range
      */
-    static <R extends Record & PictureSettings> R withFrustum(
-            R camera, double left, double right, double bottom, double top, double near, double far) {
+    default C withFrustum(double left, double right, double bottom, double top, double near, double far) {
         double wide = right - left;
         double high = top - bottom;
         if (!(wide > 0.0 && high > 0.0 && near > 0.0)) {
@@ -89,16 +133,22 @@ public interface PictureSensorSettings<S extends Sensor>
                     "frustum with left " + left + ", right " + right + ", bottom " + bottom + ", top " + top + ", near "
                             + near + ": left must be less than right, bottom less than top, near above 0");
         }
-        double across = wide / camera.width();
-        double upwards = high / camera.height();
+        double across = wide / width();
+        double upwards = high / height();
         if (!(Math.abs(across / upwards - 1.0) <= 1e-6)) {
             throw new IllegalArgumentException("frustum of " + wide + " m x " + high + " m has pixels of " + across
-                    + " m x " + upwards + " m in an image of " + camera.width() + " x " + camera.height()
+                    + " m x " + upwards + " m in an image of " + width() + " x " + height()
                     + ": they must be square");
         }
         Projection projection = new Projection(0.5 * (left + right) / wide, 0.5 * (bottom + top) / high, near, far);
         double fov = 2.0 * Math.atan(0.5 * high / near);
-        return SettingsForm.with(camera, Map.of("fov", fov, "fovAxis", FieldOfView.VERTICAL, "projection", projection));
+        return SettingsForm.with(self(), Map.of("fov", fov, "fovAxis", FieldOfView.VERTICAL, "projection", projection));
+    }
+
+    /** The record itself: what implements this names itself as {@code C}. */
+    @SuppressWarnings("unchecked")
+    private C self() {
+        return (C) this;
     }
 
     /** Maximum number of pixels of an image: 8192 x 8192. */

@@ -3,13 +3,11 @@ package org.dronewatch.sensor.thermal;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.SensorDescription;
-import org.dronewatch.sensor.optics.CameraAxes;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.sensor.optics.Projection;
@@ -58,7 +56,7 @@ public record ThermalSettings(
         @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
         boolean byChance,
         Optional<PositionerSettings> positioner)
-        implements PictureSensorSettings<ThermalSensor> {
+        implements PictureSensorSettings<ThermalSettings, ThermalSensor> {
     /**
      * Checks the limits.
      *
@@ -113,26 +111,6 @@ public record ThermalSettings(
                 Optional.empty());
     }
 
-    @Override
-    public ThermalSettings withPosition(Position other) {
-        return SettingsForm.with(this, "position", other);
-    }
-
-    @Override
-    public ThermalSettings withAim(Aim other) {
-        return SettingsForm.with(this, "aim", other);
-    }
-
-    /** These settings looking at a point, m. */
-    public ThermalSettings withLookAt(Position point) {
-        return withAim(new Aim.Target(point));
-    }
-
-    /** These settings with another horizontal field of view, rad. */
-    public ThermalSettings withHorizontalFov(double angle) {
-        return SettingsForm.with(this, Map.of("fov", angle, "fovAxis", FieldOfView.HORIZONTAL));
-    }
-
     /** These settings with another noise-equivalent temperature difference, K. */
     public ThermalSettings withNetd(double kelvins) {
         return SettingsForm.with(this, "netd", kelvins);
@@ -151,44 +129,6 @@ public record ThermalSettings(
     /** These settings, probabilistic or not. */
     public ThermalSettings withChance(boolean drawn) {
         return SettingsForm.with(this, "byChance", drawn);
-    }
-
-    /** These settings on a positioner. */
-    public ThermalSettings withPositioner(PositionerSettings mount) {
-        return SettingsForm.with(this, "positioner", Optional.of(mount));
-    }
-
-    /** These settings turned about the camera's axis by an angle, its right side down, rad. */
-    public ThermalSettings withRoll(double angle) {
-        return SettingsForm.with(this, "roll", angle);
-    }
-
-    /**
-     * These settings turned about the axis in which the camera points now, so that a vector points to the top of the image.
-     *
-     * @throws IllegalArgumentException when the vector is parallel to that axis
-     */
-    public ThermalSettings withUp(Position up) {
-        return withRoll(CameraAxes.roll(aim.from(position), up));
-    }
-
-    /** These settings with another projection. */
-    public ThermalSettings withProjection(Projection other) {
-        return SettingsForm.with(this, "projection", other);
-    }
-
-    /**
-     * These settings with a frustum given as to OpenGL's {@code glFrustum}, in m.
-     *
-     * @throws IllegalArgumentException when pixels would not be square, or a value is out of range
-     */
-    public ThermalSettings withFrustum(double left, double right, double bottom, double top, double near, double far) {
-        return PictureSensorSettings.withFrustum(this, left, right, bottom, top, near, far);
-    }
-
-    @Override
-    public ThermalSettings pointed(Pointing pointing) {
-        return PictureSensorSettings.pointed(this, pointing);
     }
 
     @Override
