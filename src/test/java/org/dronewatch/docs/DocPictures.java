@@ -58,6 +58,7 @@ final class DocPictures {
                     "run closed-space --observations --set sensors.microphone.propagation=energy-model"
                             + " --set run.duration=0.5 --out OUT",
                     "decay-microphone-quadrotor"),
+            new DocPicture("ground-effect", directory -> GroundEffectPlot.draw()),
             window("viewer", "multi-sensor", 25.3),
             window("cued-camera", "scenes/cued-camera.yaml", 4.0));
 

@@ -113,9 +113,7 @@ public record AcousticSettings(
         ignored.put(Condition.RAIN, "raise world.backgroundNoise by the noise of the rain");
         return SensorDescription.measuring(propagation.measures())
                 .withWeakness("too quiet")
-                .withLeavesOut(
-                        "In the level model, levels are calibrated to measurements rather than physical; neither model accounts"
-                                + " for wind or interference.")
+                .withLeavesOut(propagation.leavesOut())
                 .withIgnoredConditions(ignored);
     }
 

@@ -10,6 +10,7 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.sound.TurbulentCoherence;
 import org.dronewatch.world.World;
 
 /**
@@ -27,6 +28,10 @@ import org.dronewatch.world.World;
  *     first-order reflections in all surfaces always are
  * @param diffraction how diffraction round edges is computed
  * @param criterion which level is compared with the background
+ * @param ground whether direct sound and what the ground reflects interfere
+ * @param turbulence with {@code ground: coherent}, the variance of the air's refractive index, 0 to 0.001: 0 in still
+ *     air, about 1e-8 in calm, 1e-4 in very turbulent air
+ * @param turbulenceScale with {@code ground: coherent}, the correlation length of the turbulence, above 0 to 1000 m
  */
 public record EnergyModel(
         @In(value = Quantity.NUMBER, from = 1, to = 10_000_000) int rays,
@@ -35,7 +40,10 @@ public record EnergyModel(
         @In(value = Quantity.NUMBER, from = 0, to = 10_000) int maxOrder,
         @In(value = Quantity.NUMBER, from = 1, to = 4) @Formerly("mirrorOrder") int imageSourceOrder,
         Diffraction diffraction,
-        Criterion criterion)
+        Criterion criterion,
+        Ground ground,
+        @In(value = Quantity.NUMBER, from = 0, to = 1e-3) double turbulence,
+        @In(value = Quantity.LENGTH, above = 0, to = 1000) double turbulenceScale)
         implements Propagation {
 
     /**
@@ -44,8 +52,17 @@ public record EnergyModel(
      * better.
      */
     @Defaults
-    public static final EnergyModel DEFAULT =
-            new EnergyModel(8_000, 0.2, 0.5, 1000, 3, Diffraction.MAEKAWA, Criterion.A_WEIGHTED);
+    public static final EnergyModel DEFAULT = new EnergyModel(
+            8_000,
+            0.2,
+            0.5,
+            1000,
+            3,
+            Diffraction.MAEKAWA,
+            Criterion.A_WEIGHTED,
+            Ground.INCOHERENT,
+            TurbulentCoherence.MODERATE.strength(),
+            TurbulentCoherence.MODERATE.scale());
 
     /** What is compared with the background to decide whether a drone is heard. */
     public enum Criterion {
@@ -55,13 +72,35 @@ public record EnergyModel(
         BEST_BAND
     }
 
+    /** How direct sound and what the ground reflects of it add up. */
+    public enum Ground {
+        /** Their energies add, as those of all paths. */
+        INCOHERENT,
+        /**
+         * They interfere: a spherical wave over the ground's impedance, in the mean over each band, as far as turbulence
+         * leaves them in step.
+         */
+        COHERENT
+    }
+
     /**
      * Checks the limits.
      *
      * @throws IllegalArgumentException if a value is out of range
      */
     public EnergyModel {
-        Limits.check(EnergyModel.class, rays, accuracy, roulette, maxOrder, imageSourceOrder, diffraction, criterion);
+        Limits.check(
+                EnergyModel.class,
+                rays,
+                accuracy,
+                roulette,
+                maxOrder,
+                imageSourceOrder,
+                diffraction,
+                criterion,
+                ground,
+                turbulence,
+                turbulenceScale);
     }
 
     /** This model with another number of rays. */
@@ -94,6 +133,21 @@ public record EnergyModel(
         return SettingsForm.with(this, "diffraction", kind);
     }
 
+    /** This model with ground that interferes with direct sound, or does not. */
+    public EnergyModel withGround(Ground kind) {
+        return SettingsForm.with(this, "ground", kind);
+    }
+
+    /** This model with another variance of the air's refractive index, for coherent ground. */
+    public EnergyModel withTurbulence(double variance) {
+        return SettingsForm.with(this, "turbulence", variance);
+    }
+
+    /** This model with another correlation length of the turbulence, m. */
+    public EnergyModel withTurbulenceScale(double metres) {
+        return SettingsForm.with(this, "turbulenceScale", metres);
+    }
+
     /** This model with another criterion. */
     public EnergyModel withCriterion(Criterion kind) {
         return SettingsForm.with(this, "criterion", kind);
@@ -109,6 +163,14 @@ public record EnergyModel(
         return criterion == Criterion.BEST_BAND
                 ? "level over the background in the best band"
                 : "A-weighted sound level";
+    }
+
+    @Override
+    public String leavesOut() {
+        return ground == Ground.COHERENT
+                ? "The energy model does not account for wind, and of interference only for that of direct and"
+                        + " ground-reflected sound."
+                : Propagation.super.leavesOut();
     }
 
     /** The speed of sound in the scene's air. */

@@ -26,6 +26,7 @@ final class ExactPaths {
     private final WallTransmission walls;
     private final EdgePath edges;
     private final ImageSources imageSources;
+    private final CoherentGround ground;
 
     private final FoundPaths direct = new FoundPaths();
     private final FoundPaths diffracted = new FoundPaths();
@@ -44,6 +45,7 @@ final class ExactPaths {
         this.walls = new WallTransmission(world, surfaces);
         this.edges = new EdgePath(world);
         this.imageSources = new ImageSources(world, planes, surfaces, air, model.imageSourceOrder());
+        this.ground = new CoherentGround(model, world, surfaces, air);
     }
 
     /** Finds all paths from a source to a sensor. */
@@ -56,10 +58,12 @@ final class ExactPaths {
         if (!walls.isFree()) {
             addDiffracted(source, sensor);
         }
+        ground.find(source, sensor, walls.isFree());
         for (int triangle = 0; triangle < mesh.triangleCount(); triangle++) {
             addMirror(triangle, source, sensor);
         }
         imageSources.addTo(mirrored, source, sensor);
+        ground.addTo(direct, mirrored, source, sensor);
     }
 
     /** What comes over all exact paths in all bands. */
@@ -109,10 +113,7 @@ final class ExactPaths {
 
     /** Power in a band that leaves at an elevation, spread over the sphere after a distance. */
     private double spread(SoundSource source, int band, double rise, double length) {
-        return source.fraction(band)
-                * source.factor(band, rise)
-                * air.left(band, length)
-                / (4.0 * Math.PI * length * length);
+        return source.spread(air, band, rise, length);
     }
 
     private void addDiffracted(SoundSource source, Position sensor) {
@@ -165,7 +166,7 @@ final class ExactPaths {
         for (int band = 0; band < BANDS; band++) {
             heard[band] = surfaces.mirrored(material, band) * spread(source, band, rise, length);
         }
-        mirrored.add(length, heard);
+        ground.among(mirrored, x, y, z).add(length, heard);
     }
 
     /** Whether a point of the triangle's plane lies in it, its border included. */

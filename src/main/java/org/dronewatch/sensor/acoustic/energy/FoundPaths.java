@@ -29,13 +29,7 @@ final class FoundPaths {
             heard[band] += inBand[band];
             all += inBand[band];
         }
-        if (count == lengths.length) {
-            lengths = Arrays.copyOf(lengths, 2 * count);
-            brought = Arrays.copyOf(brought, 2 * count);
-        }
-        lengths[count] = length;
-        brought[count] = all;
-        count++;
+        append(length, all);
     }
 
     /** What is heard over all paths in all bands. */
@@ -45,6 +39,26 @@ final class FoundPaths {
             sum += inBand;
         }
         return sum;
+    }
+
+    /** Adds all paths of others. */
+    void add(FoundPaths others) {
+        for (int i = 0; i < others.count; i++) {
+            append(others.lengths[i], others.brought[i]);
+        }
+        for (int band = 0; band < BANDS; band++) {
+            heard[band] += others.heard[band];
+        }
+    }
+
+    private void append(double length, double all) {
+        if (count == lengths.length) {
+            lengths = Arrays.copyOf(lengths, 2 * count);
+            brought = Arrays.copyOf(brought, 2 * count);
+        }
+        lengths[count] = length;
+        brought[count] = all;
+        count++;
     }
 
     /** What is heard over all paths in a band. */

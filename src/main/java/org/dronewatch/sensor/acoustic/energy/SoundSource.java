@@ -65,4 +65,14 @@ public final class SoundSource {
     double factor(int band, double rise) {
         return pattern.factor(band, rise);
     }
+
+    /**
+     * What arrives of the power in a band over the source's power, 1/m2: spread over the sphere, less what the air takes.
+     *
+     * @param rise sine of the elevation at which the sound leaves
+     * @param length of the path, m
+     */
+    double spread(Air air, int band, double rise, double length) {
+        return fraction(band) * factor(band, rise) * air.left(band, length) / (4.0 * Math.PI * length * length);
+    }
 }

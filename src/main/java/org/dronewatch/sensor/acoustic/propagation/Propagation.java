@@ -21,6 +21,12 @@ public interface Propagation {
         return Double.POSITIVE_INFINITY;
     }
 
+    /** What of real sound the models leave out, in a sentence for a report. */
+    default String leavesOut() {
+        return "In the level model, levels are calibrated to measurements rather than physical; neither model accounts"
+                + " for wind or interference.";
+    }
+
     /**
      * Conditions of the site that would matter to real sound but not to this model; none unless a model knows better.
      *

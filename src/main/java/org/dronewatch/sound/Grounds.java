@@ -1,0 +1,22 @@
+package org.dronewatch.sound;
+
+import java.util.Optional;
+import java.util.Set;
+
+/** The impedances of the surfaces that come with the library and can be ground, each with its source. */
+public final class Grounds {
+    private static final CsvTable<GroundImpedance> TABLE = new CsvTable<>(
+            "ground.csv", "ground", row -> new GroundImpedance(Double.parseDouble(row.getField("sigma"))));
+
+    private Grounds() {}
+
+    /** Names of surfaces, in the order of the table. */
+    public static Set<String> names() {
+        return TABLE.names();
+    }
+
+    /** The impedance of the surface of a name; empty for one that is not in the table. */
+    public static Optional<GroundImpedance> find(String name) {
+        return TABLE.find(name);
+    }
+}

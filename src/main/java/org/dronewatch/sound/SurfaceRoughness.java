@@ -1,0 +1,40 @@
+package org.dronewatch.sound;
+
+/**
+ * How much of the reflected energy a rough surface scatters by the angle of incidence. Materials state it for sound
+ * from all directions (ISO 17497-1); at grazing incidence a rough surface is a mirror (Rayleigh's criterion).
+ */
+public final class SurfaceRoughness {
+    private static final int HALVINGS = 50;
+    private static final double ROUGHEST = 1e3;
+
+    private SurfaceRoughness() {}
+
+    /**
+     * The fraction that is scattered: {@code 1 - exp(-g cos^2 t)}, with the g whose mean over all directions is the given
+     * fraction, {@code 1 - (1 - exp(-g)) / g}; never more than that fraction.
+     *
+     * @param randomIncidence fraction in the mean over all directions, 0 to 1
+     * @param cosine of the angle of incidence, from the normal, 0 to 1
+     */
+    public static double scattered(double randomIncidence, double cosine) {
+        if (randomIncidence == 0.0) {
+            return 0.0;
+        }
+        double low = 0.0;
+        double high = ROUGHEST;
+        for (int i = 0; i < HALVINGS; i++) {
+            double middle = 0.5 * (low + high);
+            if (mean(middle) < randomIncidence) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return Math.min(randomIncidence, -Math.expm1(-high * cosine * cosine));
+    }
+
+    private static double mean(double g) {
+        return 1.0 + Math.expm1(-g) / g;
+    }
+}

@@ -1,0 +1,150 @@
+package org.dronewatch.docs;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel.Ground;
+import org.dronewatch.sensor.acoustic.energy.EnergyReading;
+import org.dronewatch.sensor.acoustic.energy.EnergyTracer;
+import org.dronewatch.sensor.acoustic.energy.SoundSource;
+import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
+import org.dronewatch.sound.Directivity;
+import org.dronewatch.sound.DroneSound;
+import org.dronewatch.sound.DroneSounds;
+import org.dronewatch.sound.SurfaceMaterials;
+import org.dronewatch.world.World;
+import org.knowm.xchart.BitmapEncoder;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.style.Styler.LegendPosition;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** The levels of a small quadrotor 5 m above hard ground and grass over distance, beside those in the free field. */
+final class GroundEffectPlot {
+    private static final double NEAREST = 10.0;
+    private static final double FARTHEST = 1000.0;
+    private static final int POINTS = 241;
+    private static final double HALF = 3000.0;
+    private static final Position MICROPHONE = new Position(0, 0, 1.5);
+    private static final double DRONE_HEIGHT = 5.0;
+    private static final int WIDTH = 640;
+    private static final int HEIGHT = 520;
+
+    /** What is plotted. */
+    private enum Quantity {
+        A_WEIGHTED("A-weighted", EnergyReading::aWeightedLevel),
+        AT_500_HZ("500 Hz band", reading -> reading.level(3));
+
+        private final String title;
+        private final ToDoubleFunction<EnergyReading> level;
+
+        Quantity(String title, ToDoubleFunction<EnergyReading> level) {
+            this.title = "Drone at 5 m, microphone at 1.5 m: " + title;
+            this.level = level;
+        }
+    }
+
+    private GroundEffectPlot() {}
+
+    static BufferedImage draw() {
+        double[] distances = new double[POINTS];
+        for (int i = 0; i < POINTS; i++) {
+            distances[i] = NEAREST * Math.pow(FARTHEST / NEAREST, i / (POINTS - 1.0));
+        }
+        World hard = plain("asphalt");
+        World grass = plain("grass_turf");
+        BufferedImage both = new BufferedImage(2 * WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = both.createGraphics();
+        int left = 0;
+        for (Quantity quantity : Quantity.values()) {
+            XYChart chart = chart(quantity.title);
+            add(chart, "grass", distances, over(grass, distances, quantity.level), new Color(0x2a9d5c));
+            add(chart, "asphalt", distances, over(hard, distances, quantity.level), new Color(0x1f5fbf));
+            add(chart, "free field", distances, free(distances, quantity.level), Color.GRAY);
+            graphics.drawImage(BitmapEncoder.getBufferedImage(chart), left, 0, null);
+            left += WIDTH;
+        }
+        graphics.dispose();
+        return both;
+    }
+
+    private static XYChart chart(String title) {
+        XYChart chart = new XYChartBuilder()
+                .width(WIDTH)
+                .height(HEIGHT)
+                .title(title)
+                .xAxisTitle("horizontal distance [m]")
+                .yAxisTitle("sound pressure level [dB]")
+                .build();
+        chart.getStyler()
+                .setXAxisLogarithmic(true)
+                .setYAxisMin(0.0)
+                .setYAxisMax(60.0)
+                .setLegendPosition(LegendPosition.InsideNE)
+                .setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14))
+                .setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 16))
+                .setChartBackgroundColor(Color.WHITE);
+        chart.getStyler()
+                .setPlotGridLinesColor(new Color(0xdddddd))
+                .setAxisTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14))
+                .setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
+        return chart;
+    }
+
+    private static void add(XYChart chart, String name, double[] x, double[] y, Color colour) {
+        chart.addSeries(name, x, y)
+                .setMarker(SeriesMarkers.NONE)
+                .setLineColor(colour)
+                .setLineStyle(new BasicStroke(2f));
+    }
+
+    private static double[] over(World world, double[] distances, ToDoubleFunction<EnergyReading> level) {
+        EnergyTracer tracer = new EnergyTracer(EnergyModel.DEFAULT.withGround(Ground.COHERENT), MICROPHONE, 0.5, world);
+        double[] levels = new double[distances.length];
+        for (int i = 0; i < levels.length; i++) {
+            levels[i] =
+                    level.applyAsDouble(tracer.trace(drone(distances[i]), new SplittableRandom(1), RayRecorder.NONE));
+        }
+        return levels;
+    }
+
+    private static double[] free(double[] distances, ToDoubleFunction<EnergyReading> level) {
+        EnergyTracer tracer = new EnergyTracer(EnergyModel.DEFAULT, MICROPHONE, 0.5, plain("asphalt"));
+        double[] levels = new double[distances.length];
+        for (int i = 0; i < levels.length; i++) {
+            levels[i] = level.applyAsDouble(tracer.inTheOpen(drone(distances[i])));
+        }
+        return levels;
+    }
+
+    private static SoundSource drone(double distance) {
+        DroneSound sound = DroneSounds.get(DroneSounds.SMALL_QUADROTOR);
+        return new SoundSource(
+                new Position(distance, 0, DRONE_HEIGHT),
+                DroneSound.octaves(sound.shape(), sound.level()),
+                Directivity.OMNIDIRECTIONAL);
+    }
+
+    private static World plain(String material) {
+        float half = (float) HALF;
+        TriangleMesh square = TriangleMesh.of(
+                new float[] {-half, -half, 0, half, -half, 0, half, half, 0, -half, half, 0},
+                new int[] {0, 1, 2, 0, 2, 3});
+        return new World(
+                KDTree.of(square),
+                BackgroundNoise.of(20),
+                List.of(SurfaceMaterials.get(material)),
+                Atmosphere.STANDARD);
+    }
+}

@@ -1,0 +1,292 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel.Ground;
+import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
+import org.dronewatch.sound.Directivity;
+import org.dronewatch.sound.GroundImpedance;
+import org.dronewatch.sound.GroundInterference;
+import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.TurbulentCoherence;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Direct sound and what the ground of a site reflects interfere. */
+class CoherentGroundTest {
+    private static final EnergyModel INCOHERENT =
+            EnergyModel.DEFAULT.withRays(1).withTurbulence(0);
+    private static final EnergyModel COHERENT = INCOHERENT.withGround(Ground.COHERENT);
+
+    /** Smooth, and everything that its impedance does not reflect is absorbed. */
+    private static final SurfaceMaterial GRASS = SurfaceMaterial.uniform("grass_50mm", 0.5, 0);
+
+    private static final SurfaceMaterial RIGID = SurfaceMaterial.uniform("perfect_mirror", 0, 0);
+    private static final Position SOURCE = new Position(0, 0, 2);
+    private static final Position SENSOR = new Position(100, 0, 1.5);
+
+    /** Over grass, flow resistivity 200 kPa s/m2: what the bands from 63 Hz to 8 kHz gain over the free field, dB. */
+    private static final double[] OVER_GRASS = {5.5, 3.7, -2.6, -11.0, -2.0, 3.9, 3.4, 2.4};
+
+    private static double[] gains(EnergyModel model, World world, Position source, Position sensor) {
+        EnergyTracer tracer = new EnergyTracer(model, sensor, 0.4, world);
+        SoundSource sound = Sites.broadband(source);
+        EnergyReading heard = Sites.read(model, world, sound, sensor, 1);
+        EnergyReading open = tracer.inTheOpen(sound);
+        double[] gains = new double[OctaveBands.COUNT];
+        for (int band = 0; band < gains.length; band++) {
+            gains[band] = heard.level(band) - open.level(band);
+        }
+        return gains;
+    }
+
+    /** A square of terrain of cells of some size about the origin. */
+    private static TriangleMesh terrain(double half, double cell, DoubleBinaryOperator height) {
+        int count = (int) Math.round(2 * half / cell);
+        float[] vertices = new float[3 * (count + 1) * (count + 1)];
+        int[] corners = new int[6 * count * count];
+        for (int j = 0; j <= count; j++) {
+            for (int i = 0; i <= count; i++) {
+                int at = 3 * (j * (count + 1) + i);
+                vertices[at] = (float) (i * cell - half);
+                vertices[at + 1] = (float) (j * cell - half);
+                vertices[at + 2] = (float) height.applyAsDouble(vertices[at], vertices[at + 1]);
+            }
+        }
+        for (int j = 0; j < count; j++) {
+            for (int i = 0; i < count; i++) {
+                int a = j * (count + 1) + i;
+                int c = a + count + 1;
+                System.arraycopy(new int[] {a, a + 1, c + 1, a, c + 1, c}, 0, corners, 6 * (j * count + i), 6);
+            }
+        }
+        return TriangleMesh.of(vertices, corners);
+    }
+
+    private static TriangleMesh of(String material, TriangleMesh mesh) {
+        int count = mesh.triangleCount();
+        float[] vertices = new float[9 * count];
+        int[] corners = new int[3 * count];
+        for (int corner = 0; corner < corners.length; corner++) {
+            corners[corner] = corner;
+            for (int axis = 0; axis < 3; axis++) {
+                vertices[3 * corner + axis] = mesh.coordinate(corner / 3, corner % 3, axis);
+            }
+        }
+        return new TriangleMesh(vertices, corners, new int[count], new int[count], List.of(material));
+    }
+
+    @Test
+    void grassGivesThePublishedBands() {
+        World meadow = Sites.world(Sites.square(1000, 0), GRASS);
+        double[] gains = gains(COHERENT, meadow, SOURCE, SENSOR);
+        for (int band = 0; band < gains.length; band++) {
+            // The air takes a little more from the reflected path.
+            assertThat(gains[band]).as("band %d", band).isCloseTo(OVER_GRASS[band], within(0.06));
+        }
+        double[] back = gains(COHERENT, meadow, SENSOR, SOURCE);
+        assertThat(back).containsExactly(gains, within(1e-6));
+    }
+
+    /** Ground of thousands of triangles, and a slope, turned about the vertical: the same as one square. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, 0", "0, 0.3, 0", "0.05, 1.1, 0.4", "0.3, 2.5, -0.9", "-0.2, 4, 2"})
+    void theGroundMayBeDividedTurnedAndSloped(double slope, double turn, double across) {
+        double[] level = gains(COHERENT, Sites.world(Sites.square(1000, 0), GRASS), SOURCE, SENSOR);
+        // A plane of some slope towards a direction; both points stand on its normals.
+        double east = slope * Math.cos(across);
+        double north = slope * Math.sin(across);
+        World slopeSite = Sites.world(terrain(160, 4, (x, y) -> east * x + north * y), GRASS);
+        Position normal = new Position(-east, -north, 1).unit();
+        Position along =
+                new Position(Math.cos(turn), Math.sin(turn), east * Math.cos(turn) + north * Math.sin(turn)).unit();
+        Position source = along.times(-50).plus(normal.times(2));
+        Position sensor = along.times(50).plus(normal.times(1.5));
+
+        assertThat(gains(COHERENT, slopeSite, source, sensor)).containsExactly(level, within(2e-3));
+    }
+
+    /** Bumps of centimetres, far below the wavelength over the grazing angle: no more than a few tenths. */
+    @Test
+    void smallBumpsHardlyMatter() {
+        double[] level = gains(COHERENT, Sites.world(Sites.square(1000, 0), GRASS), SOURCE, SENSOR);
+        SplittableRandom random = new SplittableRandom(7);
+        World bumpy = Sites.world(terrain(160, 2, (x, y) -> random.nextDouble(-0.02, 0.02)), GRASS);
+        double[] over =
+                gains(COHERENT, bumpy, SOURCE.plus(new Position(-50, 1, 0)), SENSOR.plus(new Position(-50, 1, 0)));
+        for (int band = 0; band < 6; band++) {
+            assertThat(over[band]).as("seed 7, band %d", band).isCloseTo(level[band], within(0.5));
+        }
+    }
+
+    /** Both ends exchanged, on hilly ground: the same gains. */
+    @Test
+    void hearingIsReciprocal() {
+        DoubleBinaryOperator height = (x, y) -> 3 * Math.sin(x / 60) * Math.cos(y / 45) + 0.02 * x;
+        World hills = Sites.world(terrain(200, 5, height), GRASS);
+        SplittableRandom random = new SplittableRandom(23);
+        int differ = 0;
+        for (int i = 0; i < 100; i++) {
+            Position a = above(height, random, 2, 40);
+            Position b = above(height, random, 1, 6);
+            double[] there = gains(COHERENT, hills, a, b);
+            assertThat(gains(COHERENT, hills, b, a)).as("seed 23, pair %d", i).containsExactly(there, within(1e-3));
+            double[] energies = gains(INCOHERENT, hills, a, b);
+            differ += Math.abs(there[2] - energies[2]) > 0.5 ? 1 : 0;
+        }
+        assertThat(differ).as("pairs in which ground interferes").isGreaterThan(75);
+    }
+
+    private static Position above(DoubleBinaryOperator height, SplittableRandom random, double low, double high) {
+        double x = random.nextDouble(-150, 150);
+        double y = random.nextDouble(-150, 150);
+        return new Position(x, y, height.applyAsDouble(x, y) + random.nextDouble(low, high));
+    }
+
+    /** Facets of terrain have gaps between the mirror images of neighbours; the plane through many of them has none. */
+    @Test
+    void overTerrainLevelsDoNotJump() {
+        DoubleBinaryOperator height = (x, y) -> 3 * Math.sin(x / 60) * Math.cos(y / 45) + 0.02 * x;
+        World hills = Sites.world(terrain(250, 5, height), GRASS);
+        Position sensor = new Position(0, 0, height.applyAsDouble(0, 0) + 1.5);
+        double[] before = null;
+        for (double d = 100; d <= 240; d += 0.5) {
+            double x = 0.8 * d;
+            double y = 0.6 * d;
+            double[] gains = gains(COHERENT, hills, new Position(x, y, height.applyAsDouble(x, y) + 20), sensor);
+            for (int band = 0; band < 4 && before != null; band++) {
+                assertThat(gains[band]).as("%f m, band %d", d, band).isCloseTo(before[band], within(0.1));
+            }
+            before = gains;
+        }
+    }
+
+    @Test
+    void highAboveHardGroundEnergiesAdd() {
+        World plain = Sites.world(Sites.square(3000, 0), RIGID);
+        Position source = new Position(0, 0, 400);
+        Position sensor = new Position(30, 0, 60);
+        double[] energies = gains(INCOHERENT, plain, source, sensor);
+        double[] gains = gains(COHERENT, plain, source, sensor);
+        for (int band = 3; band < gains.length; band++) {
+            assertThat(gains[band]).as("band %d", band).isCloseTo(energies[band], within(0.1));
+        }
+    }
+
+    /** A microphone that lies on hard ground, or a drone that does: 6 dB in every band, turbulent air or not. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e-4})
+    void onHardGroundPressureDoubles(double turbulence) {
+        World plain = Sites.world(Sites.square(500, 0), RIGID);
+        EnergyModel model = COHERENT.withTurbulence(turbulence);
+        for (Position drone : List.of(new Position(0, 0, 10), new Position(30, 20, 15), new Position(200, 0, 3))) {
+            Position plate = new Position(3, 1, 0);
+            for (double gain : gains(model, plain, drone, plate)) {
+                assertThat(gain).isCloseTo(20 * Math.log10(2), within(2e-3));
+            }
+            for (double gain : gains(model, plain, plate, drone)) {
+                assertThat(gain).isCloseTo(20 * Math.log10(2), within(2e-3));
+            }
+        }
+    }
+
+    /** A plate of 40 cm, 5 cm above grass, reflects to the microphone on it, and the grass around does not. */
+    @Test
+    void aPlateIsTheGroundOfTheMicrophoneOnIt() {
+        TriangleMesh grass = of("grass_50mm", Sites.square(300, 0));
+        TriangleMesh plate = of("perfect_mirror", Sites.wall(2, 0.05, -0.2, 0.2, -0.2, 0.2));
+        TriangleMesh both = World.merge(List.of(grass, plate));
+        World site = new World(KDTree.of(both), BackgroundNoise.of(20), List.of(GRASS, RIGID), Atmosphere.STANDARD);
+        double[] gains = gains(COHERENT, site, new Position(5, 3, 10), new Position(0, 0, 0.05));
+        for (double gain : gains) {
+            assertThat(gain).isCloseTo(6.02, within(0.01));
+        }
+    }
+
+    /** Rotors are fainter in their plane: each path has its own elevation. */
+    @Test
+    void eachPathHasItsOwnDirection() {
+        World plain = Sites.world(Sites.square(500, 0), RIGID);
+        Position source = new Position(0, 0, 20);
+        Position sensor = new Position(20, 0, 20);
+        int band = OctaveBands.ONE_KILOHERTZ;
+        EnergyReading heard = Sites.read(COHERENT, plain, Sites.sound(source, band, Directivity.ROTOR), sensor, 1);
+        EnergyReading even = Sites.read(COHERENT, Sites.open(), Sites.sound(source, band), sensor, 1);
+        double direct = Levels.toRatio(Directivity.ROTOR.index(band, 0));
+        double length = Math.hypot(20, 40);
+        double air = 10 * Math.log10(even.direct().get(band)) + Levels.sphericalSpreading(20) - Sites.LW;
+        double reflected = Levels.toRatio(Directivity.ROTOR.index(band, Math.atan2(40, 20)))
+                * Math.pow(20 / length, 2)
+                * Levels.toRatio(air * (length - 20) / 20);
+        double expected = new GroundInterference(
+                        GroundImpedance.RIGID, 343.2, 20, length, 20, 20, 0, new TurbulentCoherence(0, 1))
+                .inBand(band, direct, reflected);
+        assertThat(heard.level(band) - even.level(band)).isCloseTo(Levels.ofRatio(expected), within(1e-3));
+    }
+
+    /** In a room other reflections outweigh; on a street between two walls, too. Their levels are those without phases. */
+    @Test
+    void whereWallsDominateEnergiesAdd() {
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("concrete_smooth", 0.05, 0));
+        Position source = new Position(2, 3, 1.5);
+        Position sensor = new Position(8, 6, 1.2);
+        assertThat(gains(COHERENT, room, source, sensor))
+                .containsExactly(gains(INCOHERENT, room, source, sensor), within(1e-9));
+
+        TriangleMesh street = World.merge(
+                List.of(Sites.square(300, 0), Sites.wall(1, -6, 0, 20, -300, 300), Sites.wall(1, 6, 0, 20, -300, 300)));
+        World canyon = Sites.world(street, SurfaceMaterial.uniform("concrete_smooth", 0.05, 0));
+        assertThat(gains(COHERENT, canyon, new Position(0, 0, 3), new Position(50, 0, 1.5)))
+                .containsExactly(
+                        gains(INCOHERENT, canyon, new Position(0, 0, 3), new Position(50, 0, 1.5)), within(1e-9));
+        // Beside one wall, ground and direct sound are still the strongest.
+        World facade =
+                Sites.world(World.merge(List.of(Sites.square(300, 0), Sites.wall(1, 30, 0, 20, -300, 300))), RIGID);
+        assertThat(gains(COHERENT, facade, new Position(0, 0, 3), new Position(50, 0, 1.5))[0])
+                .isGreaterThan(gains(INCOHERENT, facade, new Position(0, 0, 3), new Position(50, 0, 1.5))[0] + 1.5);
+    }
+
+    /** Where the drone is hidden, or flies over water that is not in the model, nothing changes. */
+    @Test
+    void withoutDirectSoundOrGroundEnergiesAdd() {
+        World wall = Sites.world(World.merge(List.of(Sites.square(300, 0), Sites.wall(0, 50, -100, 100, 0, 6))), RIGID);
+        assertThat(gains(COHERENT, wall, SOURCE, SENSOR)).containsExactly(gains(INCOHERENT, wall, SOURCE, SENSOR));
+        World nothing = Sites.open();
+        assertThat(gains(COHERENT, nothing, SOURCE, SENSOR)).containsExactly(new double[8], within(1e-9));
+    }
+
+    /** Rough ground scatters what comes from above; what grazes it, it mirrors. */
+    @Test
+    void whatIsScatteredDoesNotInterfere() {
+        SurfaceMaterial rough = SurfaceMaterial.uniform("perfect_mirror", 0, 0.5);
+        EnergyModel few = COHERENT.withRays(1);
+        World plain = Sites.world(Sites.square(1000, 0), rough);
+        double direct = Sites.read(few, plain, Sites.sound(new Position(0, 0, 10), 0), new Position(0, 0, 0), 1)
+                .direct()
+                .get(0);
+        double open = Sites.read(few, Sites.open(), Sites.sound(new Position(0, 0, 10), 0), new Position(0, 0, 0), 1)
+                .direct()
+                .get(0);
+        assertThat(direct / open).isCloseTo(Math.pow(1 + Math.sqrt(0.5), 2), within(1e-3));
+        double grazing = Sites.read(few, plain, Sites.sound(SOURCE, 0), SENSOR, 1)
+                .direct()
+                .get(0);
+        double smooth = Sites.read(few, Sites.world(Sites.square(1000, 0), RIGID), Sites.sound(SOURCE, 0), SENSOR, 1)
+                .direct()
+                .get(0);
+        assertThat(grazing / smooth).isCloseTo(1.0, within(2e-3));
+    }
+}
