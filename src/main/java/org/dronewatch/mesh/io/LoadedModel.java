@@ -44,10 +44,10 @@ public record LoadedModel(
         AABB bounds = mesh.bounds();
         return String.format(
                 Locale.ROOT,
-                "%s: %,d triangles (%d of zero area dropped), %.2f x %.2f x %.2f m along x, y, z, %d materials%s",
+                "%s: %,d triangles%s, %.2f x %.2f x %.2f m along x, y, z, %d materials%s",
                 name,
                 mesh.triangleCount(),
-                dropped,
+                dropped == 0 ? "" : String.format(Locale.ROOT, " (%,d of zero area dropped)", dropped),
                 bounds.maxX() - bounds.minX(),
                 bounds.maxY() - bounds.minY(),
                 bounds.maxZ() - bounds.minZ(),

@@ -149,7 +149,11 @@ class ObjStatementsTest {
 
     @Test
     void theDescriptionOfAFileWithoutSuchStatementsDoesNotMentionThem() throws IOException {
-        assertThat(load(TRIANGLE + "f 1 2 3\n").describe()).endsWith("1 materials");
+        assertThat(load(TRIANGLE + "f 1 2 3\n").describe())
+                .contains(": 1 triangles, ")
+                .endsWith("1 materials");
+        assertThat(load(TRIANGLE + "f 1 2 3\nf 1 2 2\n").describe())
+                .contains(": 1 triangles (1 of zero area dropped), ");
     }
 
     @Test
