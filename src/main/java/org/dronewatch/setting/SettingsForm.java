@@ -11,6 +11,7 @@ import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -163,6 +164,18 @@ public final class SettingsForm {
     /** Whether there is a record without anything filled in. */
     public boolean isCompleteByDefault() {
         return required.isEmpty();
+    }
+
+    /** Whether a part of a record has the value that it has where a file does not state it. */
+    public boolean isDefault(Record settings, RecordComponent part) {
+        if (required.contains(part.getName())) {
+            return false;
+        }
+        Map<String, Object> stated = new HashMap<>();
+        parts.stream()
+                .filter(one -> required.contains(one.getName()))
+                .forEach(one -> stated.put(one.getName(), get(settings, one)));
+        return get(settings, part).equals(get(byDefault(stated), part));
     }
 
     /** The value of a part. */

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Choices;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
@@ -21,7 +22,7 @@ final class Described {
     private Described() {}
 
     /**
-     * All components of a settings record except some.
+     * The components of a settings record, without minor ones at their defaults.
      *
      * @param without names of components that are shown elsewhere
      */
@@ -29,7 +30,8 @@ final class Described {
         List<String> parts = new ArrayList<>();
         SettingsForm form = SettingsForm.of(settings.getClass());
         for (RecordComponent part : form.parts()) {
-            if (!without.contains(part.getName())) {
+            boolean isTrivial = part.isAnnotationPresent(Minor.class) && form.isDefault(settings, part);
+            if (!isTrivial && !without.contains(part.getName())) {
                 value(SettingsForm.get(settings, part), SettingText.quantity(part))
                         .ifPresent(text -> parts.add(words(part.getName()) + " " + text));
             }

@@ -15,6 +15,7 @@ import org.dronewatch.sensor.acoustic.propagation.Propagation;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.World;
@@ -38,7 +39,7 @@ public record AcousticSettings(
         @In(value = Quantity.LEVEL, from = -100, to = 100) double threshold,
         @In(value = Quantity.LEVEL, from = 0, to = 60) double arrayGain,
         Propagation propagation,
-        boolean drawRays)
+        @Minor boolean drawRays)
         implements SensorSettings<AcousticSensor>, Outlined, SoundTracing, Thresholded {
     /**
      * Checks the limits.

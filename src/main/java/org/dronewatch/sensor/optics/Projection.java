@@ -3,6 +3,7 @@ package org.dronewatch.sensor.optics;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 
 /**
@@ -18,10 +19,10 @@ import org.dronewatch.setting.Quantity;
  * @param far nothing is seen whose distance along the axis is larger; at the default of 1000 km, no limit, m
  */
 public record Projection(
-        @In(value = Quantity.RATIO, from = -5, to = 5) double shiftRight,
-        @In(value = Quantity.RATIO, from = -5, to = 5) double shiftUp,
-        @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) double near,
-        @In(value = Quantity.LENGTH, above = 0, to = UNLIMITED) double far) {
+        @Minor @In(value = Quantity.RATIO, from = -5, to = 5) double shiftRight,
+        @Minor @In(value = Quantity.RATIO, from = -5, to = 5) double shiftUp,
+        @Minor @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) double near,
+        @Minor @In(value = Quantity.LENGTH, above = 0, to = UNLIMITED) double far) {
     /** A far plane from which on there is none, m. */
     private static final double UNLIMITED = 1e6;
 

@@ -15,6 +15,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
@@ -42,12 +43,12 @@ import org.dronewatch.setting.SettingsForm;
 public record ThermalSettings(
         Position position,
         Aim aim,
-        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double roll,
+        @Minor @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double roll,
         @In(value = Quantity.PIXELS, from = 1, to = 16_384) int width,
         @In(value = Quantity.PIXELS, from = 1, to = 16_384) int height,
         @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double fov,
         FieldOfView fovAxis,
-        Projection projection,
+        @Minor Projection projection,
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         @In(value = Quantity.TEMPERATURE_DIFFERENCE, from = 1e-6, to = 100) @Formerly("noise") double netd,
         @In(value = Quantity.RATIO, from = 1e-6, to = 1) double transmission,

@@ -9,6 +9,7 @@ import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.World;
@@ -37,9 +38,9 @@ public record LevelModel(
         @In(value = Quantity.ATTENUATION, from = 0, to = 1000) double attenuation,
         @In(value = Quantity.NUMBER, from = 0, to = 100) int maxOrder,
         @In(value = Quantity.NUMBER, from = 1, to = 50_000_000) int rayBudget,
-        Listening listening,
+        @Minor Listening listening,
         @In(value = Quantity.RATIO, from = 0, to = 1) Optional<Double> diffraction,
-        @In(value = Quantity.NUMBER, from = 1, to = 10_000) int transmittedRays)
+        @Minor @In(value = Quantity.NUMBER, from = 1, to = 10_000) int transmittedRays)
         implements Propagation {
 
     /** 10 initial rays, 10 reflections per hit, 0.05 dB/m, three orders, 200,000 ray segments. */
