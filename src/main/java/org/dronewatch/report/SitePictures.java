@@ -1,18 +1,17 @@
 package org.dronewatch.report;
 
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import javax.imageio.ImageIO;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Fineness;
 import org.dronewatch.render.Orbit;
+import org.dronewatch.render.RecordedRays;
 import org.dronewatch.render.SitePicture;
 import org.dronewatch.render.SiteState;
 import org.dronewatch.render.SiteStyle;
@@ -74,16 +73,16 @@ final class SitePictures {
                 : first.isPresent()
                         ? String.format(Locale.ROOT, "at the first detection, %.1f s after the start", time)
                         : "at the start";
-        double aspect = (double) width / height;
         List<Figure> figures = new ArrayList<>();
-        figures.add(figure(
-                Orbit.about(picture.frame(), aspect), state, "The site " + when + ". Fields of view are truncated."));
-        figures.add(figure(Orbit.top(picture.frame(), aspect), state, "The same seen from above, north up."));
+        figures.add(figure(overview(), state, "The site " + when + ". Fields of view are truncated."));
+        figures.add(figure(Orbit.top(picture.frame(), aspect()), state, "The same seen from above, north up."));
         AABB near = near();
         if (near.diagonal() < CLOSE * picture.frame().diagonal()) {
             boolean zone = run.settings().alert().protect().isPresent();
             figures.add(figure(
-                    Orbit.about(near, aspect), state, (zone ? "The protected zone" : "The sensors") + " in close-up."));
+                    Orbit.about(near, aspect()),
+                    state,
+                    (zone ? "The protected zone" : "The sensors") + " in close-up."));
         }
         return figures;
     }
@@ -121,13 +120,38 @@ final class SitePictures {
                 corners.stream().mapToDouble(Position::z).max().orElseThrow());
     }
 
+    /**
+     * The whole site with the rays of sound from a drone to a sensor.
+     *
+     * @param time when they left the drone
+     * @param detected whether they were detected
+     */
+    Figure ofRays(
+            String title, String sensor, String drone, double time, boolean detected, RecordedRays rays, String caption)
+            throws IOException {
+        SiteState state = picture.state(
+                title,
+                time,
+                (one, other) -> detected && one.equals(sensor) && other.equals(drone),
+                one -> pointings.at(one, time),
+                Optional.of(sensor),
+                Optional.of(rays));
+        return figure(overview(), state, caption);
+    }
+
+    private double aspect() {
+        return (double) width / height;
+    }
+
+    private Orbit overview() {
+        return Orbit.about(picture.frame(), aspect());
+    }
+
     private Figure figure(Orbit orbit, SiteState state, String caption) throws IOException {
         BufferedImage image = picture.draw(
                 picture.backdrop(orbit, width, height, picture.openRoof(state.time()), Fineness.FINE, () -> false),
                 state,
                 SiteStyle.DEFAULT);
-        ByteArrayOutputStream png = new ByteArrayOutputStream();
-        ImageIO.write(image, "png", png);
-        return new Figure(caption, png.toByteArray());
+        return Figure.of(caption, image);
     }
 }

@@ -74,7 +74,8 @@ final class SiteReport {
         int width = result.runs().size() < MANY_RUNS ? WIDTH : WIDTH_OF_MANY;
         SitePictures pictures = new SitePictures(run, itsLooks.stage(), itsLooks.pointings(), width);
         List<Figure> figures = new ArrayList<>(pictures.draw(result.scene()));
-        figures.addAll(new DetectionPictures(run, itsLooks.stage(), itsLooks.pointings(), width).draw(result.scene()));
+        figures.addAll(new DepthPictures(run, itsLooks.stage(), itsLooks.pointings()).draw());
+        figures.addAll(new RayPictures(run, itsLooks.stage(), pictures).draw(result.scene()));
         return new RunView(itsLooks.stage(), figures);
     }
 }

@@ -2,10 +2,12 @@ package org.dronewatch.run;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Observation;
 
 /**
  * The result of one run of a scene.
@@ -44,6 +46,15 @@ public record RunResult(
                 .filter(alert -> drones.get(alert.drone()).label().role() == ThreatLabel.Role.ATTACK)
                 .toList();
         return attacks.isEmpty() ? alerts : attacks;
+    }
+
+    /** The observation with which a sensor first detected a drone; empty for never. */
+    public Optional<Observation> firstDetection(String sensor) {
+        return events.stream()
+                .filter(DetectionEvent::gained)
+                .map(DetectionEvent::observation)
+                .filter(observation -> observation.sensor().equals(sensor))
+                .findFirst();
     }
 
     /** Distance at which a sensor first detected a drone, m: the farthest of the scene's drones; empty for never. */

@@ -17,6 +17,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
 import org.dronewatch.positioner.Pointing;
+import org.dronewatch.render.DroneFrame;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.DronePixels;
@@ -193,14 +194,12 @@ public final class CameraVisual extends JPanel {
                 }
             }
         }
-        double width = Math.max(SMALLEST * Scaled.factor(), (drone.columns() + 2) * sx);
-        double height = Math.max(SMALLEST * Scaled.factor(), (drone.rows() + 2) * sy);
-        double x = frame.x + (drone.left() + 0.5 * drone.columns()) * sx - 0.5 * width;
-        double y = frame.y + (drone.top() + 0.5 * drone.rows()) * sy - 0.5 * height;
+        Rectangle2D.Double about = DroneFrame.about(
+                drone, eye.settings().width(), eye.settings().height(), frame, SMALLEST * Scaled.factor());
         PairReading reading = readings.get(drone.drone());
         g.setColor(reading != null && reading.isEnough() ? DETECTED : UNDETECTED);
         g.setStroke(new BasicStroke(1.5f));
-        g.draw(new Rectangle2D.Double(x, y, width, height));
+        g.draw(about);
         if (frame.height < Scaled.px(LEGIBLE)) {
             return;
         }
@@ -208,7 +207,7 @@ public final class CameraVisual extends JPanel {
             // Beside the drone there would be no room.
             plate(g, frame, frame.x + 4, frame.y + 4, shortCount(drone));
         } else {
-            plate(g, frame, (int) (x + width + 4), (int) y, count(drone));
+            plate(g, frame, (int) (about.x + about.width + 4), (int) about.y, count(drone));
         }
     }
 

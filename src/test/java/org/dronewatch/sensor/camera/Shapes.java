@@ -15,23 +15,23 @@ import org.dronewatch.mesh.io.ModelSettings;
 import org.jogamp.vecmath.Vector3d;
 
 /** Meshes with known pictures. */
-final class Shapes {
+public final class Shapes {
     private Shapes() {}
 
     /** A rectangle between two opposite corners of equal x, y or z. */
-    static TriangleMesh rectangle(Position a, Position b, Position c) {
+    public static TriangleMesh rectangle(Position a, Position b, Position c) {
         Position d = a.plus(c.minus(b));
         return mesh(List.of(a, b, c, d), new int[] {0, 1, 2, 0, 2, 3});
     }
 
     /** A level square with its centre on the z axis. */
-    static TriangleMesh ground(double edge, double z) {
+    public static TriangleMesh ground(double edge, double z) {
         double h = edge / 2;
         return rectangle(new Position(-h, -h, z), new Position(h, -h, z), new Position(h, h, z));
     }
 
     /** A closed box. */
-    static TriangleMesh box(Position low, Position high) {
+    public static TriangleMesh box(Position low, Position high) {
         List<Position> corners = new ArrayList<>();
         for (int i = 0; i < 8; i++) {
             corners.add(new Position(
@@ -51,7 +51,7 @@ final class Shapes {
     }
 
     /** A sphere about the origin: an octahedron whose triangles were cut in four so many times. */
-    static TriangleMesh sphere(double radius, int cuts) {
+    public static TriangleMesh sphere(double radius, int cuts) {
         List<Position> points = new ArrayList<>(List.of(
                 new Position(1, 0, 0),
                 new Position(-1, 0, 0),
@@ -101,13 +101,13 @@ final class Shapes {
     }
 
     /** A drone of a mesh, with the mesh's origin at a place. */
-    static Drone drone(String id, TriangleMesh mesh, Position place) {
+    public static Drone drone(String id, TriangleMesh mesh, Position place) {
         DroneSettings settings = DroneSettings.of(ModelSettings.of("none.obj"), new Hover(place, 0.0));
         return new Drone(id, settings, KDTree.of(mesh)).move(place.toVector3d());
     }
 
     /** A drone in a random attitude at a random place of a cube about the origin. */
-    static Drone tumbled(Drone drone, double edge, Random random) {
+    public static Drone tumbled(Drone drone, double edge, Random random) {
         Vector3d place = new Vector3d(
                 edge * (random.nextDouble() - 0.5),
                 edge * (random.nextDouble() - 0.5),

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The report of the closed space shows what its camera saw, and the rays to its microphone if they are wanted. */
-class DetectionPicturesTest {
+class ReportPicturesTest {
     private static final Pattern FIGURE =
             Pattern.compile("base64,([^\"]+)\".*?<figcaption>(.*?)</figcaption>", Pattern.DOTALL);
 
