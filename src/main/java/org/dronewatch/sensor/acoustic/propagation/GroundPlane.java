@@ -1,15 +1,14 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.world.Clearance;
-import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The flat ground that reflects sound between two points: the plane that fits the surface under them best within the
- * first Fresnel zone about the point of reflection, where waves of one wavelength add up. The surface is what lies
- * straight below the line between the points and, within the zone, beside it. One per thread.
+ * The ground that reflects sound between two points, as a plane. Within the first Fresnel zone about the point of
+ * reflection, where waves of one wavelength add up, a plane or, where that is nearer, a surface that is convex along the
+ * path is fitted to the ground; the plane touches it where it reflects. The ground is what lies straight below the line
+ * between the points and, within the zone, beside it. One per thread.
  */
 public final class GroundPlane {
     /** Samples of the surface along the line and on each side of it. */
@@ -17,25 +16,26 @@ public final class GroundPlane {
 
     private static final int ACROSS = 3;
 
-    /** The zone follows from the point of reflection, and that from the plane in the zone: so many rounds. */
+    /** The zone follows from the point of reflection, and that from the surface in the zone: so many rounds. */
     private static final int ROUNDS = 2;
 
-    /** Farther from the plane than so many standard deviations of the ground a point is not of the ground. */
+    /** Parts of the profile below the line in which the first point of reflection is looked for. */
+    private static final int PROFILE = 32;
+
+    /** Farther from the surface than so many standard deviations of the ground a point is not of the ground. */
     private static final double SPREAD = 3.0;
 
     private static final double TOLERANCE = 1e-3;
 
-    private final TriangleMesh mesh;
-    private final Visibility visibility;
-    private final PlaneFit samples = new PlaneFit(ALONG * ACROSS);
-    private final double[] normal = new double[3];
+    /** How exactly the point of reflection is found, of the length of the zone, and the most steps to it. */
+    private static final double EXACT = 1e-9;
 
-    /** The frame: u runs along the ground from the first point to below the second, v to the left, z up. */
+    private static final int STEPS = 60;
+
+    private final GroundProfile profile;
+    private final SurfaceFit surface = new SurfaceFit(ALONG * ACROSS);
     private Position from;
-
     private Position to;
-    private double eastOfU;
-    private double northOfU;
     private double distance;
 
     /** The plane {@code z = level + slopeU u + slopeV v}. */
@@ -56,8 +56,7 @@ public final class GroundPlane {
 
     /** In a world. */
     public GroundPlane(World world) {
-        this.mesh = world.mesh();
-        this.visibility = new Visibility(world);
+        this.profile = new GroundProfile(world);
     }
 
     /**
@@ -71,11 +70,9 @@ public final class GroundPlane {
     public boolean find(Position first, Position second, double wavelength) {
         from = first;
         to = second;
-        distance = Math.hypot(to.x() - from.x(), to.y() - from.y());
-        boolean isBeside = distance > TOLERANCE;
-        eastOfU = isBeside ? (to.x() - from.x()) / distance : 1.0;
-        northOfU = isBeside ? (to.y() - from.y()) / distance : 0.0;
-        if (!beginBelow()) {
+        profile.between(first, second);
+        distance = profile.distance();
+        if (!begin()) {
             return false;
         }
         for (int round = 0; round < ROUNDS; round++) {
@@ -84,20 +81,46 @@ public final class GroundPlane {
                 return false;
             }
         }
-        return isSeen();
+        return Math.abs(reflectionV) <= halfWidth && isSeen();
     }
 
-    /** A first plane: level across, through the ground below the two points. */
-    private boolean beginBelow() {
-        double belowSecond = ground(distance, 0.0);
-        if (Double.isNaN(belowSecond)) {
+    /**
+     * A first point of reflection: where the path over the ground below the line is shortest (Fermat's principle), with the
+     * plane in which it would be a reflection.
+     */
+    private boolean begin() {
+        double shortest = Double.POSITIVE_INFINITY;
+        double below = Double.NaN;
+        for (int i = 0; i <= PROFILE; i++) {
+            // Denser towards both ends, near which sound from far above is reflected.
+            double u = distance * square(Math.sin(0.5 * Math.PI * i / PROFILE));
+            double z = profile.z(u, 0.0);
+            double length = Math.hypot(u, from.z() - z) + Math.hypot(distance - u, to.z() - z);
+            if (length < shortest) {
+                shortest = length;
+                reflectionU = u;
+                below = z;
+            }
+        }
+        if (shortest == Double.POSITIVE_INFINITY) {
             return false;
         }
-        double belowFirst = ground(0.0, 0.0);
-        level = Double.isNaN(belowFirst) ? belowSecond : belowFirst;
-        slopeU = distance > TOLERANCE ? (belowSecond - level) / distance : 0.0;
+        double before = Math.hypot(reflectionU, from.z() - below);
+        double after = Math.hypot(distance - reflectionU, to.z() - below);
+        double bisectorU = (distance - reflectionU) / after - reflectionU / before;
+        double bisectorZ = (from.z() - below) / before + (to.z() - below) / after;
+        if (!(bisectorZ > 0.0)) {
+            return false;
+        }
+        reflectionV = 0.0;
+        slopeU = -bisectorU / bisectorZ;
         slopeV = 0.0;
-        return reflect();
+        level = below - slopeU * reflectionU;
+        return setHeights();
+    }
+
+    private static double square(double value) {
+        return value * value;
     }
 
     private void setZone(double wavelength) {
@@ -110,35 +133,76 @@ public final class GroundPlane {
         lastU = Math.min(reflectionU + halfLength, distance + halfWidth);
     }
 
-    /** Fits the plane to the surface in the zone; at least half of the samples must be on some surface. */
+    /** Fits a surface to the ground in the zone; at least half of the samples must be on some surface. */
     private boolean fit() {
-        samples.clear();
+        surface.clear();
         for (int i = 0; i < ALONG; i++) {
             for (int j = 0; j < ACROSS; j++) {
                 double u = firstU + (lastU - firstU) * i / (ALONG - 1);
                 double v = halfWidth * (2.0 * j / (ACROSS - 1) - 1.0);
-                double z = ground(u, v);
+                double z = profile.z(u, v);
                 if (!Double.isNaN(z)) {
-                    samples.add(u, v, z);
+                    surface.add(u, v, z);
                 }
             }
         }
-        if (2 * samples.count() < ALONG * ACROSS || !samples.fit()) {
-            return false;
-        }
-        level = samples.level();
-        slopeU = samples.slopeU();
-        slopeV = samples.slopeV();
-        unevenness = samples.standardDeviation();
-        return true;
+        return 2 * surface.count() >= ALONG * ACROSS && surface.fit(firstU, lastU, halfWidth);
     }
 
-    /** Computes heights above the plane and the point of reflection; gives whether both points are above the plane. */
+    /**
+     * Finds the point of the fitted surface whose tangent plane reflects there. On a plane that is where any of its points
+     * leads, on a hill nearer than that.
+     */
     private boolean reflect() {
+        double low = firstU;
+        double high = lastU;
+        double ofLow = offset(low);
+        double ofHigh = offset(high);
+        if (!(ofLow >= 0.0) || !(ofHigh <= 0.0)) {
+            return false;
+        }
+        // Regula falsi, which is exact for a plane; the Illinois variant halves the figure of an end that stays.
+        double exact = EXACT * (lastU - firstU);
+        for (int step = 0; step < STEPS; step++) {
+            double u = low + (high - low) * ofLow / (ofLow - ofHigh);
+            double of = offset(u);
+            if (Math.abs(of) <= exact) {
+                break;
+            }
+            if (of > 0.0) {
+                low = u;
+                ofLow = of;
+                ofHigh *= 0.5;
+            } else {
+                high = u;
+                ofHigh = of;
+                ofLow *= 0.5;
+            }
+        }
+        return setHeights();
+    }
+
+    /** Computes the heights above the plane; gives whether both points are above it. */
+    private boolean setHeights() {
         heightOfFirst = above(0.0, 0.0, from.z());
         heightOfSecond = above(distance, 0.0, to.z());
-        if (!(heightOfFirst > 0.0) || !(heightOfSecond > 0.0)) {
-            return false;
+        return heightOfFirst > 0.0 && heightOfSecond > 0.0;
+    }
+
+    /**
+     * Lays the plane through a point of the surface above v = 0.
+     *
+     * @return how much farther along u the plane reflects; towards a point that is below the plane, where it is behind the
+     *     hill, and not a number where both are
+     */
+    private double offset(double u) {
+        slopeU = surface.slopeU(u);
+        slopeV = surface.slopeV();
+        level = surface.z(u, 0.0) - slopeU * u;
+        if (!setHeights()) {
+            boolean isFirstBelow = !(heightOfFirst > 0.0);
+            boolean isSecondBelow = !(heightOfSecond > 0.0);
+            return isFirstBelow && isSecondBelow ? Double.NaN : isFirstBelow ? -u : distance - u;
         }
         // The feet of both points' perpendiculars, and the point between them.
         double scale = 1.0 / Math.sqrt(1.0 + slopeU * slopeU + slopeV * slopeV);
@@ -149,55 +213,21 @@ public final class GroundPlane {
         double fraction = heightOfFirst / (heightOfFirst + heightOfSecond);
         reflectionU = footU + fraction * (otherU - footU);
         reflectionV = footV + fraction * (otherV - footV);
-        return true;
+        return reflectionU - u;
     }
 
     /** Bumps that are part of the unevenness hide nothing: waves pass over them. */
     private boolean isSeen() {
-        double z = ground(reflectionU, reflectionV);
+        double z = profile.z(reflectionU, reflectionV);
         if (Double.isNaN(z)) {
             return false;
         }
-        material = mesh.material(visibility.triangle());
-        Position at = new Position(
-                x(reflectionU, reflectionV),
-                y(reflectionU, reflectionV),
+        material = profile.material();
+        unevenness = surface.standardDeviation();
+        return profile.isSeen(
+                reflectionU,
+                reflectionV,
                 Math.max(z, planeZ(reflectionU, reflectionV)) + SPREAD * unevenness + Clearance.GAP);
-        return visibility.isFree(from, at) && visibility.isFree(to, at);
-    }
-
-    /**
-     * The height of the surface at a point, m; not a number if there is none. It is looked for downward from the line
-     * between the points; beside it, from as much higher as the point is away, which must be seen from the line.
-     */
-    private double ground(double u, double v) {
-        double nearest = Math.max(0.0, Math.min(distance, u));
-        double fraction = distance > TOLERANCE ? nearest / distance : 0.0;
-        // Straight above each other the line stands on the ground: its lower end is what is nearest to it.
-        double z = distance > TOLERANCE ? from.z() + fraction * (to.z() - from.z()) : Math.min(from.z(), to.z());
-        double aside = Math.hypot(u - nearest, v);
-        double x = x(u, v);
-        double y = y(u, v);
-        if (aside > 0.0 && !visibility.isFree(x(nearest, 0.0), y(nearest, 0.0), z, x, y, z + aside)) {
-            return Double.NaN;
-        }
-        if (!visibility.findFirstAlong(x, y, z + aside, 0.0, 0.0, -1.0, Double.POSITIVE_INFINITY)) {
-            return Double.NaN;
-        }
-        int triangle = visibility.triangle();
-        mesh.normal(triangle, normal);
-        return mesh.coordinate(triangle, 0, 2)
-                - (normal[0] * (x - mesh.coordinate(triangle, 0, 0))
-                                + normal[1] * (y - mesh.coordinate(triangle, 0, 1)))
-                        / normal[2];
-    }
-
-    private double x(double u, double v) {
-        return from.x() + eastOfU * u - northOfU * v;
-    }
-
-    private double y(double u, double v) {
-        return from.y() + northOfU * u + eastOfU * v;
     }
 
     private double planeZ(double u, double v) {
@@ -219,14 +249,12 @@ public final class GroundPlane {
 
     /** Whether a point is one of the ground in the zone, so that what it reflects is part of what the plane reflects. */
     public boolean covers(double x, double y, double z) {
-        double east = x - from.x();
-        double north = y - from.y();
-        double u = eastOfU * east + northOfU * north;
-        double v = eastOfU * north - northOfU * east;
+        double u = profile.u(x, y);
+        double v = profile.v(x, y);
         return u >= firstU - TOLERANCE
                 && u <= lastU + TOLERANCE
                 && Math.abs(v) <= halfWidth + TOLERANCE
-                && Math.abs(above(u, v, z)) <= SPREAD * unevenness + TOLERANCE;
+                && Math.abs(z - surface.z(u, v)) <= SPREAD * unevenness + TOLERANCE;
     }
 
     /** Distance of the first point from the plane, above 0, m. */
@@ -249,7 +277,7 @@ public final class GroundPlane {
         return (planeZ(reflectionU, reflectionV) - from.z()) / lengthBefore();
     }
 
-    /** Standard deviation of the ground's distance from the plane within the zone, m. */
+    /** Standard deviation of the ground's distance from the fitted surface within the zone, m. */
     public double unevenness() {
         return unevenness;
     }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -90,5 +91,28 @@ final class Sites {
 
     static EnergyReading read(EnergyModel model, World world, SoundSource source, Position sensor, long seed) {
         return new EnergyTracer(model, sensor, 0.4, world).trace(source, new SplittableRandom(seed), RayRecorder.NONE);
+    }
+
+    /** A square of terrain of cells of some size about the origin. */
+    static TriangleMesh terrain(double half, double cell, DoubleBinaryOperator height) {
+        int count = (int) Math.round(2 * half / cell);
+        float[] vertices = new float[3 * (count + 1) * (count + 1)];
+        int[] corners = new int[6 * count * count];
+        for (int j = 0; j <= count; j++) {
+            for (int i = 0; i <= count; i++) {
+                int at = 3 * (j * (count + 1) + i);
+                vertices[at] = (float) (i * cell - half);
+                vertices[at + 1] = (float) (j * cell - half);
+                vertices[at + 2] = (float) height.applyAsDouble(vertices[at], vertices[at + 1]);
+            }
+        }
+        for (int j = 0; j < count; j++) {
+            for (int i = 0; i < count; i++) {
+                int a = j * (count + 1) + i;
+                int c = a + count + 1;
+                System.arraycopy(new int[] {a, a + 1, c + 1, a, c + 1, c}, 0, corners, 6 * (j * count + i), 6);
+            }
+        }
+        return TriangleMesh.of(vertices, corners);
     }
 }

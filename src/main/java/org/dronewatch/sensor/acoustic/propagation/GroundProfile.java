@@ -1,0 +1,98 @@
+package org.dronewatch.sensor.acoustic.propagation;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
+
+/**
+ * The surface below the line between two points and beside it. Its frame: u runs level from below the first point to
+ * below the second, v to the left of it. One per thread.
+ */
+final class GroundProfile {
+    /** Points no farther apart than this, m, are straight above each other. */
+    private static final double BESIDE = 1e-3;
+
+    private final TriangleMesh mesh;
+    private final Visibility visibility;
+    private final double[] normal = new double[3];
+    private Position from;
+    private Position to;
+    private double eastOfU;
+    private double northOfU;
+    private double distance;
+
+    GroundProfile(World world) {
+        this.mesh = world.mesh();
+        this.visibility = new Visibility(world);
+    }
+
+    /** Puts the line between two points, m. */
+    void between(Position first, Position second) {
+        from = first;
+        to = second;
+        distance = Math.hypot(to.x() - from.x(), to.y() - from.y());
+        eastOfU = distance > BESIDE ? (to.x() - from.x()) / distance : 1.0;
+        northOfU = distance > BESIDE ? (to.y() - from.y()) / distance : 0.0;
+    }
+
+    /** The level distance of the two points, m. */
+    double distance() {
+        return distance;
+    }
+
+    /** Whether both points see a point at a height, m. */
+    boolean isSeen(double u, double v, double z) {
+        Position at = new Position(x(u, v), y(u, v), z);
+        return visibility.isFree(from, at) && visibility.isFree(to, at);
+    }
+
+    /**
+     * The height of the surface at a point, m; not a number if there is none. It is looked for downward from the line
+     * between the points; beside it, from as much higher as the point is away, which must be seen from the line.
+     */
+    double z(double u, double v) {
+        double nearest = Math.max(0.0, Math.min(distance, u));
+        double fraction = distance > BESIDE ? nearest / distance : 0.0;
+        // Straight above each other the line stands on the ground: its lower end is what is nearest to it.
+        double z = distance > BESIDE ? from.z() + fraction * (to.z() - from.z()) : Math.min(from.z(), to.z());
+        double aside = Math.hypot(u - nearest, v);
+        double x = x(u, v);
+        double y = y(u, v);
+        if (aside > 0.0 && !visibility.isFree(x(nearest, 0.0), y(nearest, 0.0), z, x, y, z + aside)) {
+            return Double.NaN;
+        }
+        if (!visibility.findFirstAlong(x, y, z + aside, 0.0, 0.0, -1.0, Double.POSITIVE_INFINITY)) {
+            return Double.NaN;
+        }
+        int triangle = visibility.triangle();
+        mesh.normal(triangle, normal);
+        return mesh.coordinate(triangle, 0, 2)
+                - (normal[0] * (x - mesh.coordinate(triangle, 0, 0))
+                                + normal[1] * (y - mesh.coordinate(triangle, 0, 1)))
+                        / normal[2];
+    }
+
+    private double x(double u, double v) {
+        return from.x() + eastOfU * u - northOfU * v;
+    }
+
+    private double y(double u, double v) {
+        return from.y() + northOfU * u + eastOfU * v;
+    }
+
+    /** The mesh's number of the material that {@link #z} has found last. */
+    int material() {
+        return mesh.material(visibility.triangle());
+    }
+
+    /** The coordinate u of a position. */
+    double u(double x, double y) {
+        return eastOfU * (x - from.x()) + northOfU * (y - from.y());
+    }
+
+    /** The coordinate v of a position. */
+    double v(double x, double y) {
+        return eastOfU * (y - from.y()) - northOfU * (x - from.x());
+    }
+}
