@@ -71,7 +71,7 @@ public class AcousticTracing {
         private AcousticSensor levels;
         private RayTracer traversal;
 
-        /** Sensors with scratch memory of their own. */
+        /** Sensors with separate scratch memory. */
         @Setup(Level.Trial)
         public void listen(AcousticTracing site) {
             random = new SplittableRandom(1);

@@ -38,7 +38,7 @@ final class Simulation {
         return history.stage().orElseGet(() -> runner.stage(settings));
     }
 
-    /** Whether a drone is steered, so that only a simulation tells where it is. */
+    /** Whether any drone is steered, so that its position is known only once the run is simulated. */
     static boolean isSteered(SceneSettings settings) {
         return settings.drones().values().stream().anyMatch(drone -> drone.flight() instanceof Steered);
     }

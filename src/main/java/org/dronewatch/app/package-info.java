@@ -1,2 +1,2 @@
-/** The command line: reads what is asked, runs it, reports. No logic of its own. */
+/** The command line: reads what is asked, runs it, reports. It has no logic. */
 package org.dronewatch.app;

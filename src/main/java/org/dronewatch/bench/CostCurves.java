@@ -13,7 +13,7 @@ import java.util.List;
  * @param lines the lines
  */
 public record CostCurves(String name, String title, String xLabel, String yLabel, List<Line> lines) {
-    /** Keeps its own list. */
+    /** Copies the list: later changes by the caller have no effect. */
     public CostCurves {
         lines = List.copyOf(lines);
     }
@@ -26,7 +26,7 @@ public record CostCurves(String name, String title, String xLabel, String yLabel
      * @param y the cost
      */
     public record Line(String name, List<Double> x, List<Double> y) {
-        /** Keeps its own lists. */
+        /** Copies the lists: later changes by the caller have no effect. */
         public Line {
             x = List.copyOf(x);
             y = List.copyOf(y);

@@ -105,7 +105,7 @@ public record DroneSettings(
         checkSound(sound, spectrum.isPresent());
     }
 
-    /** A sound of one's own has any name; without it the name must be in the table. */
+    /** A sound with its own spectrum may have any name; otherwise the name must be in the table. */
     private static void checkSound(String name, boolean own) {
         if (own && name.isBlank()) {
             throw new IllegalArgumentException("sound '" + name + "' must be a name");

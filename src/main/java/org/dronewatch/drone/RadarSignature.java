@@ -36,7 +36,7 @@ public record RadarSignature(
     }
 
     /**
-     * Checks the limits and keeps its own list.
+     * Checks the limits and copies the list.
      *
      * @throws IllegalArgumentException if a value is out of range
      */

@@ -10,7 +10,7 @@ import java.util.List;
  * @param sensors names of the sensors on which it rests, in the order in which they detected it
  */
 public record Alert(int contact, double time, List<String> sensors) {
-    /** Keeps its own list. */
+    /** Copies the list: later changes by the caller have no effect. */
     public Alert {
         sensors = List.copyOf(sensors);
     }

@@ -62,7 +62,7 @@ public record PositionerSettings(
             Optional.empty());
 
     /**
-     * Checks the limits and keeps its own list.
+     * Checks the limits and copies the list.
      *
      * @throws IllegalArgumentException if a value is out of range
      */

@@ -13,7 +13,7 @@ import org.dronewatch.geometry.Position;
  * @param detected whether a sensor detects it now
  */
 public record DroneMark(Drone drone, List<Position> flown, List<Position> toCome, boolean detected) {
-    /** Keeps its own lists. */
+    /** Copies the lists: later changes by the caller have no effect. */
     public DroneMark {
         flown = List.copyOf(flown);
         toCome = List.copyOf(toCome);

@@ -20,7 +20,7 @@ public record SiteState(
         List<DroneMark> drones,
         Optional<String> selected,
         Optional<RecordedRays> rays) {
-    /** Keeps its own lists. */
+    /** Copies the lists: later changes by the caller have no effect. */
     public SiteState {
         sensors = List.copyOf(sensors);
         drones = List.copyOf(drones);

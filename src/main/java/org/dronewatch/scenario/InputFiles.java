@@ -22,7 +22,7 @@ import org.dronewatch.setting.file.FileHash;
  *     settings give it
  */
 public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, List<FileHash>> models) {
-    /** Keeps its own lists. */
+    /** Copies the lists: later changes by the caller have no effect. */
     public InputFiles {
         scene = List.copyOf(scene);
         models = Collections.unmodifiableMap(new LinkedHashMap<>(models));

@@ -17,7 +17,7 @@ public record PriceSettings(String currency, Map<String, Double> sensors) {
     @Defaults
     public static final PriceSettings DEFAULT = new PriceSettings("EUR", Map.of());
 
-    /** Checks the limits and keeps its own map. */
+    /** Checks the limits and copies the map. */
     public PriceSettings {
         if (!Check.present("currency", currency).matches("[A-Za-z]{1,12}")) {
             throw new IllegalArgumentException("currency '" + currency + "' must be 1 to 12 letters");

@@ -47,7 +47,7 @@ public record SceneSettings(
     /** Maximum number of looks of one sensor in a run: ten per second for more than a hundred days. */
     public static final int MOST_LOOKS = 100_000_000;
 
-    /** Checks ids and keeps its own maps. */
+    /** Checks ids and copies the maps. */
     public SceneSettings {
         Check.present("world", world);
         Check.present("alert", alert);

@@ -42,7 +42,7 @@ public sealed interface SweepSettings {
      * @param values its values, with units or without; 1 to 10,000
      */
     record Values(String parameter, List<String> values) implements SweepSettings {
-        /** Checks the limits and keeps its own list. */
+        /** Checks the limits and copies the list. */
         public Values {
             Limits.check(Values.class, parameter, values);
             values = List.copyOf(values);

@@ -14,7 +14,7 @@ import java.util.List;
  */
 public record Curve(String name, String title, String xTitle, String yTitle, List<Double> x, List<Double> y) {
 
-    /** Keeps its own lists. */
+    /** Copies the lists: later changes by the caller have no effect. */
     public Curve {
         x = List.copyOf(x);
         y = List.copyOf(y);

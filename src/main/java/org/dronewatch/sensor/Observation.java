@@ -25,7 +25,7 @@ public record Observation(
     /** The figure of a sensor that knows how likely its look was to detect the drone. */
     public static final String PROBABILITY = "probability";
 
-    /** Keeps its own figures, in their order. */
+    /** Copies the figures, in their order. */
     public Observation {
         figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
     }

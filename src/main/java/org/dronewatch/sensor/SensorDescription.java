@@ -16,7 +16,7 @@ import java.util.Map;
 public record SensorDescription(
         String measures, String weakness, List<String> leavesOut, Map<Condition, String> ignoredConditions) {
 
-    /** Keeps its own lists. */
+    /** Copies the lists: later changes by the caller have no effect. */
     public SensorDescription {
         leavesOut = List.copyOf(leavesOut);
         ignoredConditions = Map.copyOf(ignoredConditions);

@@ -3,7 +3,7 @@ package org.dronewatch.sensor;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Settings of a sensor that compares what it receives with a threshold of its own, which can be fitted to a range that the sensor is
+ * Settings of a sensor that compares what it receives with a threshold, which can be fitted to a range that the sensor is
  * known to have. A capability: {@link SensorSettings#as}.
  */
 public interface Thresholded {

@@ -7,7 +7,7 @@ import java.util.List;
 /**
  * What a kind of drone sounds like.
  *
- * @param name its name in the table, or any name for a sound of one's own
+ * @param name its name in the table, or any name for a sound that is not in it
  * @param level A-weighted sound power level, dB re 1 pW
  * @param shape A-weighted level of each octave band over that of the loudest, dB
  * @param basis whether the spectrum was measured or is assumed
@@ -23,7 +23,7 @@ public record DroneSound(String name, double level, List<Double> shape, Basis ba
         ASSUMED
     }
 
-    /** Keeps its own list. */
+    /** Copies the list: later changes by the caller have no effect. */
     public DroneSound {
         shape = List.copyOf(shape);
         if (shape.size() != OctaveBands.COUNT) {
@@ -56,7 +56,7 @@ public record DroneSound(String name, double level, List<Double> shape, Basis ba
     }
 
     /**
-     * A sound of one's own from the sound power levels of its octave bands, as a measurement to ISO 3744 states them.
+     * A sound from the sound power levels of its octave bands, as a measurement to ISO 3744 states them.
      *
      * @param name any name
      * @param power levels without weighting, dB re 1 pW

@@ -15,7 +15,7 @@ import org.dronewatch.sensor.Measurement;
  * @param measurements what the sensor reports of the contact: none, one or several
  */
 public record ContactLook(int contact, String sensor, double time, double probability, List<Measurement> measurements) {
-    /** Keeps its own list. */
+    /** Copies the list: later changes by the caller have no effect. */
     public ContactLook {
         measurements = List.copyOf(measurements);
     }

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A run in a process of its own that is asked to end in its middle. */
+/** A run in a separate process that is asked to end in its middle. */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there a process can only be killed")
 class InterruptionTest {
     @TempDir

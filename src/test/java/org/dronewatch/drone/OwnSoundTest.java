@@ -64,7 +64,7 @@ class OwnSoundTest {
         }
     }
 
-    /** A packaged name with other figures is a sound of one's own. */
+    /** A packaged name with other figures is a sound that is not in the table. */
     @Test
     void theFiguresCountNotTheName() {
         DroneSound packaged = DroneSounds.get("hexacopter");

@@ -32,7 +32,7 @@ public record FuzzCase(String what, Map<String, byte[]> files, Map<String, Strin
     private static final String SPECIAL = "special.";
     private static final String ARGUMENT_SEPARATOR = " | ";
 
-    /** Keeps its own collections, sorted by path. */
+    /** Copies the collections, sorted by path. */
     public FuzzCase {
         files = new TreeMap<>(files);
         specials = new TreeMap<>(specials);

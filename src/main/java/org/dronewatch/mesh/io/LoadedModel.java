@@ -31,7 +31,7 @@ public record LoadedModel(
         List<FileHash> files,
         List<String> warnings) {
 
-    /** Keeps its own lists. */
+    /** Copies the lists: later changes by the caller have no effect. */
     public LoadedModel {
         skipped = Collections.unmodifiableMap(new TreeMap<>(skipped));
         colours = Map.copyOf(colours);

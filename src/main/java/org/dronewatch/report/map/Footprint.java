@@ -8,7 +8,7 @@ import org.dronewatch.sensor.Outline;
 
 /** The footprint of a sensor's field of view, ignoring obstructions. */
 final class Footprint {
-    /** A camera has no range of its own: one that detects nothing is drawn this far, m. */
+    /** A camera has no stated range: one that detects nothing is drawn this far, m. */
     static final double UNKNOWN_REACH = 100.0;
 
     /** A radar without a practical limit of range is drawn this far, m. */

@@ -15,7 +15,7 @@ sealed interface Shape {
      * @param positions two or more
      */
     record Line(List<GeoPoint> positions) implements Shape {
-        /** Keeps its own list. */
+        /** Copies the list: later changes by the caller have no effect. */
         public Line {
             positions = List.copyOf(positions);
         }
@@ -27,7 +27,7 @@ sealed interface Shape {
      * @param rings its edge, counterclockwise, and then its holes, clockwise; each ends where it begins
      */
     record Area(List<List<GeoPoint>> rings) implements Shape {
-        /** Keeps its own lists. */
+        /** Copies the lists: later changes by the caller have no effect. */
         public Area {
             rings = rings.stream().map(List::copyOf).toList();
         }

@@ -19,7 +19,7 @@ import org.dronewatch.setting.file.FileHash;
  * @param inputs the settings, scene files and models
  */
 public record Provenance(Instant date, List<String> command, InputFiles inputs) {
-    /** Keeps its own list. */
+    /** Copies the list: later changes by the caller have no effect. */
     public Provenance {
         date = date.truncatedTo(ChronoUnit.SECONDS);
         command = List.copyOf(command);

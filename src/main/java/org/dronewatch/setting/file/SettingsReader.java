@@ -154,7 +154,7 @@ final class SettingsReader {
                     ? map(inner[1], quantity, mapping, path)
                     : failed(node, path, "must be values by name, one per line, as in 'name: value'");
         }
-        // A class with a parameter of its own, such as the settings of a sensor of whatever kind.
+        // A class with a type parameter, such as the settings of a sensor of whatever kind.
         return read(type.getRawType(), quantity, node, path);
     }
 
