@@ -1,5 +1,6 @@
 package org.dronewatch.geometry;
 
+import java.util.Collection;
 import org.jogamp.vecmath.Point3d;
 
 /**
@@ -24,6 +25,36 @@ public record AABB(double minX, double minY, double minZ, double maxX, double ma
             throw new IllegalArgumentException("box [" + minX + ", " + minY + ", " + minZ + "] to [" + maxX + ", "
                     + maxY + ", " + maxZ + "] must have each minimum at or below its maximum");
         }
+    }
+
+    /**
+     * The smallest box around points.
+     *
+     * @throws IllegalArgumentException when there are none, or a coordinate is not a number
+     */
+    public static AABB around(Collection<Position> points) {
+        if (points.isEmpty()) {
+            throw new IllegalArgumentException("a box around no points");
+        }
+        double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        for (Position point : points) {
+            double[] at = {point.x(), point.y(), point.z()};
+            for (int axis = 0; axis < 3; axis++) {
+                low[axis] = Math.min(low[axis], at[axis]);
+                high[axis] = Math.max(high[axis], at[axis]);
+            }
+        }
+        return new AABB(low[0], low[1], low[2], high[0], high[1], high[2]);
+    }
+
+    /**
+     * This box with some room on all sides.
+     *
+     * @param room how far each face moves outwards, m
+     */
+    public AABB grown(double room) {
+        return new AABB(minX - room, minY - room, minZ - room, maxX + room, maxY + room, maxZ + room);
     }
 
     /** The smallest box around this one and another. */

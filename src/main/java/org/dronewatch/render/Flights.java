@@ -73,12 +73,9 @@ public final class Flights {
         List<Position> all = new ArrayList<>();
         positions.values().forEach(all::addAll);
         settings.enabledSensors().values().forEach(sensor -> all.add(sensor.position()));
-        double lowX = all.stream().mapToDouble(Position::x).min().orElse(0.0);
-        double lowY = all.stream().mapToDouble(Position::y).min().orElse(0.0);
-        double lowZ = all.stream().mapToDouble(Position::z).min().orElse(0.0);
-        double highX = all.stream().mapToDouble(Position::x).max().orElse(0.0);
-        double highY = all.stream().mapToDouble(Position::y).max().orElse(0.0);
-        double highZ = all.stream().mapToDouble(Position::z).max().orElse(0.0);
-        return new AABB(lowX - ROOM, lowY - ROOM, lowZ - ROOM, highX + ROOM, highY + ROOM, highZ + ROOM);
+        if (all.isEmpty()) {
+            all.add(new Position(0, 0, 0));
+        }
+        return AABB.around(all).grown(ROOM);
     }
 }

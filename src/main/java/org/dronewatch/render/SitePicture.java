@@ -118,13 +118,7 @@ public final class SitePicture {
             corners.add(zone.centre().plus(reach));
             corners.add(zone.centre().minus(reach));
         });
-        return new AABB(
-                corners.stream().mapToDouble(Position::x).min().orElseThrow(),
-                corners.stream().mapToDouble(Position::y).min().orElseThrow(),
-                corners.stream().mapToDouble(Position::z).min().orElseThrow(),
-                corners.stream().mapToDouble(Position::x).max().orElseThrow(),
-                corners.stream().mapToDouble(Position::y).max().orElseThrow(),
-                corners.stream().mapToDouble(Position::z).max().orElseThrow());
+        return AABB.around(corners);
     }
 
     /** The colours of the kinds of sensors. */

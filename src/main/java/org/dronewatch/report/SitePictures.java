@@ -107,17 +107,7 @@ final class SitePictures {
                 corners.add(sensor.position().minus(margin));
             });
         }
-        return corners.isEmpty() ? picture.frame() : boxOf(corners);
-    }
-
-    private static AABB boxOf(List<Position> corners) {
-        return new AABB(
-                corners.stream().mapToDouble(Position::x).min().orElseThrow(),
-                corners.stream().mapToDouble(Position::y).min().orElseThrow(),
-                corners.stream().mapToDouble(Position::z).min().orElseThrow(),
-                corners.stream().mapToDouble(Position::x).max().orElseThrow(),
-                corners.stream().mapToDouble(Position::y).max().orElseThrow(),
-                corners.stream().mapToDouble(Position::z).max().orElseThrow());
+        return corners.isEmpty() ? picture.frame() : AABB.around(corners);
     }
 
     /**

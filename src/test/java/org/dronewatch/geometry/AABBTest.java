@@ -3,6 +3,7 @@ package org.dronewatch.geometry;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.util.List;
 import org.jogamp.vecmath.Point3d;
 import org.junit.jupiter.api.Test;
 
@@ -52,6 +53,19 @@ class AABBTest {
     void theUnionHoldsBoth() {
         assertThat(BOX.union(new AABB(0, -3, 3, 5, 1, 4))).isEqualTo(new AABB(-1, -3, 2, 5, 4, 6));
         assertThat(BOX.union(BOX)).isEqualTo(BOX);
+    }
+
+    @Test
+    void isTheSmallestAroundPoints() {
+        assertThat(AABB.around(List.of(new Position(1, 4, 2), new Position(-1, 0, 6), new Position(0, 2, 3))))
+                .isEqualTo(BOX);
+        assertThat(AABB.around(List.of(new Position(1, -2, 3)))).isEqualTo(new AABB(1, -2, 3, 1, -2, 3));
+        assertThatIllegalArgumentException().isThrownBy(() -> AABB.around(List.of()));
+    }
+
+    @Test
+    void growsOnAllSides() {
+        assertThat(BOX.grown(0.5)).isEqualTo(new AABB(-1.5, -0.5, 1.5, 1.5, 4.5, 6.5));
     }
 
     @Test
