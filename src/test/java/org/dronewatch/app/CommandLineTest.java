@@ -6,79 +6,20 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.awt.GraphicsEnvironment;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.Positioners;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
-class CommandLineTest {
-    private static final JsonMapper JSON = JsonMapper.builder().build();
+class CommandLineTest extends CommandLines {
     private static final String TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-
-    @TempDir
-    private Path directory;
-
-    private record Outcome(int code, String out, String err) {}
-
-    private Outcome command(String... arguments) {
-        StringWriter out = new StringWriter();
-        StringWriter err = new StringWriter();
-        int code = Main.execute(new PrintWriter(out, true), new PrintWriter(err, true), arguments);
-        return new Outcome(code, out.toString(), err.toString());
-    }
-
-    /** Runs a command line in which DIR stands for the test's directory. */
-    private Outcome commandIn(String line) {
-        return command(Stream.of(line.split("\\s+"))
-                .filter(word -> !word.isEmpty())
-                .map(word -> word.replace("DIR", directory.toString()))
-                .toArray(String[]::new));
-    }
-
-    private Map<String, String> files() throws IOException {
-        Map<String, String> files = new TreeMap<>();
-        try (Stream<Path> all = Files.walk(directory)) {
-            for (Path file : all.filter(Files::isRegularFile).toList()) {
-                files.put(
-                        directory.relativize(file).toString().replace('\\', '/'),
-                        new String(Files.readAllBytes(file), java.nio.charset.StandardCharsets.ISO_8859_1));
-            }
-        }
-        return files;
-    }
-
-    private void assertRefused(String line, String... parts) throws IOException {
-        Map<String, String> before = files();
-        Outcome outcome = commandIn(line);
-        assertThat(outcome.code()).as(outcome.err()).isEqualTo(2);
-        assertThat(outcome.out()).isEmpty();
-        assertThat(outcome.err().strip())
-                .isNotEmpty()
-                .doesNotContain("Exception")
-                .doesNotContain("\tat ");
-        String last = outcome.err().strip().lines().reduce((a, b) -> b).orElseThrow();
-        assertThat(last).contains(parts);
-        // What was read well is noted before the mistake; the mistake itself takes one line.
-        assertThat(outcome.err().strip().lines().filter(text -> !text.startsWith("read ")))
-                .hasSize(1);
-        assertThat(files()).isEqualTo(before);
-    }
 
     @ParameterizedTest
     @CsvSource(
@@ -181,85 +122,6 @@ class CommandLineTest {
         assertRefused("run camera-range --out DIR/file", "file", "is a file");
         assertRefused("run camera-range --out DIR/file/below", "file", "is a file");
         assertRefused("render camera-range --camera camera --time 1 --out DIR/file/a.png", "file", "no directory");
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {0, 3, 10, 27, 29})
-    void aRayFileOfTheWrongSizeIsRefused(int bytes) throws IOException {
-        Files.writeString(directory.resolve("model.obj"), TRIANGLE + "f 1 2 3\n");
-        byte[] file = new byte[bytes];
-        if (bytes > 4) {
-            file[0] = 1;
-        }
-        Files.write(directory.resolve("bad.rays"), file);
-
-        assertRefused("bench DIR/model.obj --rays DIR/bad.rays --hits DIR/hits", "bad.rays");
-    }
-
-    @Test
-    void aRayWithoutDirectionIsRefused() throws IOException {
-        Files.writeString(directory.resolve("model.obj"), TRIANGLE + "f 1 2 3\n");
-        Files.write(directory.resolve("bad.rays"), rays(new float[] {0, 0, 0, 0, 0, 0}));
-        assertRefused("bench DIR/model.obj --rays DIR/bad.rays", "ray 0", "direction");
-        Files.write(directory.resolve("bad.rays"), rays(new float[] {0, 0, Float.NaN, 0, 0, 1}));
-        assertRefused("bench DIR/model.obj --rays DIR/bad.rays", "ray 0", "NaN");
-    }
-
-    private static byte[] rays(float[]... rays) {
-        ByteBuffer buffer = ByteBuffer.allocate(4 + 24 * rays.length).order(ByteOrder.LITTLE_ENDIAN);
-        buffer.putInt(rays.length);
-        for (float[] ray : rays) {
-            for (float value : ray) {
-                buffer.putFloat(value);
-            }
-        }
-        return buffer.array();
-    }
-
-    @Test
-    void benchTracesTheRaysOfAFile() throws IOException {
-        Files.writeString(directory.resolve("model.obj"), TRIANGLE + "v 1 1 1\nf 1 2 2\nf 1 2 3\n");
-        Files.write(
-                directory.resolve("my.rays"),
-                rays(new float[] {0.2f, 0.2f, -2, 0, 0, 1}, new float[] {0.2f, 0.2f, -2, 0, 0, -1}));
-        for (String traversal : List.of("stack", "sequential")) {
-            Outcome outcome =
-                    commandIn("bench DIR/model.obj --rays DIR/my.rays --hits DIR/my.hits --passes 2 --threads 2"
-                            + " --traversal " + traversal);
-
-            assertThat(outcome.code()).isZero();
-            JsonNode line = JSON.readTree(outcome.out());
-            assertThat(line.get("set").asString()).isEqualTo("file");
-            assertThat(line.get("rays").asInt()).isEqualTo(2);
-            assertThat(line.get("hits").asInt()).isEqualTo(1);
-            assertThat(line.get("traversal").asString()).isEqualTo(traversal);
-            assertThat(line.get("threads").asInt()).isEqualTo(2);
-            assertThat(line.get("mrays_min").asDouble())
-                    .isLessThanOrEqualTo(line.get("mrays").asDouble());
-            assertThat(line.get("mrays").asDouble())
-                    .isLessThanOrEqualTo(line.get("mrays_max").asDouble());
-            assertThat(line.has("build_s")).isTrue();
-            ByteBuffer hits = ByteBuffer.wrap(Files.readAllBytes(directory.resolve("my.hits")))
-                    .order(ByteOrder.LITTLE_ENDIAN);
-            // The triangle without area is dropped, but counts: the hit is the file's second triangle.
-            assertThat(hits.getFloat()).isEqualTo(2.0f);
-            assertThat(hits.getInt()).isEqualTo(1);
-            assertThat(hits.getFloat()).isInfinite();
-            assertThat(hits.getInt()).isEqualTo(-1);
-            assertThat(hits.hasRemaining()).isFalse();
-        }
-    }
-
-    @Test
-    void benchMakesCameraAndDiffuseRaysItself() {
-        Outcome outcome = commandIn("bench packaged:house.obj --passes 1");
-
-        assertThat(outcome.code()).isZero();
-        assertThat(outcome.out().lines()).hasSize(2);
-        assertThat(outcome.out()
-                        .lines()
-                        .map(line -> JSON.readTree(line).get("set").asString()))
-                .containsExactly("camera", "diffuse");
     }
 
     @Test
@@ -380,122 +242,6 @@ class CommandLineTest {
         assertThat(Files.size(directory.resolve("view.pfm")))
                 .isEqualTo("Pf\n480 270\n-1.0\n".length() + 4L * 480 * 270);
         assertThat(files()).containsOnlyKeys("view.png", "view.pfm");
-    }
-
-    /** The same files for the same seed, whatever the number of threads, but for what depends on the clock. */
-    @Test
-    void aRunWritesTheSameFilesForAnyNumberOfThreads() throws IOException {
-        String scene = "run camera-range --observations --set sensors.camera.width=480 --set sensors.camera.height=270"
-                + " --seed 5 --out DIR/";
-        assertThat(commandIn(scene + "one --threads 1").code()).isZero();
-        assertThat(commandIn(scene + "two --threads 2").code()).isZero();
-        assertThat(commandIn(scene + "again --threads 2").code()).isZero();
-
-        Map<String, String> files = files();
-        List<String> names = files.keySet().stream()
-                .filter(name -> name.startsWith("one/"))
-                .map(name -> name.substring(4))
-                .toList();
-        assertThat(names)
-                .contains(
-                        "detections.csv",
-                        "observations.csv",
-                        "summary.json",
-                        "result.json",
-                        "provenance.json",
-                        "plots/range-over-sensors-camera-fov.png");
-        assertThat(files).hasSize(3 * names.size());
-        for (String name : names) {
-            // These say when and how the run was made; ProvenanceTest looks at them.
-            if (!List.of("provenance.json", "summary.json", "report.html").contains(name)) {
-                assertThat(files.get("two/" + name)).as(name).isEqualTo(files.get("one/" + name));
-                assertThat(files.get("again/" + name)).as(name).isEqualTo(files.get("one/" + name));
-            }
-        }
-    }
-
-    @Test
-    void theFilesOfARunAreWhatScriptsRelyOn() throws IOException {
-        Outcome outcome = commandIn("run camera-range --out DIR/results --set sensors.camera.fov=0.6 --seed 9");
-        assertThat(outcome.code()).as(outcome.err()).isZero();
-
-        JsonNode summary = JSON.readTree(Files.readString(directory.resolve("results/summary.json")));
-        for (String key : List.of("scene", "seed", "threads", "simulated_s", "load_s", "build_s", "wall_s")) {
-            assertThat(summary.has(key)).as(key).isTrue();
-        }
-        assertThat(summary.get("scene").asString()).isEqualTo("camera-range");
-        assertThat(summary.get("seed").asLong()).isEqualTo(9);
-        assertThat(summary.get("simulated_s").asDouble()).isEqualTo(39.0);
-        assertThat(summary.get("real_time_factor").asDouble()).isPositive();
-        assertThat(summary.get("complete").asBoolean()).isTrue();
-        assertThat(summary.has("sweep")).isFalse();
-        JsonNode pair = summary.get("pairs").get(0);
-        assertThat(pair.get("sensor").asString()).isEqualTo("camera");
-        assertThat(pair.get("kind").asString()).isEqualTo("camera");
-        assertThat(pair.get("drone").asString()).isEqualTo("quadrotor");
-        assertThat(pair.get("range_m").asDouble()).isBetween(50.0, 200.0);
-        assertThat(pair.get("max_range_m").asDouble())
-                .isGreaterThanOrEqualTo(pair.get("range_m").asDouble());
-
-        List<String> rows = Files.readAllLines(directory.resolve("results/detections.csv"));
-        assertThat(rows.get(0)).isEqualTo("run,time_s,event,sensor,kind,drone,range_m,value,threshold,unit,heard_s");
-        assertThat(rows.get(1))
-                .startsWith("0,")
-                .contains(",gained,camera,camera,quadrotor,")
-                .containsPattern(",12,px,[0-9.]+$");
-    }
-
-    @Test
-    void theRaysOfARunAreLinesThatAModelProgramReads() throws IOException {
-        Outcome outcome = commandIn("run closed-space --out DIR/results --rays DIR/rays.obj");
-        assertThat(outcome.code()).as(outcome.err()).isZero();
-
-        List<String> lines = Files.readAllLines(directory.resolve("rays.obj"));
-        long pieces = lines.stream().filter(line -> line.startsWith("l ")).count();
-        assertThat(pieces).isGreaterThan(1000);
-        assertThat(lines.stream().filter(line -> line.startsWith("v "))).hasSize((int) (2 * pieces));
-        assertThat(lines).contains("g microphone_quadrotor_order_0_received");
-        // The first ray leads from the drone, 5 m east and 5 m up, to the microphone.
-        assertThat(lines).contains("v 5.0000 5.0000 0.0000", "v -5.0000 5.0000 0.0000");
-        assertThat(outcome.err().lines().filter(line -> line.startsWith("read cathedral")))
-                .as("models are read once")
-                .hasSize(1);
-    }
-
-    @Test
-    void aRunKeepsTheOtherFilesOfItsDirectory() throws IOException {
-        Path results = Files.createDirectory(directory.resolve("results"));
-        Files.writeString(results.resolve("notes.txt"), "mine");
-        Files.writeString(results.resolve("observations.csv"), "of an older run");
-
-        commandIn("run camera-range --out DIR/results --set sensors.camera.fov=1 --set run.duration=1");
-
-        assertThat(files()).containsEntry("results/notes.txt", "mine");
-        assertThat(files()).containsKey("results/summary.json").doesNotContainKey("results/observations.csv");
-    }
-
-    @Test
-    void onlyASceneWithAnOriginHasMaps() throws IOException {
-        String scene =
-                """
-                world: {models: [{file: site.obj, upAxis: z}]ORIGIN}
-                drones: {one: {model: packaged:quadrotor.obj, flight: {kind: hover, position: [0, 40, 10]}}}
-                sensors: {eye: {kind: camera, position: [0, 0, 2], aim: {lookAt: [0, 40, 10]}}}
-                run: {duration: 0.5 s}
-                """;
-        Files.writeString(directory.resolve("site.obj"), TRIANGLE + "f 1 2 3\n");
-        Path file = directory.resolve("site.yaml");
-        Files.writeString(file, scene.replace("ORIGIN", ", origin: {latitude: 50.08 deg, longitude: 14.42 deg}"));
-        Outcome outcome = commandIn("run DIR/site.yaml --out DIR/results");
-        assertThat(outcome.code()).as(outcome.err()).isZero();
-        assertThat(files().get("results/map.geojson")).contains("eye detects one", "50.08");
-        assertThat(files().get("results/map.kml")).contains("eye detects one", "14.42,50.08,2");
-
-        Files.writeString(file, scene.replace("ORIGIN", ""));
-        assertThat(commandIn("run DIR/site.yaml --out DIR/results").code()).isZero();
-        assertThat(files())
-                .containsKey("results/summary.json")
-                .doesNotContainKeys("results/map.geojson", "results/map.kml");
     }
 
     @Test

@@ -1,28 +1,25 @@
 package org.dronewatch.report.html;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.dronewatch.report.html.ReportPage.parsed;
+import static org.dronewatch.report.html.ReportPage.report;
+import static org.dronewatch.report.html.ReportPage.texts;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import javax.xml.parsers.DocumentBuilderFactory;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Yard;
-import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.Pointings;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Aim;
@@ -31,52 +28,13 @@ import org.dronewatch.sensor.radar.LinkBudget;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.w3c.dom.Document;
-import org.w3c.dom.Element;
-import org.w3c.dom.NodeList;
-import org.xml.sax.SAXException;
 
 class HtmlReportTest {
     private static final List<String> QUADROTOR = List.of("quadrotor");
 
     @TempDir
     private Path directory;
-
-    private static String report(Scene scene, List<Figure> figures) throws IOException {
-        SceneRunner runner = new SceneRunner(scene);
-        Looks looks = new Looks();
-        SceneResult result = runner.listener(looks).run();
-        ByteArrayOutputStream page = new ByteArrayOutputStream();
-        new HtmlReport(
-                        result,
-                        looks,
-                        run -> new RunView(runner.stage(run.settings()), figures),
-                        List.of(),
-                        Map.of("program", "dronewatch <1>"))
-                .write(page);
-        return page.toString(StandardCharsets.UTF_8);
-    }
-
-    private static Document parsed(String page) throws IOException {
-        try {
-            return DocumentBuilderFactory.newInstance()
-                    .newDocumentBuilder()
-                    .parse(new ByteArrayInputStream(page.getBytes(StandardCharsets.UTF_8)));
-        } catch (SAXException | javax.xml.parsers.ParserConfigurationException e) {
-            throw new AssertionError(e);
-        }
-    }
-
-    private static List<String> texts(Document page, String tag) {
-        NodeList nodes = page.getElementsByTagName(tag);
-        List<String> texts = new ArrayList<>();
-        for (int i = 0; i < nodes.getLength(); i++) {
-            texts.add(nodes.item(i).getTextContent().strip());
-        }
-        return texts;
-    }
 
     @Test
     void saysWhoFoundTheGliderAndWhyTheOthersDidNot() throws IOException {
@@ -157,226 +115,6 @@ class HtmlReportTest {
                 .allMatch(text -> text.startsWith("always too slow for the sensor (radial speed below 1.0 m/s)"));
         assertThat(texts(document, "td"))
                 .anyMatch(text -> text.startsWith("always too fast for the sensor (radial speed above 60 m/s)"));
-    }
-
-    @Test
-    void aSwarmHasOneRowWithAFoldOfItsDrones() throws IOException {
-        Path file = directory.resolve("swarm.yaml");
-        Files.writeString(
-                file,
-                """
-                world: {models: [packaged:hill.obj]}
-                drones:
-                  x:
-                    model: packaged:quadrotor.obj
-                    flight: {kind: hover, position: [0, 50, 150]}
-                    swarm: 25
-                    label: {role: decoy, platform: fixed-wing, powerSource: fuel-cell, weight: 2.5 kg, size: 180 cm}
-                sensors:
-                  radar: {use: droneshield-radarone, position: [0, 0, 140], aim: {azimuth: 0, elevation: 0}}
-                run: {duration: 1}
-                """);
-        Document document = parsed(report(new SceneFile(file), List.of()));
-
-        assertThat(texts(document, "td").stream().filter("decoy, fixed-wing, fuel-cell, 2.5 kg, 1.8 m"::equals))
-                .hasSize(1);
-        assertThat(texts(document, "td").stream().filter("x (25 drones, decoy)"::equals))
-                .as("alert, detections and misses")
-                .hasSize(3);
-        assertThat(texts(document, "summary")).contains("Each drone of the swarms");
-        assertThat(texts(document, "td")).contains("x-1", "x-25");
-        assertThat(texts(document, "p")).contains("None of the 25 drones of swarm 'x' is detected.");
-    }
-
-    /** The camera looks past the leader. */
-    @Test
-    void theVerdictNamesTheDroneOfASwarmThatIsDetectedFirst() throws IOException {
-        Path file = directory.resolve("column.yaml");
-        Files.writeString(
-                file,
-                """
-                world: {models: [packaged:hill.obj]}
-                drones:
-                  x:
-                    model: packaged:quadrotor.obj
-                    flight: {kind: hover, position: [0, 50, 150]}
-                    swarm: {count: 3, spacing: 40}
-                    speed: 10 m/s
-                sensors: {camera: {kind: camera, position: [0, 0, 145], aim: {azimuth: 40 deg, elevation: 5 deg}}}
-                alert: {protect: {centre: [0, 0, 140], radius: 20 m}, response: 5 s}
-                run: {duration: 2}
-                """);
-        SceneRunner runner = new SceneRunner(new SceneFile(file));
-        SceneResult result = runner.run();
-        String first = result.pairs().stream()
-                .filter(pair -> pair.firstDetected().isPresent())
-                .min(Comparator.comparingDouble(pair -> pair.firstDetected().getAsDouble()))
-                .orElseThrow()
-                .drone();
-        assertThat(first).isNotEqualTo("x-1");
-        String verdict = new Verdict(result.runs().get(0)).inWords();
-
-        assertThat(verdict)
-                .startsWith("1 of the 3 drones of swarm 'x' is detected; the first is '" + first
-                        + "', detected by 'camera'")
-                .contains(
-                        "An alert is raised for 1 of the swarm's 3 drones, in time for none (required response time: 5 s).");
-        assertThat(texts(parsed(report(new SceneFile(file), List.of())), "p")).contains(verdict);
-    }
-
-    @ParameterizedTest
-    @CsvSource({
-        "1 m, 3, All 3 drones of swarm 'x' are detected; the first is",
-        "1 m, 1, 'x-1' is first detected",
-    })
-    void theVerdictCountsTheDronesOfASwarmInPlainEnglish(String spacing, int count, String beginning)
-            throws IOException {
-        Path file = directory.resolve("swarm.yaml");
-        Files.writeString(
-                file,
-                """
-                world: {models: [packaged:hill.obj]}
-                drones:
-                  x:
-                    model: packaged:quadrotor.obj
-                    flight: {kind: hover, position: [0, 50, 150]}
-                    swarm: {count: %d, spacing: %s}
-                sensors: {camera: {kind: camera, position: [0, 0, 150], aim: {azimuth: 0 deg, elevation: 0 deg}}}
-                run: {duration: 2}
-                """
-                        .formatted(count, spacing));
-        assertThat(new Verdict(new SceneRunner(new SceneFile(file)).run().runs().get(0)).inWords())
-                .startsWith(beginning);
-    }
-
-    @Test
-    void tablesOfASiteWithManySensorsAndDronesStayShort() throws IOException {
-        Path file = directory.resolve("many.yaml");
-        StringBuilder scene = new StringBuilder("world: {models: [packaged:hill.obj]}\ndrones:\n");
-        for (int i = 0; i < 10; i++) {
-            scene.append("  x")
-                    .append(i)
-                    .append(": {model: packaged:quadrotor.obj, flight: {kind: hover, position: [")
-                    .append(i)
-                    .append(", 50, 150]}RADIO}\n");
-        }
-        scene.append("sensors:\n");
-        for (int i = 0; i < 13; i++) {
-            scene.append("  s")
-                    .append(i)
-                    .append(": {use: droneshield-rfone, position: [")
-                    .append(i)
-                    .append(", 0, 147]}\n");
-        }
-        scene.append("run: {duration: 1}\n");
-        Files.writeString(file, scene.toString().replace("RADIO", ""));
-        Document all = parsed(report(new SceneFile(file), List.of()));
-        assertThat(texts(all, "td").stream().filter("rf"::equals)).hasSize(60 + 13);
-        assertThat(texts(all, "p"))
-                .noneMatch(text -> text.contains("without a detection"))
-                .contains("70 more pairs of sensor and drone are not shown.");
-
-        Files.writeString(file, scene.toString().replace("RADIO", ", radio: {control: fibre}"));
-        Document none = parsed(report(new SceneFile(file), List.of()));
-        assertThat(texts(none, "p"))
-                .contains("130 pairs of sensor and drone without a detection are not shown.")
-                .contains("70 more pairs of sensor and drone are not shown.");
-        assertThat(texts(none, "td")).contains("always radio-silent (fibre); the closest approach was 50 m");
-    }
-
-    /** A quadrotor that comes from behind is seen too late; the verdict over the runs says so, and run 0 is not all. */
-    @Test
-    void theVerdictCoversAllRunsOfASweep() throws IOException {
-        Document document = parsed(report(sweep(12), List.of(new Figure("site", new byte[] {1}))));
-
-        String verdict = texts(document, "p").get(0);
-        List<AlertResult> alerts = new SceneRunner(sweep(12)).run().alerts();
-        long alerted = alerts.stream().filter(alert -> alert.time().isPresent()).count();
-        long inTime =
-                alerts.stream().filter(alert -> alert.inTime().orElse(false)).count();
-        assertThat(inTime).isPositive().isLessThan(alerted);
-        assertThat(alerted).isLessThan(12);
-        assertThat(alerts.get(0).inTime()).as("run 0 alone looks well").contains(true);
-        assertThat(verdict)
-                .startsWith("In " + alerted
-                        + " of 12 runs an alert is raised for every drone (not for bearing 30 deg, 60 deg")
-                .contains("In " + inTime
-                        + " of 12 runs the alert is in time, at least 4.5 s before the drone can reach the"
-                        + " protected zone (not for bearing 30 deg")
-                .endsWith("The worst run is run 1 (bearing 30 deg): 'quadrotor' is not detected by any sensor. No"
-                        + " alert is raised.");
-        NodeList folds = document.getElementsByTagName("details");
-        assertThat(folds.getLength()).isEqualTo(12);
-        for (int i = 0; i < folds.getLength(); i++) {
-            Element fold = (Element) folds.item(i);
-            assertThat(fold.hasAttribute("open")).as("fold %d", i).isEqualTo(i == 1);
-            assertThat(fold.getElementsByTagName("summary").item(0).getTextContent())
-                    .isEqualTo("Run " + i + " (bearing " + 30 * i + " deg)");
-            assertThat(fold.getElementsByTagName("img").getLength()).isEqualTo(1);
-            assertThat(fold.getElementsByTagName("svg").getLength()).isEqualTo(1);
-            assertThat(fold.getElementsByTagName("table").getLength()).isGreaterThanOrEqualTo(2);
-        }
-        assertThat(texts(document, "p")).anyMatch(text -> text.endsWith("are measured clockwise from north."));
-        assertThat(texts(document, "td")).as("no radians").noneMatch(text -> text.matches("bearing [0-9]\\.[0-9]+"));
-    }
-
-    /** A decoy that hovers in view all the time must make no run look better, and not worse either. */
-    @Test
-    void dronesThatDoNotAttackAreNotCountedOverRuns() throws IOException {
-        sweep(12);
-        Path file = directory.resolve("sweep.yaml");
-        String decoy =
-                """
-                drones:
-                  decoy:
-                    model: packaged:quadrotor.obj
-                    flight: {kind: hover, position: [-30, 30, 150]}
-                    label: {role: decoy}
-                """;
-        Files.writeString(file, Files.readString(file).replaceFirst("drones:\n", decoy));
-        Document document = parsed(report(new SceneFile(file), List.of()));
-
-        assertThat(texts(document, "p").get(0))
-                .contains("of 12 runs an alert is raised for every attacking drone (not for bearing 30 deg")
-                .contains("Only attacking drones are counted. The worst run is run 1 (bearing 30 deg)");
-        List<String> cells = texts(document, "td");
-        int row = cells.indexOf("bearing 30 deg");
-        assertThat(cells.subList(row + 1, row + 7)).containsExactly("0 of 1", "-", "never", "-", "0 of 1", "never");
-    }
-
-    /** Memory and file stay in bounds: the first run and the worst are shown in full, each run has a row. */
-    @Test
-    void ofVeryManyRunsOnlyTheWorstAreShownInFull() throws IOException {
-        Document document = parsed(report(sweep(36), List.of()));
-
-        assertThat(texts(document, "summary")).hasSize(9).contains("Run 0 (bearing 0 deg)", "Run 9 (bearing 90 deg)");
-        assertThat(texts(document, "p"))
-                .anyMatch(text -> text.startsWith("The first run and the 8 worst of all 36 are detailed below"));
-        assertThat(texts(document, "td").stream().filter(text -> text.matches("bearing \\d+ deg")))
-                .hasSize(36);
-    }
-
-    /** A camera that looks north, with a drone that comes from all sides. */
-    private Scene sweep(int count) throws IOException {
-        Path file = directory.resolve("sweep.yaml");
-        Files.writeString(
-                file,
-                """
-                world: {models: [packaged:hill.obj]}
-                drones:
-                  quadrotor:
-                    model: packaged:quadrotor.obj
-                    flight: {kind: inbound, target: [0, 0, 145], bearing: 0 deg, distance: 100 m, standoff: 15 m}
-                    speed: 10 m/s
-                sensors:
-                  west: {kind: camera, position: [0, 0, 145], aim: {azimuth: -50 deg, elevation: 5 deg}, fov: 120 deg, fovAxis: horizontal, rate: 2}
-                alert: {protect: {centre: [0, 0, 145], radius: 10 m}, response: 4.5 s}
-                run: {duration: 9}
-                sweep: {parameter: drones.quadrotor.flight.bearing, from: 0 deg, to: LAST deg, count: COUNT}
-                """
-                        .replace("LAST", Integer.toString(360 - 360 / count))
-                        .replace("COUNT", Integer.toString(count)));
-        return new SceneFile(file);
     }
 
     /** Sound that is heard long before the drone comes into view is not late by 0 s. */
