@@ -42,6 +42,10 @@ record SiteAdvice(SceneSettings settings, World world) {
             target.accept("no acoustic surface is assigned to " + String.join(", ", leftOver) + ": treated as '"
                     + surfaces.defaultSurface() + "'");
         }
+        surfaces.unused(world.mesh().materialNames())
+                .forEach(name -> target.accept("world.surfaces.own." + name
+                        + " has no effect: no material of the models has this surface; they are "
+                        + String.join(", ", world.mesh().materialNames())));
     }
 
     /** The swept setting, if it is a switch: then other runs of the scene may have sensors. */

@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.function.Function;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.OneForAll;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.Kinds;
 import tools.jackson.databind.node.ArrayNode;
@@ -102,7 +103,7 @@ final class ValueSchema {
         return schema;
     }
 
-    /** As a list of numbers, as one text, or by name. */
+    /** As a list of numbers, as one text, by name, or as one number where that stands for all. */
     private void putNumbers(ArrayNode any, Class<?> type) {
         int count = SettingsForm.of(type).parts().size();
         ObjectNode list = any.addObject();
@@ -111,6 +112,9 @@ final class ValueSchema {
         list.put("minItems", count);
         list.put("maxItems", count);
         any.addObject().put("type", "string");
+        if (type.isAnnotationPresent(OneForAll.class)) {
+            any.addObject().put("type", "number");
+        }
         any.addObject().put("$ref", reference.apply(type));
     }
 

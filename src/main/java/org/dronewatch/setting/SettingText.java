@@ -6,6 +6,7 @@ import java.lang.reflect.Type;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -158,10 +159,13 @@ public final class SettingText {
     /**
      * A record of numbers only.
      *
-     * @param texts one for each part
+     * @param texts one for each part, or a single one where it may stand for all: {@link OneForAll}
      * @throws IllegalArgumentException when there are more or fewer, or one is not a number
      */
     public static Record numbers(SettingsForm form, List<String> texts) {
+        if (texts.size() == 1 && form.parts().size() > 1 && form.type().isAnnotationPresent(OneForAll.class)) {
+            return numbers(form, Collections.nCopies(form.parts().size(), texts.get(0)));
+        }
         if (texts.size() != form.parts().size()) {
             throw new IllegalArgumentException("'" + String.join(", ", texts) + "' has " + texts.size()
                     + (texts.size() == 1 ? " number" : " numbers") + ", must have "

@@ -4,11 +4,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.OneForAll;
 import org.dronewatch.setting.Quantity;
 
 /**
  * A spectrum: one level for each octave band, dB, relative to a reference that depends on where it is used. Every level
- * is finite, and in a scene's settings -200 to 200 dB; nothing at all is written as a very low level, such as -200 dB.
+ * is finite, and in a scene's settings -200 to 200 dB; nothing at all is written as a very low level, such as -200 dB. In
+ * a scene file eight numbers, or one for all bands.
  *
  * @param hz63 level of the band at 63 Hz, -200 to 200 dB in settings
  * @param hz125 level of the band at 125 Hz, -200 to 200 dB in settings
@@ -19,6 +21,7 @@ import org.dronewatch.setting.Quantity;
  * @param hz4000 level of the band at 4 kHz, -200 to 200 dB in settings
  * @param hz8000 level of the band at 8 kHz, -200 to 200 dB in settings
  */
+@OneForAll
 public record BandLevels(
         @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz63,
         @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz125,

@@ -3,6 +3,7 @@ package org.dronewatch.sound;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
@@ -19,6 +20,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param wall whether one surface is the whole wall
  * @param speed speed of sound inside, m/s; empty if unknown or opaque
  * @param source where the figures come from
+ * @param angular absorption over the angle of incidence; {@code absorption} is then its mean for sound from all directions
+ *     alike. Empty if it is the same at all angles
  */
 public record SurfaceMaterial(
         String name,
@@ -27,7 +30,8 @@ public record SurfaceMaterial(
         List<Double> transmissionLoss,
         Wall wall,
         OptionalDouble speed,
-        String source) {
+        String source,
+        Optional<AngularAbsorption> angular) {
 
     /** How a wall is drawn in a mesh. */
     public enum Wall {
@@ -50,9 +54,30 @@ public record SurfaceMaterial(
         transmissionLoss = List.copyOf(transmissionLoss);
         Check.present("wall", wall);
         Check.present("speed", speed);
+        Check.present("angular", angular);
         if (!transmissionLoss.isEmpty()) {
             checkTransmission(name, absorption, transmissionLoss);
+            List<Double> losses = transmissionLoss;
+            angular.ifPresent(byAngle -> byAngle.table()
+                    .forEach(row -> checkTransmission(name, row.absorption().toList(), losses)));
         }
+    }
+
+    /**
+     * A material that absorbs the same at all angles.
+     *
+     * @throws IllegalArgumentException if a fraction is not 0 to 1, a loss is negative, or more than all would be
+     *     reflected and transmitted together
+     */
+    public SurfaceMaterial(
+            String name,
+            List<Double> absorption,
+            List<Double> scattering,
+            List<Double> transmissionLoss,
+            Wall wall,
+            OptionalDouble speed,
+            String source) {
+        this(name, absorption, scattering, transmissionLoss, wall, speed, source, Optional.empty());
     }
 
     private static List<Double> shares(String what, String name, List<Double> values) {
@@ -82,9 +107,18 @@ public record SurfaceMaterial(
         }
     }
 
-    /** The fraction that is reflected in a band. */
+    /** The fraction that is reflected in a band, of sound from all directions alike. */
     public double reflected(int band) {
         return 1.0 - absorption.get(band);
+    }
+
+    /**
+     * The fraction that is reflected in a band.
+     *
+     * @param cosine of the angle between the sound and the normal, 0 to 1
+     */
+    public double reflected(int band, double cosine) {
+        return angular.map(byAngle -> 1.0 - byAngle.at(band, cosine)).orElseGet(() -> reflected(band));
     }
 
     /** The fraction that is transmitted in a band, 0 for an opaque wall. */

@@ -4,62 +4,98 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.sound.OwnSurface;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterials;
 
 /**
- * The acoustic surfaces of the materials in the model files. A material that is not listed here but whose name is in
- * the table of surfaces uses that entry; all others use the {@code defaultSurface}.
+ * The acoustic surfaces of the materials in the model files. A material that is not listed here but whose name is
+ * that of a surface in {@code own} or in the table uses that surface; all others use the {@code defaultSurface}.
  *
- * @param materials names in the table of surfaces, by names of materials in the model files
- * @param defaultSurface name in the table of surfaces for all other materials
+ * @param materials names of surfaces, from {@code own} or the table of surfaces, by names of materials in the model files
+ * @param defaultSurface name of the surface for all other materials
+ * @param own surfaces of the scene's own by name, in place of those of the same name in the table
  */
-public record SurfaceSettings(Map<String, String> materials, @Formerly("otherwise") String defaultSurface) {
+public record SurfaceSettings(
+        Map<String, String> materials, @Formerly("otherwise") String defaultSurface, Map<String, OwnSurface> own) {
     /** No material is assigned a surface; all use the table's ordinary hard surface unless their own name is in the table. */
     @Defaults
-    public static final SurfaceSettings DEFAULT = new SurfaceSettings(Map.of(), SurfaceMaterials.SOLID);
+    public static final SurfaceSettings DEFAULT = new SurfaceSettings(Map.of(), SurfaceMaterials.SOLID, Map.of());
 
-    /**
-     * Looks all names up and keeps its own map.
-     *
-     * @throws IllegalArgumentException when the table has no such name
-     */
+    /** Keeps its own maps. Names are looked up by {@link #checkNames}, which {@link WorldSettings} calls. */
     public SurfaceSettings {
         materials = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("materials", materials)));
         Check.present("defaultSurface", defaultSurface);
+        own = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("own", own)));
+    }
+
+    /**
+     * Looks all names up.
+     *
+     * @throws IllegalArgumentException when there is no surface of such a name
+     */
+    public void checkNames() {
+        materials.forEach((ofTheModel, name) -> checkName("materials." + ofTheModel, name));
+        checkName("defaultSurface", defaultSurface);
+    }
+
+    private void checkName(String path, String name) {
         try {
-            materials.values().forEach(SurfaceMaterials::get);
-            SurfaceMaterials.get(defaultSurface);
+            named(name);
         } catch (InputException e) {
-            throw new IllegalArgumentException(e.getMessage(), e);
+            String also = own.isEmpty() ? "" : "; the scene's own are " + String.join(", ", own.keySet());
+            throw new IllegalArgumentException(path + ": " + e.getMessage() + also, e);
         }
     }
 
-    /** These settings with a surface for one more material of the model files. */
-    public SurfaceSettings with(String ofTheModel, String ofTheTable) {
+    private SurfaceMaterial named(String name) {
+        return find(name).orElseGet(() -> SurfaceMaterials.get(name));
+    }
+
+    private Optional<SurfaceMaterial> find(String name) {
+        return own.containsKey(name) ? Optional.of(own.get(name).material(name)) : SurfaceMaterials.find(name);
+    }
+
+    /** These settings with a surface, of the scene's own or of the table, for one more material of the model files. */
+    public SurfaceSettings with(String ofTheModel, String surface) {
         Map<String, String> more = new LinkedHashMap<>(materials);
-        more.put(ofTheModel, ofTheTable);
-        return new SurfaceSettings(more, defaultSurface);
+        more.put(ofTheModel, surface);
+        return new SurfaceSettings(more, defaultSurface, own);
+    }
+
+    /** These settings with one more surface of the scene's own. */
+    public SurfaceSettings withOwn(String name, OwnSurface surface) {
+        Map<String, OwnSurface> more = new LinkedHashMap<>(own);
+        more.put(name, surface);
+        return new SurfaceSettings(materials, defaultSurface, more);
     }
 
     /** The surface of a material of a model file. */
     public SurfaceMaterial of(String ofTheModel) {
         String name = materials.get(ofTheModel);
         if (name != null) {
-            return SurfaceMaterials.get(name);
+            return named(name);
         }
-        return SurfaceMaterials.find(ofTheModel).orElseGet(() -> SurfaceMaterials.get(defaultSurface));
+        return find(ofTheModel).orElseGet(() -> named(defaultSurface));
     }
 
     /** Of the given model materials, those without a known surface, to which the default surface applies. */
     public List<String> leftOver(List<String> ofTheModels) {
         return ofTheModels.stream()
-                .filter(name -> !materials.containsKey(name)
-                        && SurfaceMaterials.find(name).isEmpty())
+                .filter(name -> !materials.containsKey(name) && find(name).isEmpty())
                 .toList();
+    }
+
+    /** The surfaces of the scene's own that none of the given model materials has. */
+    public List<String> unused(List<String> ofTheModels) {
+        Set<String> used = ofTheModels.stream().map(name -> of(name).name()).collect(Collectors.toSet());
+        return own.keySet().stream().filter(name -> !used.contains(name)).toList();
     }
 }

@@ -46,7 +46,7 @@ public record WorldSettings(
     /**
      * Checks the limits and keeps its own list.
      *
-     * @throws IllegalArgumentException if a value is out of range
+     * @throws IllegalArgumentException if a value is out of range, or a surface has an unknown name
      */
     public WorldSettings {
         Limits.check(
@@ -60,6 +60,11 @@ public record WorldSettings(
                 light,
                 origin,
                 tracing);
+        try {
+            surfaces.checkNames();
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("surfaces." + e.getMessage(), e);
+        }
         models = List.copyOf(models);
         if (models.isEmpty()) {
             throw new IllegalArgumentException("models is empty: a world needs at least one");

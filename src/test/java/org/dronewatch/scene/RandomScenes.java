@@ -20,6 +20,8 @@ import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.Kinds;
+import org.dronewatch.sound.BandFractions;
+import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.DroneSounds;
 import org.dronewatch.sound.SurfaceMaterials;
 import org.dronewatch.world.GroundPoint;
@@ -161,6 +163,11 @@ public final class RandomScenes {
             case "DroneSettings.model" -> Optional.of(model(BOX));
             case "DroneSettings.sound" -> Optional.of(oneOf(List.copyOf(DroneSounds.names())));
             case "SurfaceSettings.materials" -> Optional.of(Map.of("grass", surface()));
+            case "OwnSurface.absorption" ->
+                Optional.of(Optional.of(BandFractions.flat(0.1 + 0.9 * random.nextDouble())));
+            case "OwnSurface.absorptionByAngle" -> Optional.of(List.of());
+            case "OwnSurface.transmissionLoss" ->
+                Optional.of(Optional.of(BandLevels.flat(10.0 + 90.0 * random.nextDouble())));
             case "SurfaceSettings.defaultSurface" -> Optional.of(surface());
             default -> Optional.of(value(part.getGenericType(), part, type));
         };

@@ -23,6 +23,12 @@ import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.camera.PixelThreshold;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.sound.AbsorptionAtAngle;
+import org.dronewatch.sound.BandFractions;
+import org.dronewatch.sound.BandLevels;
+import org.dronewatch.sound.OwnSurface;
+import org.dronewatch.sound.SurfaceMaterial.Wall;
+import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.WorldSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -103,6 +109,54 @@ class SceneFileTest {
                 .filteredOn(observation -> observation.sensor().equals("microphone"))
                 .isNotEmpty()
                 .allMatch(observation -> observation.value() > 30.0);
+    }
+
+    @Test
+    void surfacesMayBeWrittenInTheScene() throws IOException {
+        SceneSettings scene = read(
+                """
+                world:
+                  models: [packaged:hill.obj]
+                  surfaces:
+                    materials: {grass: foam, rock: panel}
+                    own:
+                      panel: {absorption: 30 %, scattering: [0, 0, 0, 0, 0.5, 0.5, 1, 1], transmissionLoss: 20 dB, wall: solid}
+                      foam: {absorptionByAngle: [{angle: 0, absorption: 0.9}, {angle: 60 deg, absorption: 0.5}]}
+                """);
+
+        SurfaceSettings surfaces = SurfaceSettings.DEFAULT
+                .withOwn(
+                        "panel",
+                        OwnSurface.absorbing(0.3)
+                                .withScattering(BandFractions.of(0, 0, 0, 0, 0.5, 0.5, 1, 1))
+                                .withTransmissionLoss(BandLevels.flat(20), Wall.SOLID))
+                .withOwn(
+                        "foam",
+                        OwnSurface.DEFAULT.withAbsorptionByAngle(List.of(
+                                new AbsorptionAtAngle(0, BandFractions.flat(0.9)),
+                                new AbsorptionAtAngle(Math.toRadians(60), BandFractions.flat(0.5)))))
+                .with("grass", "foam")
+                .with("rock", "panel");
+        assertThat(scene.world().surfaces()).isEqualTo(surfaces);
+        assertThat(surfaces.of("rock").transmitted(3)).isEqualTo(0.01);
+        assertThat(surfaces.leftOver(List.of("grass", "rock", "other"))).containsExactly("other");
+        assertThat(surfaces.unused(List.of("rock"))).containsExactly("foam");
+    }
+
+    @Test
+    void whoNamesASurfaceThatIsNotThereIsToldWhere() {
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(
+                        () -> read(
+                                """
+                        world:
+                          models: [packaged:hill.obj]
+                          surfaces:
+                            materials: {grass: foma}
+                            own: {foam: {absorption: 0.9}}
+                        """))
+                .withMessageContaining(":4:24: world.surfaces: materials.grass: unknown material 'foma'")
+                .withMessageEndingWith("the scene's own are foam");
     }
 
     @Test

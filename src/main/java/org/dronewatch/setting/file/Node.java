@@ -12,6 +12,11 @@ public sealed interface Node {
     /** Its location. */
     Mark mark();
 
+    /** Where the value stands whose path a text begins with, if this holds values by name; otherwise where this stands. */
+    default Mark markOf(String text) {
+        return mark();
+    }
+
     /** Number of nodes it consists of, itself included; a node that appears twice counts twice. At most {@link Long#MAX_VALUE}. */
     long size();
 
@@ -113,6 +118,7 @@ public sealed interface Node {
          * Where the value stands whose path a text begins with, as in {@code alert.rule.count 5 must be}; of a value that is
          * not written, where what should hold it stands.
          */
+        @Override
         public Mark markOf(String text) {
             Node here = this;
             String rest = text;

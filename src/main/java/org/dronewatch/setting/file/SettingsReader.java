@@ -271,8 +271,9 @@ final class SettingsReader {
             try {
                 form.create(one);
             } catch (IllegalArgumentException e) {
-                Node node = mapping.values().getOrDefault(name, mapping);
-                problems.add(node.mark(), path.isEmpty() ? name : path + "." + name, e.getMessage());
+                String inner = e.getMessage().replaceFirst("^\\Q" + name + "\\E[.]", "");
+                Mark at = mapping.values().getOrDefault(name, mapping).markOf(inner);
+                problems.add(at, path.isEmpty() ? name : path + "." + name, inner);
             }
         });
         return problems.count() > before;

@@ -188,7 +188,7 @@ final class BackwardRay {
             standOff(-1.0);
             return;
         }
-        if (energy.drawTransmission(material, random)) {
+        if (energy.drawTransmission(material, -along(), random)) {
             ray.medium = surfaces.isSheet(material) ? ray.medium : material;
             mirrors = NOT_EXACT;
             standOff(-1.0);
@@ -201,13 +201,14 @@ final class BackwardRay {
     private void reflect(int triangle, int material) {
         boolean always = ray.order <= ALWAYS_JOINED && surfaces.scatters(material);
         if (always) {
-            join(energy.scatteredBy(material));
+            join(material, energy.scatteredBy(material));
         }
         if (energy.drawScattering(material, random)) {
             if (!always) {
-                join(energy.byBand());
+                join(material, energy.byBand());
             }
             Directions.drawLambert(random, normal, ray);
+            energy.scatter(material, along());
             fromMirror = false;
             mirrors = NOT_EXACT;
         } else {
@@ -218,15 +219,20 @@ final class BackwardRay {
         }
     }
 
-    private void join(double[] leaving) {
+    private void join(int material, double[] leaving) {
         traced++;
-        if (connection.add(ray, normal, leaving, source)) {
+        if (connection.add(ray, normal, material, leaving, source)) {
             recordConnection();
         }
     }
 
+    /** The part of the ray's direction along the normal. */
+    private double along() {
+        return ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2];
+    }
+
     private void mirror() {
-        double twice = 2.0 * (ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2]);
+        double twice = 2.0 * along();
         ray.directionX -= twice * normal[0];
         ray.directionY -= twice * normal[1];
         ray.directionZ -= twice * normal[2];

@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.List;
+import org.dronewatch.sound.AngularAbsorption;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterial.Wall;
@@ -16,6 +17,9 @@ final class BandSurfaces {
     private final boolean[] sheet;
     private final boolean anyTransmits;
 
+    /** By material; null where absorption is the same at all angles. */
+    private final AngularAbsorption[] angular;
+
     BandSurfaces(List<SurfaceMaterial> surfaces) {
         int count = surfaces.size();
         this.reflected = new double[BANDS * count];
@@ -23,10 +27,12 @@ final class BandSurfaces {
         this.scattered = new double[BANDS * count];
         this.transmits = new boolean[count];
         this.sheet = new boolean[count];
+        this.angular = new AngularAbsorption[count];
         for (int i = 0; i < count; i++) {
             SurfaceMaterial surface = surfaces.get(i);
             transmits[i] = !surface.isOpaque();
             sheet[i] = surface.wall() == Wall.SHEET;
+            angular[i] = surface.angular().orElse(null);
             for (int band = 0; band < BANDS; band++) {
                 reflected[BANDS * i + band] = surface.reflected(band);
                 transmitted[BANDS * i + band] = surface.transmitted(band);
@@ -36,8 +42,39 @@ final class BandSurfaces {
         this.anyTransmits = surfaces.stream().anyMatch(surface -> !surface.isOpaque());
     }
 
-    double reflected(int material, int band) {
+    /** The fraction that is reflected of sound from all directions alike. */
+    private double reflected(int material, int band) {
         return reflected[BANDS * material + band];
+    }
+
+    /**
+     * The fraction that is reflected.
+     *
+     * @param cosine of the angle between the sound and the normal, 0 to 1
+     */
+    double reflected(int material, int band, double cosine) {
+        return angular[material] == null ? reflected(material, band) : 1.0 - angular[material].at(band, cosine);
+    }
+
+    /** Whether absorption depends on the angle. */
+    boolean isAngular(int material) {
+        return angular[material] != null;
+    }
+
+    /**
+     * What scattered sound in one direction counts for, relative to Lambert's law: a surface that reflects little from a
+     * direction scatters little into it. The fraction reflected in this direction over its mean over all, so that sound
+     * may take every path both ways (Helmholtz), and the surface scatters as much as it should; 1 where absorption does not depend
+     * on the angle.
+     *
+     * @param cosine of the angle between the direction and the normal, 0 to 1
+     */
+    double scatteredTo(int material, int band, double cosine) {
+        if (angular[material] == null) {
+            return 1.0;
+        }
+        double mean = reflected(material, band);
+        return mean > 0.0 ? reflected(material, band, cosine) / mean : 0.0;
     }
 
     /** The fraction transmitted on entry; what is inside a solid leaves it without further loss. */
@@ -45,15 +82,19 @@ final class BandSurfaces {
         return transmitted[BANDS * material + band];
     }
 
-    /** The fraction that is reflected specularly. */
-    double mirrored(int material, int band) {
-        return reflected(material, band) * (1.0 - scattered(material, band));
+    /**
+     * The fraction that is reflected specularly.
+     *
+     * @param cosine of the angle between the sound and the normal, 0 to 1
+     */
+    double mirrored(int material, int band, double cosine) {
+        return reflected(material, band, cosine) * (1.0 - scattered(material, band));
     }
 
     /** Whether anything is reflected specularly. */
     boolean mirrors(int material) {
         for (int band = 0; band < BANDS; band++) {
-            if (mirrored(material, band) > 0.0) {
+            if (reflected(material, band) * (1.0 - scattered(material, band)) > 0.0) {
                 return true;
             }
         }

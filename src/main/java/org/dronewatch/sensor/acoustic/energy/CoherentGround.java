@@ -88,7 +88,7 @@ final class CoherentGround {
         for (int band = 0; band < BANDS; band++) {
             double reflected = source.spread(air, band, plane.rise(), length)
                     * (1.0 - SurfaceRoughness.scattered(surfaces.scattered(material, band), cosine))
-                    * (impedance == null ? surfaces.reflected(material, band) : 1.0);
+                    * (impedance == null ? surfaces.reflected(material, band, cosine) : 1.0);
             others += mirrored.heard(band);
             together += direct.heard(band) + reflected;
             both[band] = interference.inBand(band, direct.heard(band), reflected);

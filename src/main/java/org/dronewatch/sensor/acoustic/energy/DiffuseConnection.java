@@ -12,12 +12,14 @@ import org.dronewatch.world.World;
 final class DiffuseConnection {
     private static final int BANDS = OctaveBands.COUNT;
 
+    private final BandSurfaces surfaces;
     private final Air air;
     private final WallTransmission walls;
     private final EnergyTally tally;
     private final double[] brought = new double[BANDS];
 
     DiffuseConnection(World world, BandSurfaces surfaces, Air air, EnergyTally tally) {
+        this.surfaces = surfaces;
         this.air = air;
         this.walls = new WallTransmission(world, surfaces);
         this.tally = tally;
@@ -28,10 +30,11 @@ final class DiffuseConnection {
      *
      * @param ray at the point where it hits the surface
      * @param normal of the surface, on the ray's side
+     * @param material of the surface
      * @param scattered the energy that leaves by Lambert's law, in each band
      * @return whether anything arrives
      */
-    boolean add(AcousticRay ray, double[] normal, double[] scattered, SoundSource source) {
+    boolean add(AcousticRay ray, double[] normal, int material, double[] scattered, SoundSource source) {
         Position position = source.position();
         double x = position.x() - ray.originX;
         double y = position.y() - ray.originY;
@@ -48,6 +51,7 @@ final class DiffuseConnection {
         double rise = z / distance;
         for (int band = 0; band < BANDS; band++) {
             brought[band] = scattered[band]
+                    * surfaces.scatteredTo(material, band, along / distance)
                     * geometry
                     * walls.passed(band)
                     * source.factor(band, rise)

@@ -70,14 +70,15 @@ final class EnergyPacket {
     /**
      * Leaves a surface what it absorbs, and draws whether the rest is transmitted or reflected.
      *
+     * @param cosine of the angle between the sound and the normal
      * @return whether it is transmitted
      */
-    boolean drawTransmission(int material, RandomGenerator random) {
+    boolean drawTransmission(int material, double cosine, RandomGenerator random) {
         double before = all();
         double reflected = 0.0;
         double transmitted = 0.0;
         for (int band = 0; band < BANDS; band++) {
-            reflected += energy[band] * surfaces.reflected(material, band);
+            reflected += energy[band] * surfaces.reflected(material, band, cosine);
             transmitted += energy[band] * surfaces.transmitted(material, band);
         }
         double onward = reflected + transmitted;
@@ -87,7 +88,7 @@ final class EnergyPacket {
         for (int band = 0; band < BANDS; band++) {
             energy[band] *= isTransmitted
                     ? surfaces.transmitted(material, band) / chance
-                    : surfaces.reflected(material, band) / (1.0 - chance);
+                    : surfaces.reflected(material, band, cosine) / (1.0 - chance);
         }
         ledger.exchange(onward, all());
         return isTransmitted;
@@ -120,6 +121,22 @@ final class EnergyPacket {
         }
         ledger.exchange(before, all());
         return diffuse;
+    }
+
+    /**
+     * Is scattered in a direction that was drawn by Lambert's law.
+     *
+     * @param cosine of the angle between the direction and the normal
+     */
+    void scatter(int material, double cosine) {
+        if (!surfaces.isAngular(material)) {
+            return;
+        }
+        double before = all();
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] *= surfaces.scatteredTo(material, band, cosine);
+        }
+        ledger.exchange(before, all());
     }
 
     /**

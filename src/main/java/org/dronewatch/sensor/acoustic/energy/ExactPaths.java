@@ -163,8 +163,9 @@ final class ExactPaths {
         }
         remember(at);
         double rise = (z - position.z()) / at.distance(position);
+        double cosine = Math.abs(ofSource + ofSensor) / length;
         for (int band = 0; band < BANDS; band++) {
-            heard[band] = surfaces.mirrored(material, band) * spread(source, band, rise, length);
+            heard[band] = surfaces.mirrored(material, band, cosine) * spread(source, band, rise, length);
         }
         ground.among(mirrored, x, y, z).add(length, heard);
     }

@@ -92,17 +92,26 @@ final class FirstScattering {
         if (visibility.isFree(sensor.x(), sensor.y(), sensor.z(), atX, atY, atZ)) {
             double own = density(arriving, before);
             double weight = own / (own + density(leaving, after));
-            bring(source, mesh.material(triangle), before, after, weight * leaving / (Math.PI * after * after));
+            double geometry = weight * leaving / (Math.PI * after * after);
+            bring(source, mesh.material(triangle), arriving, leaving, before, after, geometry);
         }
         return 2;
     }
 
-    private void bring(SoundSource source, int material, double before, double after, double geometry) {
+    private void bring(
+            SoundSource source,
+            int material,
+            double arriving,
+            double leaving,
+            double before,
+            double after,
+            double geometry) {
         for (int band = 0; band < BANDS; band++) {
             brought[band] = source.fraction(band)
                     * source.factor(band, ray.directionZ)
-                    * surfaces.reflected(material, band)
+                    * surfaces.reflected(material, band, arriving)
                     * surfaces.scattered(material, band)
+                    * surfaces.scatteredTo(material, band, leaving)
                     * air.left(band, before + after)
                     * geometry;
         }

@@ -26,6 +26,7 @@ final class ImageSources {
     private final int maxOrder;
     private final int[] walls;
     private final int[] materials;
+    private final double[] cosines;
     private final double[][] images;
     private final double[] heard = new double[BANDS];
     private double[] heardImages = new double[3 * 16];
@@ -40,6 +41,7 @@ final class ImageSources {
         this.maxOrder = maxOrder;
         this.walls = new int[maxOrder];
         this.materials = new int[maxOrder];
+        this.cosines = new double[maxOrder];
         this.images = new double[maxOrder + 1][3];
     }
 
@@ -86,11 +88,13 @@ final class ImageSources {
             int triangle = planes.triangleOf(walls[k]);
             double[] image = images[k + 1];
             double here = planes.height(triangle, x, y, z);
+            double there = planes.height(triangle, image[0], image[1], image[2]);
+            cosines[k] = Math.abs(here - there)
+                    / Math.sqrt(square(image[0] - x) + square(image[1] - y) + square(image[2] - z));
             if (k < last && Math.abs(here) < ON && planes.mayContain(walls[k], x, y, z)) {
                 materials[k] = mesh.material(triangle);
                 continue;
             }
-            double there = planes.height(triangle, image[0], image[1], image[2]);
             if (!(here * there < 0.0)) {
                 return;
             }
@@ -126,7 +130,7 @@ final class ImageSources {
                     * air.left(band, length)
                     / (4.0 * Math.PI * length * length);
             for (int k = 0; k <= last; k++) {
-                heard[band] *= surfaces.mirrored(materials[k], band);
+                heard[band] *= surfaces.mirrored(materials[k], band, cosines[k]);
             }
         }
         paths.add(length, heard);

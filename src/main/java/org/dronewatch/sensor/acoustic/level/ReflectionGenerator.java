@@ -91,8 +91,9 @@ public final class ReflectionGenerator {
 
     private void reflect(AcousticRay ray, int material, double arriving, RandomGenerator random, Branches target) {
         int count = model.reflectionsPerHit();
-        double reflected = ray.energy * surfaces.reflectedFraction(material);
-        branch.level = arriving - surfaces.reflectionLoss(material);
+        double cosine = -(ray.directionX * normalX + ray.directionY * normalY + ray.directionZ * normalZ);
+        double reflected = ray.energy * surfaces.reflectedFraction(material, cosine);
+        branch.level = arriving - surfaces.reflectionLoss(material, cosine);
         branch.medium = ray.medium;
         standOff(1.0);
         reflectSpecular(ray);

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.acoustic.level;
 
 import java.util.List;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sound.AngularAbsorption;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.SurfaceMaterial;
@@ -20,6 +21,7 @@ final class SurfaceLevels {
     private final double[] speed;
     private final boolean[] transmits;
     private final boolean[] sheet;
+    private final AngularAbsorption[] angular;
 
     SurfaceLevels(World world) {
         List<SurfaceMaterial> surfaces = world.surfaces();
@@ -31,6 +33,7 @@ final class SurfaceLevels {
         this.speed = new double[count];
         this.transmits = new boolean[count];
         this.sheet = new boolean[count];
+        this.angular = new AngularAbsorption[count];
         for (int i = 0; i < count; i++) {
             SurfaceMaterial surface = surfaces.get(i);
             int band = OctaveBands.ONE_KILOHERTZ;
@@ -41,16 +44,30 @@ final class SurfaceLevels {
             transmissionLoss[i] = -Levels.ofRatio(transmittedFraction[i]);
             speed[i] = surface.speed().orElse(AIR_SPEED);
             sheet[i] = surface.wall() == Wall.SHEET;
+            angular[i] = surface.angular().orElse(null);
         }
     }
 
-    /** What a level loses by reflection, dB; infinity where nothing is reflected. */
-    double reflectionLoss(int material) {
-        return reflectionLoss[material];
+    /**
+     * What a level loses by reflection, dB; infinity where nothing is reflected.
+     *
+     * @param cosine of the angle between the sound and the normal
+     */
+    double reflectionLoss(int material, double cosine) {
+        return angular[material] == null
+                ? reflectionLoss[material]
+                : -Levels.ofRatio(reflectedFraction(material, cosine));
     }
 
-    double reflectedFraction(int material) {
-        return reflectedFraction[material];
+    /**
+     * The fraction of the energy that is reflected.
+     *
+     * @param cosine of the angle between the sound and the normal
+     */
+    double reflectedFraction(int material, double cosine) {
+        return angular[material] == null
+                ? reflectedFraction[material]
+                : 1.0 - angular[material].at(OctaveBands.ONE_KILOHERTZ, cosine);
     }
 
     /** What a level loses in passing through the wall, dB. */

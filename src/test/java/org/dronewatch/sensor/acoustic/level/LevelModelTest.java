@@ -159,7 +159,7 @@ class LevelModelTest {
     }
 
     private static double alpha(World world) {
-        return 1.0 - Math.pow(10.0, -0.1 * new SurfaceLevels(world).reflectionLoss(0));
+        return 1.0 - Math.pow(10.0, -0.1 * new SurfaceLevels(world).reflectionLoss(0, 1.0));
     }
 
     /** With k rays a hit and n initial ones, order o of a closed room holds n k^o pieces, forced and dropped ones apart. */

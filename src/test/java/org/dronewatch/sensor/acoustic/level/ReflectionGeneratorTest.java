@@ -10,8 +10,11 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sound.AbsorptionAtAngle;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
+import org.dronewatch.sound.BandFractions;
+import org.dronewatch.sound.OwnSurface;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterials;
 import org.dronewatch.world.SurfaceSettings;
@@ -29,13 +32,17 @@ class ReflectionGeneratorTest {
     private record Branch(Vector3d direction, double z, double level, double energy, int order, int medium) {}
 
     private static World plane(String material) {
+        return plane(material, SurfaceSettings.DEFAULT);
+    }
+
+    private static World plane(String material, SurfaceSettings surfaces) {
         TriangleMesh mesh = new TriangleMesh(
                 new float[] {-9, -9, 0, 9, -9, 0, 0, 9, 0},
                 new int[] {0, 1, 2},
                 new int[1],
                 new int[1],
                 List.of(material));
-        return new World(KDTree.of(mesh), BackgroundNoise.of(20), SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
+        return new World(KDTree.of(mesh), BackgroundNoise.of(20), surfaces, Atmosphere.STANDARD);
     }
 
     private static AcousticRay towardsOrigin(double degrees, int medium) {
@@ -199,5 +206,29 @@ class ReflectionGeneratorTest {
                 .isTrue();
         assertThat(behind.medium()).isEqualTo(AcousticRay.AIR);
         assertThat(behind.level()).isCloseTo(50.0 - 31.0, within(EXACT));
+    }
+
+    /** Half is absorbed upright and nine tenths at 60 degrees; at 30 degrees, 0.7: that is 5.23 dB. */
+    @Test
+    void theLossOfAReflectionFollowsTheAngle() {
+        OwnSurface foam = OwnSurface.DEFAULT.withAbsorptionByAngle(List.of(
+                new AbsorptionAtAngle(0.0, BandFractions.flat(0.5)),
+                new AbsorptionAtAngle(Math.toRadians(60), BandFractions.flat(0.9))));
+        World world = plane("foam", SurfaceSettings.DEFAULT.withOwn("foam", foam));
+        List<Double> levels = new ArrayList<>();
+        for (double degrees : new double[] {0, 30, 60, 80}) {
+            new ReflectionGenerator(LevelModel.DEFAULT.withRays(1, 1), world, SENSOR)
+                    .acousticDistribution(
+                            towardsOrigin(degrees, AcousticRay.AIR),
+                            2.0,
+                            0,
+                            50.0,
+                            new SplittableRandom(1),
+                            branch -> levels.add(branch.level));
+        }
+        double[] kept = {0.5, 0.3, 0.1, 0.1};
+        for (int i = 0; i < kept.length; i++) {
+            assertThat(levels.get(i)).isCloseTo(50 + 10 * Math.log10(kept[i]), within(1e-9));
+        }
     }
 }

@@ -1,0 +1,24 @@
+package org.dronewatch.sound;
+
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * What a surface absorbs of sound that arrives at an angle.
+ *
+ * @param angle between the sound and the surface's normal, 0 to 90 degrees, rad
+ * @param absorption fraction that is not reflected, 0 to 1: eight octave bands, or one number
+ */
+public record AbsorptionAtAngle(
+        @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 2) double angle, BandFractions absorption) {
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if the angle is out of range
+     */
+    public AbsorptionAtAngle {
+        Limits.check(AbsorptionAtAngle.class, angle, absorption);
+    }
+}

@@ -1,0 +1,113 @@
+package org.dronewatch.sound;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.sound.SurfaceMaterial.Wall;
+
+/**
+ * An acoustic surface of a scene's own, beside those of the table. At most one of {@code absorption} and
+ * {@code absorptionByAngle} is given; what is omitted is as of the table's ordinary hard surface, {@code solid}.
+ *
+ * @param absorption fraction of the sound that is not reflected, 0 to 1, for all angles: eight octave bands, or one number
+ * @param absorptionByAngle the same over the angle from the normal, as a table by increasing angle: linear in between, constant
+ *     outside
+ * @param scattering fraction of the reflected energy that is scattered in all directions, 0 to 1: eight octave bands, or one
+ *     number
+ * @param transmissionLoss loss of sound that passes through the wall, 0 to 200 dB: eight octave bands, or one number; omit it
+ *     for an opaque wall
+ * @param wall whether one surface is the whole wall, or the wall has a front and a back
+ * @param speed speed of sound inside a wall with front and back, for refraction in the level model, above 0 to 20,000 m/s;
+ *     omit it if unknown
+ */
+public record OwnSurface(
+        Optional<BandFractions> absorption,
+        List<AbsorptionAtAngle> absorptionByAngle,
+        BandFractions scattering,
+        Optional<BandLevels> transmissionLoss,
+        Wall wall,
+        @In(value = Quantity.SPEED, above = 0, to = 20_000) Optional<Double> speed) {
+    private static final BandFractions ORDINARY_ABSORPTION = BandFractions.flat(0.1);
+
+    /** As the table's ordinary hard surface: an opaque sheet that absorbs a tenth and scatters a fifth of the rest. */
+    @Defaults
+    public static final OwnSurface DEFAULT = new OwnSurface(
+            Optional.empty(), List.of(), BandFractions.flat(0.2), Optional.empty(), Wall.SHEET, Optional.empty());
+
+    /**
+     * Checks the limits and keeps its own list.
+     *
+     * @throws IllegalArgumentException if a value is out of range, absorption is given twice, angles do not increase, or more
+     *     than all would be reflected and transmitted together
+     */
+    public OwnSurface {
+        Limits.check(OwnSurface.class, absorption, absorptionByAngle, scattering, transmissionLoss, wall, speed);
+        absorptionByAngle = List.copyOf(absorptionByAngle);
+        if (absorption.isPresent() && !absorptionByAngle.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "absorptionByAngle: absorption is given, too; one of them must be omitted");
+        }
+        material("own", absorption, absorptionByAngle, scattering, transmissionLoss, wall, speed);
+    }
+
+    /** A surface that absorbs the same fraction, 0 to 1, in all bands and at all angles. */
+    public static OwnSurface absorbing(double fraction) {
+        return DEFAULT.withAbsorption(BandFractions.flat(fraction));
+    }
+
+    /** This surface with another absorption, the same at all angles. */
+    public OwnSurface withAbsorption(BandFractions fractions) {
+        return SettingsForm.with(this, Map.of("absorption", Optional.of(fractions), "absorptionByAngle", List.of()));
+    }
+
+    /** This surface with another absorption, over the angle of incidence. */
+    public OwnSurface withAbsorptionByAngle(List<AbsorptionAtAngle> table) {
+        return SettingsForm.with(this, Map.of("absorption", Optional.empty(), "absorptionByAngle", table));
+    }
+
+    /** This surface with another scattered fraction of what it reflects. */
+    public OwnSurface withScattering(BandFractions fractions) {
+        return SettingsForm.with(this, "scattering", fractions);
+    }
+
+    /** This surface as a wall through which sound passes, with a loss in dB. */
+    public OwnSurface withTransmissionLoss(BandLevels loss, Wall kind) {
+        return SettingsForm.with(this, Map.of("transmissionLoss", Optional.of(loss), "wall", kind));
+    }
+
+    /** The material that it is, by a name. */
+    public SurfaceMaterial material(String name) {
+        return material(name, absorption, absorptionByAngle, scattering, transmissionLoss, wall, speed);
+    }
+
+    private static SurfaceMaterial material(
+            String name,
+            Optional<BandFractions> absorption,
+            List<AbsorptionAtAngle> byAngle,
+            BandFractions scattering,
+            Optional<BandLevels> transmissionLoss,
+            Wall wall,
+            Optional<Double> speed) {
+        Optional<AngularAbsorption> angular =
+                byAngle.isEmpty() ? Optional.empty() : Optional.of(new AngularAbsorption(byAngle));
+        return new SurfaceMaterial(
+                name,
+                angular.map(AngularAbsorption::atRandomIncidence)
+                        .orElseGet(() -> absorption.orElse(ORDINARY_ABSORPTION).toList()),
+                scattering.toList(),
+                transmissionLoss
+                        .map(loss -> Arrays.stream(loss.toArray()).boxed().toList())
+                        .orElse(List.of()),
+                wall,
+                speed.map(OptionalDouble::of).orElseGet(OptionalDouble::empty),
+                "given by the scene",
+                angular);
+    }
+}
