@@ -26,6 +26,9 @@ import org.dronewatch.sound.SurfaceMaterial.Wall;
  * @param wall whether one surface is the whole wall, or the wall has a front and a back
  * @param speed speed of sound inside a wall with front and back, for refraction in the level model, above 0 to 20,000 m/s;
  *     omit it if unknown
+ * @param flowResistivity with {@code ground: coherent}, the effective flow resistivity of this surface as ground, above 0 to
+ *     1,000,000 kPa s/m2: 200 for grass, 20,000 for asphalt; omit it for that of the surface of the same name in the table, or
+ *     for a surface that reflects in phase what it does not absorb
  */
 public record OwnSurface(
         Optional<BandFractions> absorption,
@@ -33,13 +36,20 @@ public record OwnSurface(
         BandFractions scattering,
         Optional<BandLevels> transmissionLoss,
         Wall wall,
-        @In(value = Quantity.SPEED, above = 0, to = 20_000) Optional<Double> speed) {
+        @In(value = Quantity.SPEED, above = 0, to = 20_000) Optional<Double> speed,
+        @In(value = Quantity.NUMBER, above = 0, to = 1_000_000) Optional<Double> flowResistivity) {
     private static final BandFractions ORDINARY_ABSORPTION = BandFractions.flat(0.1);
 
     /** As the table's ordinary hard surface: an opaque sheet that absorbs a tenth and scatters a fifth of the rest. */
     @Defaults
     public static final OwnSurface DEFAULT = new OwnSurface(
-            Optional.empty(), List.of(), BandFractions.flat(0.2), Optional.empty(), Wall.SHEET, Optional.empty());
+            Optional.empty(),
+            List.of(),
+            BandFractions.flat(0.2),
+            Optional.empty(),
+            Wall.SHEET,
+            Optional.empty(),
+            Optional.empty());
 
     /**
      * Checks the limits and keeps its own list.
@@ -48,13 +58,21 @@ public record OwnSurface(
      *     than all would be reflected and transmitted together
      */
     public OwnSurface {
-        Limits.check(OwnSurface.class, absorption, absorptionByAngle, scattering, transmissionLoss, wall, speed);
+        Limits.check(
+                OwnSurface.class,
+                absorption,
+                absorptionByAngle,
+                scattering,
+                transmissionLoss,
+                wall,
+                speed,
+                flowResistivity);
         absorptionByAngle = List.copyOf(absorptionByAngle);
         if (absorption.isPresent() && !absorptionByAngle.isEmpty()) {
             throw new IllegalArgumentException(
                     "absorptionByAngle: absorption is given, too; one of them must be omitted");
         }
-        material("own", absorption, absorptionByAngle, scattering, transmissionLoss, wall, speed);
+        material("own", absorption, absorptionByAngle, scattering, transmissionLoss, wall, speed, flowResistivity);
     }
 
     /** A surface that absorbs the same fraction, 0 to 1, in all bands and at all angles. */
@@ -82,9 +100,15 @@ public record OwnSurface(
         return SettingsForm.with(this, Map.of("transmissionLoss", Optional.of(loss), "wall", kind));
     }
 
+    /** This surface as ground of another effective flow resistivity, kPa s/m2. */
+    public OwnSurface withFlowResistivity(double kilopascalSecondsPerSquareMetre) {
+        return SettingsForm.with(this, "flowResistivity", Optional.of(kilopascalSecondsPerSquareMetre));
+    }
+
     /** The material that it is, by a name. */
     public SurfaceMaterial material(String name) {
-        return material(name, absorption, absorptionByAngle, scattering, transmissionLoss, wall, speed);
+        return material(
+                name, absorption, absorptionByAngle, scattering, transmissionLoss, wall, speed, flowResistivity);
     }
 
     private static SurfaceMaterial material(
@@ -94,7 +118,8 @@ public record OwnSurface(
             BandFractions scattering,
             Optional<BandLevels> transmissionLoss,
             Wall wall,
-            Optional<Double> speed) {
+            Optional<Double> speed,
+            Optional<Double> flowResistivity) {
         Optional<AngularAbsorption> angular =
                 byAngle.isEmpty() ? Optional.empty() : Optional.of(new AngularAbsorption(byAngle));
         return new SurfaceMaterial(
@@ -108,6 +133,7 @@ public record OwnSurface(
                 wall,
                 speed.map(OptionalDouble::of).orElseGet(OptionalDouble::empty),
                 "given by the scene",
-                angular);
+                angular,
+                flowResistivity.map(GroundImpedance::new));
     }
 }

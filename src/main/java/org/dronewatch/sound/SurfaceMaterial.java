@@ -22,6 +22,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param source where the figures come from
  * @param angular absorption over the angle of incidence; {@code absorption} is then its mean for sound from all directions
  *     alike. Empty if it is the same at all angles
+ * @param ground its impedance as ground, where direct and reflected sound interfere; empty for that of the surface of this
+ *     name in the table of grounds, if there is one
  */
 public record SurfaceMaterial(
         String name,
@@ -31,7 +33,8 @@ public record SurfaceMaterial(
         Wall wall,
         OptionalDouble speed,
         String source,
-        Optional<AngularAbsorption> angular) {
+        Optional<AngularAbsorption> angular,
+        Optional<GroundImpedance> ground) {
 
     /** How a wall is drawn in a mesh. */
     public enum Wall {
@@ -55,6 +58,7 @@ public record SurfaceMaterial(
         Check.present("wall", wall);
         Check.present("speed", speed);
         Check.present("angular", angular);
+        Check.present("ground", ground);
         if (!transmissionLoss.isEmpty()) {
             checkTransmission(name, absorption, transmissionLoss);
             List<Double> losses = transmissionLoss;
@@ -77,7 +81,7 @@ public record SurfaceMaterial(
             Wall wall,
             OptionalDouble speed,
             String source) {
-        this(name, absorption, scattering, transmissionLoss, wall, speed, source, Optional.empty());
+        this(name, absorption, scattering, transmissionLoss, wall, speed, source, Optional.empty(), Optional.empty());
     }
 
     private static List<Double> shares(String what, String name, List<Double> values) {
@@ -105,6 +109,11 @@ public record SurfaceMaterial(
                         + ", together more than 1");
             }
         }
+    }
+
+    /** The impedance of this surface as ground; empty if it is not known. */
+    public Optional<GroundImpedance> groundImpedance() {
+        return ground.or(() -> Grounds.find(name));
     }
 
     /** The fraction that is reflected in a band, of sound from all directions alike. */

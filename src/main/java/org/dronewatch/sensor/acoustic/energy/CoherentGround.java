@@ -5,7 +5,6 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.propagation.GroundPlane;
 import org.dronewatch.sound.GroundImpedance;
 import org.dronewatch.sound.GroundInterference;
-import org.dronewatch.sound.Grounds;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceRoughness;
@@ -73,7 +72,7 @@ final class CoherentGround {
         double length = plane.length();
         double cosine = (plane.heightOfFirst() + plane.heightOfSecond()) / length;
         int material = plane.material();
-        GroundImpedance impedance = Grounds.find(materials.get(material).name()).orElse(null);
+        GroundImpedance impedance = materials.get(material).groundImpedance().orElse(null);
         GroundInterference interference = new GroundInterference(
                 impedance == null ? GroundImpedance.RIGID : impedance,
                 air.soundSpeed(),

@@ -14,11 +14,13 @@ import org.dronewatch.sensor.acoustic.energy.EnergyModel.Ground;
 import org.dronewatch.sensor.acoustic.propagation.GroundPlane;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
+import org.dronewatch.sound.BandFractions;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.GroundImpedance;
 import org.dronewatch.sound.GroundInterference;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.OwnSurface;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterials;
 import org.dronewatch.sound.TurbulentCoherence;
@@ -110,6 +112,20 @@ class CoherentGroundTest {
         for (int band = 0; band < 6; band++) {
             assertThat(over[band]).as("seed 7, band %d", band).isCloseTo(level[band], within(0.5));
         }
+    }
+
+    /** A scene's own surface, whatever its name and absorption: the same as the table's of the same flow resistivity. */
+    @Test
+    void aSceneMayStateTheFlowResistivity() {
+        OwnSurface own =
+                OwnSurface.absorbing(0.3).withScattering(BandFractions.flat(0)).withFlowResistivity(200);
+        double[] gains = gains(COHERENT, Sites.world(Sites.square(1000, 0), own.material("meadow")), SOURCE, SENSOR);
+        for (int band = 0; band < gains.length; band++) {
+            assertThat(gains[band]).as("band %d", band).isCloseTo(OVER_GRASS[band], within(0.06));
+        }
+        SurfaceMaterial hard = own.withFlowResistivity(1e6).material("grass_50mm");
+        assertThat(gains(COHERENT, Sites.world(Sites.square(1000, 0), hard), SOURCE, SENSOR)[3])
+                .isGreaterThan(5);
     }
 
     /** Both ends exchanged, on hilly ground: the same gains. */
