@@ -24,6 +24,9 @@ record SiteAdvice(SceneSettings settings, World world) {
     /** Gives one line for each warning. */
     void giveTo(Consumer<String> target) {
         onSurfaces(target);
+        if (!settings.world().noiseSources().isEmpty() && !isListening()) {
+            target.accept("world.noiseSources has no effect: no sensor that is switched on listens");
+        }
         settings.enabledSensors().forEach((id, sensor) -> Mounted.positioner(sensor)
                 .ifPresent(positioner -> new PositionerAdvice(settings, id, positioner).giveTo(target)));
         if (settings.enabledSensors().isEmpty() && !settings.sensors().isEmpty()) {
@@ -36,9 +39,7 @@ record SiteAdvice(SceneSettings settings, World world) {
     private void onSurfaces(Consumer<String> target) {
         SurfaceSettings surfaces = settings.world().surfaces();
         List<String> leftOver = surfaces.leftOver(world.mesh().materialNames());
-        if (!leftOver.isEmpty()
-                && settings.enabledSensors().values().stream()
-                        .anyMatch(sensor -> sensor.as(SoundTracing.class).isPresent())) {
+        if (!leftOver.isEmpty() && isListening()) {
             target.accept("no acoustic surface is assigned to " + String.join(", ", leftOver) + ": treated as '"
                     + surfaces.defaultSurface() + "'");
         }
@@ -46,6 +47,11 @@ record SiteAdvice(SceneSettings settings, World world) {
                 .forEach(name -> target.accept("world.surfaces.own." + name
                         + " has no effect: no material of the models has this surface; they are "
                         + String.join(", ", world.mesh().materialNames())));
+    }
+
+    private boolean isListening() {
+        return settings.enabledSensors().values().stream()
+                .anyMatch(sensor -> sensor.as(SoundTracing.class).isPresent());
     }
 
     /** The swept setting, if it is a switch: then other runs of the scene may have sensors. */

@@ -53,6 +53,7 @@ public final class Stage {
                         models.index(site.models(), site.tracing()), site.noise(), site.surfaces(), site.atmosphere())
                 .withRain(site.rain())
                 .withLight(site.light())
+                .withNoiseSources(site.noiseSources())
                 .withModels(models.firstTriangles(site.models()));
         this.colours = Map.copyOf(models.colours(site.models()));
         new SiteAdvice(settings, world).giveTo(models::warn);

@@ -85,6 +85,11 @@ public final class ConditionAdvice {
                         : Optional.of("world.rain " + Quantity.PRECIPITATION.inWords(world.rain()));
             case AIR ->
                 world.atmosphere().equals(Atmosphere.STANDARD) ? Optional.empty() : Optional.of("world.atmosphere");
+            case NOISE_SOURCES ->
+                world.noiseSources().entrySet().stream()
+                        .filter(source -> source.getValue().soundLevel().isEmpty())
+                        .findFirst()
+                        .map(source -> "world.noiseSources." + source.getKey());
         };
     }
 

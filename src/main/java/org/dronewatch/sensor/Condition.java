@@ -14,5 +14,7 @@ public enum Condition {
     /** How hard it rains: {@code world.rain}. */
     RAIN,
     /** Temperature, humidity and pressure of the air: {@code world.atmosphere}. */
-    AIR
+    AIR,
+    /** What makes noise on the site: {@code world.noiseSources} that state no level for the level model. */
+    NOISE_SOURCES
 }

@@ -1,5 +1,6 @@
 package org.dronewatch.world;
 
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -37,6 +38,7 @@ public final class World {
     private final Atmosphere atmosphere;
     private final double rain;
     private final Light light;
+    private final Map<String, NoiseSource> noiseSources;
 
     /** The models by the number of the first triangle of each. */
     private final NavigableMap<Integer, SiteModel> models;
@@ -98,27 +100,45 @@ public final class World {
         this.atmosphere = atmosphere;
         this.rain = 0.0;
         this.light = Light.DAY;
+        this.noiseSources = Map.of();
         this.models = new TreeMap<>(Map.of(0, SiteModel.UNNAMED));
     }
 
-    private World(World other, double rain, Light light, NavigableMap<Integer, SiteModel> models) {
+    private World(
+            World other,
+            double rain,
+            Light light,
+            Map<String, NoiseSource> noiseSources,
+            NavigableMap<Integer, SiteModel> models) {
         this.index = other.index;
         this.backgroundNoise = other.backgroundNoise;
         this.surfaces = other.surfaces;
         this.atmosphere = other.atmosphere;
         this.rain = rain;
         this.light = light;
+        this.noiseSources = noiseSources;
         this.models = models;
     }
 
     /** This world in rain, mm/h, 0 or more. */
     public World withRain(double millimetresPerHour) {
-        return new World(this, Check.notNegative("rain", millimetresPerHour, Quantity.PRECIPITATION), light, models);
+        return new World(
+                this,
+                Check.notNegative("rain", millimetresPerHour, Quantity.PRECIPITATION),
+                light,
+                noiseSources,
+                models);
     }
 
     /** This world in another light. */
     public World withLight(Light other) {
-        return new World(this, rain, other, models);
+        return new World(this, rain, other, noiseSources, models);
+    }
+
+    /** This world with noise sources by name, in addition to its background. */
+    public World withNoiseSources(Map<String, NoiseSource> byName) {
+        Map<String, NoiseSource> ordered = Collections.unmodifiableMap(new LinkedHashMap<>(byName));
+        return new World(this, rain, light, ordered, models);
     }
 
     /**
@@ -130,7 +150,7 @@ public final class World {
         if (!byFirstTriangle.containsKey(0)) {
             throw new IllegalArgumentException("no model begins at triangle 0, but at " + byFirstTriangle.keySet());
         }
-        return new World(this, rain, light, new TreeMap<>(byFirstTriangle));
+        return new World(this, rain, light, noiseSources, new TreeMap<>(byFirstTriangle));
     }
 
     /** A world of a mesh with negligible noise (0 dB). */
@@ -272,6 +292,11 @@ public final class World {
     /** The sound of the site without drones. */
     public BackgroundNoise backgroundNoise() {
         return backgroundNoise;
+    }
+
+    /** What makes noise on the site, by name. */
+    public Map<String, NoiseSource> noiseSources() {
+        return noiseSources;
     }
 
     /** The acoustic surface of each material of the mesh, by the mesh's material numbers. */

@@ -1,6 +1,8 @@
 package org.dronewatch.world;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -22,6 +24,7 @@ import org.dronewatch.sound.BandLevels;
  * @param models the meshes, merged into one; at least one
  * @param backgroundNoise sound pressure level of the background, A-weighted, -20 to 140 dB re 20 uPa
  * @param noiseShape spectrum of the background: the levels of the octave bands relative to one another, dB
+ * @param noiseSources what makes noise on the site in addition to the background, by name
  * @param surfaces acoustic surfaces of the models' materials
  * @param atmosphere the air
  * @param rain rain rate, 0 to 500 mm/h; it affects radars, not sound
@@ -34,6 +37,7 @@ public record WorldSettings(
         List<ModelSettings> models,
         @In(value = Quantity.LEVEL, from = -20, to = 140) double backgroundNoise,
         BandLevels noiseShape,
+        Map<String, NoiseSource> noiseSources,
         SurfaceSettings surfaces,
         Atmosphere atmosphere,
         @In(value = Quantity.PRECIPITATION, from = 0, to = 500) double rain,
@@ -54,6 +58,7 @@ public record WorldSettings(
                 models,
                 backgroundNoise,
                 noiseShape,
+                noiseSources,
                 surfaces,
                 atmosphere,
                 rain,
@@ -66,6 +71,7 @@ public record WorldSettings(
             throw new IllegalArgumentException("surfaces." + e.getMessage(), e);
         }
         models = List.copyOf(models);
+        noiseSources = Collections.unmodifiableMap(new LinkedHashMap<>(noiseSources));
         if (models.isEmpty()) {
             throw new IllegalArgumentException("models is empty: a world needs at least one");
         }
@@ -83,6 +89,7 @@ public record WorldSettings(
                 models,
                 QUIET,
                 BackgroundNoise.FALLING,
+                Map.of(),
                 SurfaceSettings.DEFAULT,
                 Atmosphere.STANDARD,
                 0.0,
@@ -111,6 +118,13 @@ public record WorldSettings(
     /** The background. */
     public BackgroundNoise noise() {
         return new BackgroundNoise(backgroundNoise, noiseShape);
+    }
+
+    /** These settings with one more noise source. */
+    public WorldSettings withNoiseSource(String name, NoiseSource source) {
+        Map<String, NoiseSource> more = new LinkedHashMap<>(noiseSources);
+        more.put(name, source);
+        return SettingsForm.with(this, "noiseSources", more);
     }
 
     /** These settings with other surfaces. */

@@ -12,6 +12,7 @@ import java.util.SplittableRandom;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
@@ -25,6 +26,7 @@ import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.DroneSounds;
 import org.dronewatch.sound.SurfaceMaterials;
 import org.dronewatch.world.GroundPoint;
+import org.dronewatch.world.NoiseSource;
 
 /**
  * Random scenes that keep all limits: of every kind of sensor, flight, propagation and so on that there is, made from the
@@ -163,6 +165,7 @@ public final class RandomScenes {
             case "DroneSettings.model" -> Optional.of(model(BOX));
             case "DroneSettings.sound" -> Optional.of(oneOf(List.copyOf(DroneSounds.names())));
             case "SurfaceSettings.materials" -> Optional.of(Map.of("grass", surface()));
+            case "WorldSettings.noiseSources" -> Optional.of(noiseSources());
             case "OwnSurface.absorption" ->
                 Optional.of(Optional.of(BandFractions.flat(0.1 + 0.9 * random.nextDouble())));
             case "OwnSurface.absorptionByAngle" -> Optional.of(List.of());
@@ -171,6 +174,15 @@ public final class RandomScenes {
             case "SurfaceSettings.defaultSurface" -> Optional.of(surface());
             default -> Optional.of(value(part.getGenericType(), part, type));
         };
+    }
+
+    private Map<String, NoiseSource> noiseSources() {
+        List<Position> road = List.of(new Position(9, 9, 9), new Position(9, 9 + 20 * random.nextDouble(), 10));
+        return random.nextBoolean()
+                ? Map.of()
+                : Map.of(
+                        "road",
+                        NoiseSource.along(road, 100 * random.nextDouble()).withSoundLevel(40));
     }
 
     private String surface() {

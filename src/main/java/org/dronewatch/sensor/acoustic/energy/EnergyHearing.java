@@ -1,8 +1,11 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.sensor.Curve;
@@ -34,17 +37,19 @@ public final class EnergyHearing implements SoundTracer {
     /** Below this level, dB, a decay curve is the end of the estimate and not of the sound. */
     private static final double LOWEST_DECAY = -40.0;
 
+    /** Name of a figure: A-weighted level of background and noise sources together. */
+    private static final String BACKGROUND = "background_db";
+
     private final EnergyModel model;
     private final Microphone microphone;
     private final World world;
-    private final BandLevels background;
     private final EnergyTracer tracer;
+    private Optional<BandLevels> background = Optional.empty();
 
     EnergyHearing(EnergyModel model, Microphone microphone, World world) {
         this.model = model;
         this.microphone = microphone;
         this.world = world;
-        this.background = world.backgroundNoise().spectrum();
         this.tracer = new EnergyTracer(model, microphone.position(), microphone.radius(), world);
     }
 
@@ -61,7 +66,23 @@ public final class EnergyHearing implements SoundTracer {
     public Heard hear(Drone drone, RandomGenerator random) {
         EnergyReading reading = read(drone, random, RayRecorder.NONE);
         Signal signal = signal(reading);
-        return new Heard(signal.quantity(), signal.threshold(), reading.figures(background));
+        return new Heard(signal.quantity(), signal.threshold(), figures(reading));
+    }
+
+    private Map<String, Double> figures(EnergyReading reading) {
+        Map<String, Double> figures = new LinkedHashMap<>(reading.figures(background()));
+        if (!world.noiseSources().isEmpty()) {
+            figures.put(BACKGROUND, background().aWeighted());
+        }
+        return figures;
+    }
+
+    /** The noise without drones, by band; computed when it is needed for the first time. */
+    private BandLevels background() {
+        if (background.isEmpty()) {
+            background = Optional.of(SiteNoise.at(microphone.position(), world, tracer));
+        }
+        return background.get();
     }
 
     @Override
@@ -71,10 +92,10 @@ public final class EnergyHearing implements SoundTracer {
 
     private Signal signal(EnergyReading reading) {
         double value = reading.aWeightedLevel();
-        double over = background.aWeighted();
+        double over = background().aWeighted();
         if (model.criterion() == Criterion.BEST_BAND) {
-            int band = reading.bestBand(background);
-            value = reading.level(band) - background.level(band);
+            int band = reading.bestBand(background());
+            value = reading.level(band) - background().level(band);
             over = 0.0;
         }
         double threshold = microphone.detectionLevel(over);

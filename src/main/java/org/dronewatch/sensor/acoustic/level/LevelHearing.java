@@ -25,7 +25,7 @@ public final class LevelHearing implements SoundTracer {
     LevelHearing(LevelModel model, Microphone microphone, World world) {
         this.model = model;
         this.microphone = microphone.position();
-        this.threshold = microphone.detectionLevel(world.backgroundNoise().level());
+        this.threshold = microphone.detectionLevel(SiteNoiseLevel.of(model, microphone, world));
         this.tracer = new LevelTracer(model, microphone.position(), microphone.radius(), threshold, world);
     }
 

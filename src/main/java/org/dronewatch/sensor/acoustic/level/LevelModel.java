@@ -108,6 +108,10 @@ public record LevelModel(
 
     @Override
     public Map<Condition, String> ignoredConditions() {
-        return Map.of(Condition.AIR, "'propagation: energy-model' takes it into account");
+        return Map.of(
+                Condition.AIR,
+                "'propagation: energy-model' takes it into account",
+                Condition.NOISE_SOURCES,
+                "state its soundLevel, which the level model needs");
     }
 }

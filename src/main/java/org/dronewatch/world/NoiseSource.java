@@ -1,0 +1,119 @@
+package org.dronewatch.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.sound.BackgroundNoise;
+import org.dronewatch.sound.BandLevels;
+
+/**
+ * Something on the site that makes steady noise, such as a plant or a road. Microphones hear it through the world, as they hear
+ * drones, in addition to the background noise.
+ *
+ * @param positions where it is, m: one position for a plant, or the corners of a line, such as a road, over whose length its
+ *     sound is spread evenly
+ * @param soundPowerLevel A-weighted sound power level of all of it, -20 to 200 dB re 1 pW, in the energy model
+ * @param shape spectrum of the sound power: the levels of the octave bands relative to one another, without weighting, dB
+ * @param soundLevel level with which its rays leave in the level model, -100 to 200 dB; omit it, and microphones with that
+ *     model do not hear it
+ */
+public record NoiseSource(
+        List<Position> positions,
+        @In(value = Quantity.LEVEL, from = -20, to = 200) double soundPowerLevel,
+        BandLevels shape,
+        @In(value = Quantity.LEVEL, from = -100, to = 200) Optional<Double> soundLevel) {
+    /** A line is divided until no piece is longer than this fraction of its distance: 0.03 dB. */
+    private static final double LONGEST = 0.25;
+
+    /** The shortest piece, m, for listeners that are on the line. */
+    private static final double SHORTEST = 0.1;
+
+    /**
+     * Checks the limits and keeps its own list.
+     *
+     * @throws IllegalArgumentException if a value is out of range, there is no position, or a line has no length
+     */
+    public NoiseSource {
+        Limits.check(NoiseSource.class, positions, soundPowerLevel, shape, soundLevel);
+        positions = List.copyOf(positions);
+        if (positions.isEmpty()) {
+            throw new IllegalArgumentException("positions is empty: a noise source needs at least one");
+        }
+        if (positions.size() > 1 && !(length(positions) > 0.0)) {
+            throw new IllegalArgumentException("positions are all the same: a line needs a length");
+        }
+    }
+
+    /** A source with the default spectrum. */
+    @Defaults({"positions", "soundPowerLevel"})
+    public static NoiseSource along(List<Position> positions, double soundPowerLevel) {
+        return new NoiseSource(positions, soundPowerLevel, BackgroundNoise.FALLING, Optional.empty());
+    }
+
+    /** A source at one position, with the default spectrum. */
+    public static NoiseSource at(Position position, double soundPowerLevel) {
+        return along(List.of(position), soundPowerLevel);
+    }
+
+    /** This source with another spectrum: levels of the bands relative to one another, dB. */
+    public NoiseSource withShape(BandLevels other) {
+        return SettingsForm.with(this, "shape", other);
+    }
+
+    /** This source with a level for the level model, dB. */
+    public NoiseSource withSoundLevel(double level) {
+        return SettingsForm.with(this, "soundLevel", Optional.of(level));
+    }
+
+    /** Sound power levels of all of it by octave band, without weighting, dB re 1 pW. */
+    public BandLevels power() {
+        return shape.plus(soundPowerLevel - shape.aWeighted());
+    }
+
+    /**
+     * A piece of a source, so short that it is a point to a listener.
+     *
+     * @param position of its middle, m
+     * @param share of the source's power
+     */
+    public record Piece(Position position, double share) {}
+
+    /** The source in pieces for a listener, in the order of its positions. */
+    public List<Piece> pieces(Position listener) {
+        if (positions.size() == 1) {
+            return List.of(new Piece(positions.get(0), 1.0));
+        }
+        double whole = length(positions);
+        List<Piece> pieces = new ArrayList<>();
+        for (int i = 1; i < positions.size(); i++) {
+            divide(positions.get(i - 1), positions.get(i), listener, whole, pieces);
+        }
+        return pieces;
+    }
+
+    private static void divide(Position from, Position to, Position listener, double whole, List<Piece> pieces) {
+        double length = from.distance(to);
+        Position middle = from.plus(to).times(0.5);
+        double nearest = Math.max(0.0, middle.distance(listener) - 0.5 * length);
+        if (length > Math.max(SHORTEST, LONGEST * nearest)) {
+            divide(from, middle, listener, whole, pieces);
+            divide(middle, to, listener, whole, pieces);
+        } else if (length > 0.0) {
+            pieces.add(new Piece(middle, length / whole));
+        }
+    }
+
+    private static double length(List<Position> positions) {
+        double length = 0.0;
+        for (int i = 1; i < positions.size(); i++) {
+            length += positions.get(i - 1).distance(positions.get(i));
+        }
+        return length;
+    }
+}
