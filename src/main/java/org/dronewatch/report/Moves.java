@@ -10,6 +10,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Objects;
+import java.util.stream.Stream;
 
 /** Moves of files that can be undone together, so that a write that fails changes nothing. */
 final class Moves {
@@ -39,6 +40,26 @@ final class Moves {
         Files.createDirectories(Objects.requireNonNull(kept.getParent()));
         rename(file, kept);
         done.push(() -> rename(kept, file));
+    }
+
+    /** Removes a directory, if nothing is in it, and those that hold it and become empty by that, up to but not including one. */
+    void removeIfEmpty(Path directory, Path last) throws IOException {
+        Path here = directory;
+        while (here.startsWith(last) && !here.equals(last) && isEmptyDirectory(here)) {
+            Path removed = here;
+            Files.delete(removed);
+            done.push(() -> Files.createDirectory(removed));
+            here = Objects.requireNonNull(removed.getParent());
+        }
+    }
+
+    private static boolean isEmptyDirectory(Path path) throws IOException {
+        if (!Files.isDirectory(path, LinkOption.NOFOLLOW_LINKS)) {
+            return false;
+        }
+        try (Stream<Path> inside = Files.list(path)) {
+            return inside.findAny().isEmpty();
+        }
     }
 
     /** Creates a directory and its missing parents. */

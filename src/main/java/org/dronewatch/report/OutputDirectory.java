@@ -127,7 +127,8 @@ final class OutputDirectory implements AutoCloseable {
     /**
      * Moves all written files into place; if one cannot be moved, none is.
      *
-     * @param obsolete files of an earlier run that must not stay if they were not written anew
+     * @param obsolete files of an earlier run that must not stay if they were not written anew, nor the folders that held
+     *     nothing else
      */
     void publish(List<String> obsolete) throws IOException {
         Moves moves = new Moves();
@@ -141,6 +142,9 @@ final class OutputDirectory implements AutoCloseable {
             for (Path file : filesIn(fresh)) {
                 Path relative = fresh.relativize(file);
                 moves.move(file, target.resolve(relative), replaced.resolve(relative));
+            }
+            for (String name : obsolete) {
+                moves.removeIfEmpty(Objects.requireNonNull(target.resolve(name).getParent()), target);
             }
         } catch (IOException | RuntimeException e) {
             moves.takeBack(e);

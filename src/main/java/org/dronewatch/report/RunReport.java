@@ -289,9 +289,12 @@ public final class RunReport implements SceneListener, AutoCloseable {
     public void close() {
         try {
             labels.ifPresent(Labels::close);
-            closeTables();
         } finally {
-            directory.close();
+            try {
+                closeTables();
+            } finally {
+                directory.close();
+            }
         }
     }
 }

@@ -1,11 +1,11 @@
 package org.dronewatch.report.labels;
 
 import java.io.BufferedOutputStream;
-import java.io.BufferedReader;
 import java.io.BufferedWriter;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
@@ -51,10 +51,12 @@ public final class Labels implements AutoCloseable {
     private final Target target;
     private final List<LabelledCamera> cameras = new ArrayList<>();
 
-    /** What is known of the looks of one camera in one run: an image's line, then those of its annotations. */
-    private final List<Path> parts = new ArrayList<>();
+    /** What the cameras saw: for each run and camera a part, in this order. */
+    private final List<LabelPart> parts = new ArrayList<>();
 
-    private final List<BufferedWriter> writers = new ArrayList<>();
+    /** The parts of the cameras in the current run. */
+    private final List<LabelPart> open = new ArrayList<>();
+
     private boolean several;
 
     /** Labels by a plan. */
@@ -65,14 +67,14 @@ public final class Labels implements AutoCloseable {
 
     /** Begins a run. */
     public void runStarted(RunInfo run, Stage stage) throws IOException {
-        closeWriters();
+        closeParts();
         cameras.clear();
         several = run.runs() > 1;
         for (String id : plan.cameras()) {
             cameras.add(new LabelledCamera(id, run.settings().sensors().get(id), stage, plan.samples()));
-            Path part = target.file(PICTURES + "/part-" + parts.size());
-            parts.add(part);
-            writers.add(Files.newBufferedWriter(part, StandardCharsets.UTF_8));
+            String part = PICTURES + "/part-" + parts.size();
+            open.add(new LabelPart(target.file(part + "-images"), target.file(part + "-annotations")));
+            parts.add(open.get(open.size() - 1));
         }
     }
 
@@ -84,15 +86,15 @@ public final class Labels implements AutoCloseable {
             if (look >= 0) {
                 String name = name(frame.run(), camera.id(), look);
                 writePng(camera, frame, target.file(name));
-                write(writers.get(i), image(frame, camera, look, name));
+                List<ObjectNode> annotations = new ArrayList<>();
                 List<DronePixels> hits = camera.hits(frame);
                 for (int drone = 0; drone < hits.size(); drone++) {
                     if (hits.get(drone).count() > 0) {
-                        write(
-                                writers.get(i),
+                        annotations.add(
                                 annotation(frame, camera, frame.drones().get(drone), hits.get(drone)));
                     }
                 }
+                open.get(i).add(image(frame, camera, look, name), annotations);
             }
         }
     }
@@ -153,66 +155,59 @@ public final class Labels implements AutoCloseable {
         return shortest.scale() < 0 ? shortest.setScale(0) : shortest;
     }
 
-    private static void write(BufferedWriter writer, ObjectNode node) throws IOException {
-        writer.write(MAPPER.writeValueAsString(node));
-        writer.write('\n');
-    }
-
     /** Writes {@code coco.json} from all that was seen. */
     public void finish(String scene) throws IOException {
-        closeWriters();
+        closeParts();
         ObjectNode info = JsonNodeFactory.instance.objectNode();
         info.put("description", "What the cameras of the scene '" + scene + "' see of drones");
         try (BufferedWriter coco = Files.newBufferedWriter(target.file(COCO), StandardCharsets.UTF_8)) {
             coco.write("{\n\"info\": " + MAPPER.writeValueAsString(info) + ",\n\"licenses\": [],\n");
             coco.write("\"categories\": [{\"id\":1,\"name\":\"drone\",\"supercategory\":\"aircraft\"}],\n");
             coco.write("\"images\": [");
-            copy(coco, true);
+            long images = 0;
+            for (LabelPart part : parts) {
+                images = part.copyImages(coco, images);
+            }
             coco.write("\n],\n\"annotations\": [");
-            copy(coco, false);
+            images = 0;
+            long annotations = 0;
+            for (LabelPart part : parts) {
+                annotations = part.copyAnnotations(coco, annotations, images);
+                images += part.images();
+            }
             coco.write("\n]\n}\n");
         }
-        for (Path part : parts) {
-            Files.delete(part);
+        for (LabelPart part : parts) {
+            part.delete();
         }
     }
 
-    /** Copies the lines of images, or those of annotations, and numbers them from 1. */
-    private void copy(BufferedWriter coco, boolean images) throws IOException {
-        int image = 0;
-        int annotation = 0;
-        for (Path part : parts) {
-            try (BufferedReader lines = Files.newBufferedReader(part, StandardCharsets.UTF_8)) {
-                for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                    boolean isImage = line.startsWith("{\"file_name\"");
-                    image += isImage ? 1 : 0;
-                    annotation += isImage ? 0 : 1;
-                    if (isImage == images) {
-                        int number = images ? image : annotation;
-                        coco.write(number == 1 ? "\n" : ",\n");
-                        coco.write("{\"id\":" + number + (images ? "," : ",\"image_id\":" + image + ","));
-                        coco.write(line, 1, line.length() - 1);
-                    }
-                }
+    private void closeParts() throws IOException {
+        IOException problem = null;
+        for (LabelPart part : open) {
+            try {
+                part.close();
+            } catch (IOException e) {
+                problem = problem == null ? e : problem;
             }
         }
-    }
-
-    private void closeWriters() throws IOException {
-        for (BufferedWriter writer : writers) {
-            writer.close();
+        open.clear();
+        if (problem != null) {
+            throw problem;
         }
-        writers.clear();
     }
 
-    /** Ends the labels; what was not finished is the target's to remove. */
+    /**
+     * Ends the labels; what was not finished is the target's to remove.
+     *
+     * @throws UncheckedIOException when the last lines cannot be written
+     */
     @Override
     public void close() {
         try {
-            closeWriters();
+            closeParts();
         } catch (IOException e) {
-            // What is lost would not have been used, and the disk has already been reported.
-            return;
+            throw new UncheckedIOException(e);
         }
     }
 }

@@ -367,20 +367,25 @@ class LabelsTest {
             "--set",
             "sensors.west.height=36"
         };
+        String[] unlabelled = {
+            "run",
+            "scenes/daylight.yaml",
+            "--set",
+            "run.duration=1",
+            "--out",
+            directory.resolve("r").toString()
+        };
+        coco(quick);
+        assertThat(directory.resolve("r/labels/west/000002.png")).exists();
+        run(0, unlabelled);
+        assertThat(directory.resolve("r/labels")).doesNotExist();
+        assertThat(directory.resolve("r/coco.json")).doesNotExist();
+
         coco(quick);
         Path own = directory.resolve("r/labels/west/mine.png");
         Files.writeString(own, "mine");
-        assertThat(directory.resolve("r/labels/west/000002.png")).exists();
-        run(
-                0,
-                "run",
-                "scenes/daylight.yaml",
-                "--set",
-                "run.duration=1",
-                "--out",
-                directory.resolve("r").toString());
+        run(0, unlabelled);
         assertThat(directory.resolve("r/labels/west/000002.png")).doesNotExist();
-        assertThat(directory.resolve("r/coco.json")).doesNotExist();
         assertThat(own).exists();
     }
 
