@@ -45,9 +45,10 @@ public final class Spelling {
         return "; did you mean '" + name + "'?";
     }
 
-    /** The end of a message about an unknown name: {@code nearest are camera, radar, rf}. */
+    /** The end of a message about an unknown name: {@code nearest are camera, radar, rf}, or {@code nearest is camera}. */
     public static String nearestAre(String typed, Collection<String> names) {
-        return "nearest are " + String.join(", ", nearest(typed, names, SUGGESTIONS));
+        List<String> nearest = nearest(typed, names, SUGGESTIONS);
+        return (nearest.size() == 1 ? "nearest is " : "nearest are ") + String.join(", ", nearest);
     }
 
     /**
