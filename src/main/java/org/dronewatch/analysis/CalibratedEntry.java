@@ -19,7 +19,10 @@ import org.dronewatch.setting.file.Node;
 import org.dronewatch.setting.file.SettingsFile;
 import org.dronewatch.world.WorldSettings;
 
-/** The catalogue entry of a calibrated sensor: its settings without position and aim, and the range with its conditions. */
+/**
+ * The catalogue entry of a calibrated sensor: its settings without position and aim, and its range with the conditions under
+ * which it was fitted.
+ */
 public final class CalibratedEntry {
     private CalibratedEntry() {}
 

@@ -13,14 +13,15 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The threshold with which a sensor detects a drone from a given range on, with a clear line of sight and under a scene's
- * conditions
- * ({@link FreeSight}). It uses {@link org.dronewatch.sensor.AssessableSensor#assess}, not runs, so that nothing is left to chance.
+ * The threshold with which a sensor detects a drone from a given range on, with a clear line of sight and under the
+ * conditions of a scene ({@link FreeSight}). It uses {@link org.dronewatch.sensor.AssessableSensor#assess}, not runs, so that
+ * nothing is left to chance.
  *
  * @param sensor the sensor with its fitted threshold
  * @param scale which setting was fitted
  * @param threshold the fitted value, in the unit of the scale
- * @param ranges the greatest range for the fitted value, and, of a threshold in whole numbers, for one less and one more, m
+ * @param ranges greatest range for the fitted value and, of a threshold in whole numbers, for one less and one more, m;
+ *     not a number for a value that is reached at no range
  */
 public record Calibration(
         SensorSettings<?> sensor, Thresholded.Scale scale, double threshold, Map<Double, Double> ranges) {
@@ -34,8 +35,9 @@ public record Calibration(
     private static final double STEP = 1e-3;
 
     /**
-     * At how many ranges a count is looked at over the way that the drone flies between two looks. Counts do not fall steadily: a
-     * farther position at which the drone covers one pixel more for less than this way may fall between two looks.
+     * At how many ranges a count is looked at over the way that the drone flies between two looks. Counts do not fall
+     * steadily: a farther position at which the drone covers one pixel more for less than this way may fall between two
+     * looks.
      */
     private static final double PER_LOOK = 4.0;
 
@@ -137,7 +139,7 @@ public record Calibration(
             return yes;
         }
 
-        /** The greatest range of a threshold for which detection does not come back farther away, m; NaN when there is none. */
+        /** The greatest range of a threshold from which on it detects, m; NaN when there is none. */
         private double greatest(double threshold) {
             FreeSight.Probability look = sight.of(sensor.withThreshold(threshold));
             DoublePredicate detects = range -> look.at(range) >= probability;
@@ -148,9 +150,8 @@ public record Calibration(
         }
 
         /**
-         * The greatest range of a count from which on it is reached for the length of a look's flight, looked for from far away
-         * inwards,
-         * m; NaN when there is none.
+         * The greatest range of a count from which on it is reached for the length of a look's flight, looked for from far
+         * away inwards, m; NaN when there is none.
          */
         private double greatestByCount(double threshold, double about) {
             FreeSight.Probability look = sight.of(sensor.withThreshold(threshold));

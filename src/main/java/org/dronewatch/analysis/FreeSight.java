@@ -17,9 +17,10 @@ import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * A drone in front of a sensor with nothing else about: the air, noise, rain and light of a scene without its models. The sensor's
- * axis is level, with the azimuth of its own aim (north for a sensor without one); the drone is on that axis, at the sensor's height,
- * and flies towards the sensor at its cruise speed. A positioner has turned to the drone, as in {@link Coverage}.
+ * A drone in front of a sensor with nothing else about: the air, background noise, rain and light of a scene without its
+ * models and noise sources. The sensor's axis is level, with the azimuth of its own aim (north for a sensor without one); the
+ * drone is on that axis, at the sensor's height, and flies towards the sensor at its cruise speed. A positioner has turned to
+ * the drone, as in {@link Coverage}.
  *
  * @param world conditions without models
  * @param drone the drone that is put in front of the sensor
@@ -28,7 +29,7 @@ import org.dronewatch.world.WorldSettings;
  */
 record FreeSight(World world, Drone drone, String sensor, long seed) {
 
-    /** The conditions of a scene's world. */
+    /** The conditions of a scene's world: what belongs to its place is left out. */
     static FreeSight in(WorldSettings site, Drone drone, String sensor, long seed) {
         TriangleMesh nothing = new TriangleMesh(new float[0], new int[0], new int[0], new int[0], List.of());
         World free = new World(KDTree.of(nothing), site.noise(), site.surfaces(), site.atmosphere())
