@@ -1,6 +1,7 @@
 package org.dronewatch.geometry;
 
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.InOrder;
 import org.dronewatch.setting.Quantity;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Tuple3d;
@@ -15,6 +16,7 @@ import org.jogamp.vecmath.Vector3d;
  * @param y north, -100 to 100 km in settings, m
  * @param z up, -100 to 100 km in settings, m
  */
+@InOrder
 public record Position(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double x,
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double y,

@@ -23,6 +23,6 @@ public final class SceneWriter {
     public static String text(String name, SceneSettings settings, Path from, Path file) {
         String text = SettingsFile.text(settings, SensorKinds.kinds(Catalog.packaged()), from, file);
         return "# " + PlainText.value(name)
-                + ", as saved by dronewatch: numbers without a unit are in SI units, angles in radians.\n" + text;
+                + ", as saved by dronewatch: positions are in metres, levels of octave bands in decibels.\n" + text;
     }
 }

@@ -74,6 +74,9 @@ public enum Quantity {
 
     private static final MathContext BRIEF = new MathContext(4);
 
+    /** As many digits at most distinguish a number from its neighbours. */
+    private static final int DIGITS_OF_DOUBLE = 17;
+
     private final String unit;
     private final ToDoubleFunction<String> ofOneUnit;
 
@@ -129,6 +132,36 @@ public enum Quantity {
                 && value != 0.0
                 && written.length() <= LONGEST_WRITTEN;
         return bare ? shown + " (" + written + " " + unit + ")" : shown;
+    }
+
+    /**
+     * A value as it stands in a file, with its unit: {@link #parse} gives exactly this value again. Angles are in degrees
+     * where a number of degrees is exactly the value, otherwise in radians.
+     *
+     * @param value finite
+     */
+    public String exactly(double value) {
+        double inDegrees = Math.toDegrees(value);
+        if (unit.equals(displayUnit()) || !Double.isFinite(inDegrees)) {
+            return withUnit(shortest(value), unit);
+        }
+        BigDecimal degrees = new BigDecimal(inDegrees);
+        for (int digits = 1; digits <= DIGITS_OF_DOUBLE; digits++) {
+            double rounded = degrees.round(new MathContext(digits)).doubleValue();
+            String text = withUnit(shortest(rounded), displayUnit());
+            if (Double.doubleToLongBits(parse(text)) == Double.doubleToLongBits(value)) {
+                return text;
+            }
+        }
+        return withUnit(shortest(value), unit);
+    }
+
+    private static String withUnit(String number, String unit) {
+        return unit.isEmpty() ? number : number + " " + unit;
+    }
+
+    private static String shortest(double value) {
+        return Double.toString(value).replaceFirst("\\.0$", "");
     }
 
     /** A number as a person writes it: {@code 0.5}, {@code 10000}. */

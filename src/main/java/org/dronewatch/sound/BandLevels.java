@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.InOrder;
 import org.dronewatch.setting.OneForAll;
 import org.dronewatch.setting.Quantity;
 
@@ -21,6 +22,7 @@ import org.dronewatch.setting.Quantity;
  * @param hz4000 level of the band at 4 kHz, -200 to 200 dB in settings
  * @param hz8000 level of the band at 8 kHz, -200 to 200 dB in settings
  */
+@InOrder
 @OneForAll
 public record BandLevels(
         @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz63,

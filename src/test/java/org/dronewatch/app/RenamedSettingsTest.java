@@ -187,11 +187,11 @@ class RenamedSettingsTest {
                         "warning: " + entry + ":9:3: setting 'leastSignal' is now called 'minSnr'");
         assertThat(Files.readString(saved).lines().filter(line -> line.matches(" *(netd|minSnr): .*")))
                 .containsExactly(
-                        "    netd: 0.06",
+                        "    netd: 0.06 K",
                         "    minSnr: 3",
-                        "    netd: 0.04",
+                        "    netd: 0.04 K",
                         "    minSnr: 3",
-                        "    netd: 0.04",
+                        "    netd: 0.04 K",
                         "    minSnr: 3");
     }
 }

@@ -241,13 +241,33 @@ class SavedSceneTest {
     }
 
     @Test
+    void numbersAreWrittenByNameAndWithTheirUnits() throws IOException {
+        SceneRunner runner = new SceneRunner(new CameraRange())
+                .set("sensors.camera.fov", "30 deg")
+                .set("sensors.camera.projection.shiftUp", "0.2")
+                .set("sensors.camera.projection.far", "0.2 km")
+                .set("world.tracing.costs.traversal", "7")
+                .set("world.light.sun", "200 deg, 55 deg");
+        SceneSettings settings = runner.settings();
+
+        assertThat(runner.text(settings, directory.resolve("saved.yaml")))
+                .contains(
+                        "    fov: 30 deg\n",
+                        "    projection: {shiftUp: 0.2, far: 200 m}\n",
+                        "    costs: {traversal: 7}\n",
+                        "    sun: {azimuth: 200 deg, elevation: 55 deg}\n",
+                        "    position: [0, 0, 144]\n");
+        assertThat(saved(runner, settings).settings()).isEqualTo(settings);
+    }
+
+    @Test
     void theFileIsWrittenAsPeopleWouldWriteIt() {
         SceneRunner runner = new SceneRunner(new Swept());
 
         assertThat(runner.text(runner.settingsOfRuns().get(2), directory.resolve("saved.yaml")))
                 .isEqualTo(
                         """
-                        # swept, as saved by dronewatch: numbers without a unit are in SI units, angles in radians.
+                        # swept, as saved by dronewatch: positions are in metres, levels of octave bands in decibels.
                         world:
                           models: [packaged:hill.obj]
                         drones:
@@ -258,9 +278,9 @@ class SavedSceneTest {
                           eye:
                             kind: camera
                             position: [0, 0, 144]
-                            rate: 0.3333333333333333
+                            rate: 0.3333333333333333 Hz
                         run:
-                          duration: 0.3
+                          duration: 0.3 s
                           seed: 1454173614451846
                         sweep:
                           kind: values

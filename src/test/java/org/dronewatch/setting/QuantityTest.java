@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Locale;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 class QuantityTest {
 
@@ -90,5 +92,35 @@ class QuantityTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Quantity.LENGTH.parse("9".repeat(5000)))
                 .satisfies(e -> assertThat(e.getMessage()).hasSizeLessThan(200));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Quantity.class)
+    void whatIsWrittenExactlyIsReadExactly(Quantity quantity) {
+        Random random = new Random(20261123);
+        for (int i = 0; i < 20_000; i++) {
+            double value = i < 10_000
+                    ? Math.scalb(random.nextDouble() - 0.5, random.nextInt(200) - 100)
+                    : Math.toRadians(0.1 * (random.nextInt(7200) - 3600));
+            assertThat(quantity.parse(quantity.exactly(value)))
+                    .as("%s, seed 20261123", quantity.exactly(value))
+                    .isEqualTo(value);
+        }
+        for (double value : new double[] {0.0, -0.0, Double.MIN_VALUE, Double.MAX_VALUE, Math.PI}) {
+            assertThat(Double.doubleToLongBits(quantity.parse(quantity.exactly(value))))
+                    .as(quantity.exactly(value))
+                    .isEqualTo(Double.doubleToLongBits(value));
+        }
+    }
+
+    @Test
+    void exactTextsAreAsPeopleWriteThem() {
+        assertThat(Quantity.ANGLE.exactly(Math.toRadians(30))).isEqualTo("30 deg");
+        assertThat(Quantity.ANGLE.exactly(Math.toRadians(-39.6))).isEqualTo("-39.6 deg");
+        assertThat(Quantity.ANGLE.exactly(0.0)).isEqualTo("0 deg");
+        assertThat(Quantity.ANGULAR_SPEED.exactly(Math.toRadians(60))).isEqualTo("60 deg/s");
+        assertThat(Quantity.LENGTH.exactly(0.1 + 0.2)).isEqualTo("0.30000000000000004 m");
+        assertThat(Quantity.RATIO.exactly(0.5)).isEqualTo("0.5");
+        assertThat(Quantity.NUMBER.exactly(7.0)).isEqualTo("7");
     }
 }

@@ -90,8 +90,7 @@ public final class Labels implements AutoCloseable {
                 List<DronePixels> hits = camera.hits(frame);
                 for (int drone = 0; drone < hits.size(); drone++) {
                     if (hits.get(drone).count() > 0) {
-                        annotations.add(
-                                annotation(frame, camera, frame.drones().get(drone), hits.get(drone)));
+                        annotations.add(annotation(frame, camera, frame.drones().get(drone), hits.get(drone)));
                     }
                 }
                 open.get(i).add(image(frame, camera, look, name), annotations);

@@ -73,7 +73,7 @@ public final class SettingsFile {
     }
 
     /**
-     * An equivalent YAML file for a record: numbers exactly, in the units in which they are kept, omitting what is
+     * An equivalent YAML file for a record: numbers exactly and with their units, omitting what is
      * as it would be by default.
      *
      * @param kinds among which to choose where the record has an interface

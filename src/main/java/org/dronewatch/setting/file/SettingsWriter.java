@@ -11,13 +11,16 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.setting.Choices;
+import org.dronewatch.setting.InOrder;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Switchable;
 
 /**
- * Makes nodes of settings records, which {@link SettingsReader} makes the same records of. Numbers are written exactly, in the
- * units in which they are kept; what is as it would be by default is left out.
+ * Makes nodes of settings records, which {@link SettingsReader} makes the same records of. Numbers are written exactly and with
+ * their units; what is as it would be by default is left out.
  */
 final class SettingsWriter {
     private static final Mark NOWHERE = new Mark("", 1, 1);
@@ -62,7 +65,7 @@ final class SettingsWriter {
                     && Objects.equals(SettingsForm.get(plain.get(), part), value);
             if (!isDefault) {
                 String here = path.isEmpty() ? part.getName() : path + "." + part.getName();
-                Node node = node(value, part.getGenericType(), here);
+                Node node = node(value, part.getGenericType(), SettingText.quantity(part), here);
                 written.put(part.getName(), switched(form, part, settings, node));
             }
         }
@@ -96,28 +99,32 @@ final class SettingsWriter {
         return mapping(all);
     }
 
-    private Node node(Object value, Type type, String path) {
+    private Node node(Object value, Type type, Quantity quantity, String path) {
         if (value instanceof Node ready) {
             return ready;
         }
         if (value instanceof Optional<?> optional) {
-            return node(optional.orElseThrow(() -> refused(path, "being without a value")), inner(type, 0), path);
+            Object present = optional.orElseThrow(() -> refused(path, "being without a value"));
+            return node(present, inner(type, 0), quantity, path);
         }
         if (value instanceof List<?> list) {
             List<Node> items = new ArrayList<>();
             for (Object item : list) {
-                items.add(node(item, inner(type, 0), path + "." + items.size()));
+                items.add(node(item, inner(type, 0), quantity, path + "." + items.size()));
             }
             return Node.Sequence.of(items, NOWHERE);
         }
         if (value instanceof Map<?, ?> map) {
             Map<String, Node> values = new LinkedHashMap<>();
-            map.forEach((key, item) -> values.put((String) key, node(item, inner(type, 1), path + "." + key)));
+            map.forEach(
+                    (key, item) -> values.put((String) key, node(item, inner(type, 1), quantity, path + "." + key)));
             return mapping(values);
         }
         Class<?> plain = (Class<?>) (type instanceof ParameterizedType several ? several.getRawType() : type);
         // An enumeration whose constants have bodies counts as sealed.
-        return kinds.isChoice(plain) && !plain.isEnum() ? choice(plain, value, path) : single(plain, value, path);
+        return kinds.isChoice(plain) && !plain.isEnum()
+                ? choice(plain, value, path)
+                : single(plain, value, quantity, path);
     }
 
     private static Type inner(Type type, int index) {
@@ -139,7 +146,7 @@ final class SettingsWriter {
         return mapping(written);
     }
 
-    private Node single(Class<?> type, Object value, String path) {
+    private Node single(Class<?> type, Object value, Quantity quantity, String path) {
         if (value instanceof Record record && type == value.getClass()) {
             return record(record, path);
         }
@@ -147,7 +154,7 @@ final class SettingsWriter {
             return scalar(Choices.name(constant.name()));
         }
         if (value instanceof Double number && Double.isFinite(number)) {
-            return scalar(number.toString().replaceFirst("\\.0$", ""));
+            return scalar(quantity.exactly(number));
         }
         boolean isText = value instanceof String text && !text.isEmpty();
         if (isText || value instanceof Integer || value instanceof Long || value instanceof Boolean) {
@@ -156,18 +163,22 @@ final class SettingsWriter {
         throw refused(path, nameOf(value));
     }
 
-    /** In the shortest form: a list of numbers, the only part that is needed, or all parts by name. */
+    /** In the shortest form that a reader understands: numbers in order, the only part that is needed, or all parts by name. */
     private Node record(Record settings, String path) {
         SettingsForm form = SettingsForm.of(settings.getClass());
-        if (form.isNumbers()) {
+        if (form.isNumbers() && form.type().isAnnotationPresent(InOrder.class)) {
             List<Node> numbers = new ArrayList<>();
             form.parts()
-                    .forEach(part -> numbers.add(
-                            single(part.getType(), SettingsForm.get(settings, part), path + "." + part.getName())));
+                    .forEach(part -> numbers.add(single(
+                            part.getType(),
+                            SettingsForm.get(settings, part),
+                            Quantity.NUMBER,
+                            path + "." + part.getName())));
             return Node.Sequence.of(numbers, NOWHERE);
         }
         Map<String, Node> written = parts(settings, path);
-        boolean knownByOnePart = form.required().size() == 1
+        boolean knownByOnePart = !form.isNumbers()
+                && form.required().size() == 1
                 && written.size() == 1
                 && kinds.named(settings.getClass()).isEmpty()
                 && written.get(form.required().get(0)) instanceof Node.Scalar;

@@ -19,8 +19,8 @@ final class YamlText {
     private static final String STEP = "  ";
 
     /** Texts that mean themselves without quotes, wherever they stand. */
-    private static final Pattern PLAIN =
-            Pattern.compile("[A-Za-z][A-Za-z0-9_./-]*(:[A-Za-z0-9_./-]+)*|-?[0-9]+(\\.[0-9]+)?(E-?[0-9]+)?");
+    private static final Pattern PLAIN = Pattern.compile("[A-Za-z][A-Za-z0-9_./-]*(:[A-Za-z0-9_./-]+)*"
+            + "|-?[0-9]+(\\.[0-9]+)?(E-?[0-9]+)?( [A-Za-z][A-Za-z0-9/]*)?");
 
     /** Words that some YAML readers interpret as null, true or false. */
     private static final Set<String> SPECIAL = Set.of("null", "yes", "no", "on", "off", "y", "n");
