@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.catalog.CatalogEntry.Basis;
@@ -20,48 +21,61 @@ import org.dronewatch.setting.file.SettingsFile;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * The catalogue entry of a calibrated sensor: its settings without position and aim, and its range with the conditions under
- * which it was fitted.
+ * The catalogue entry of a calibrated sensor: its settings without position and aim, and the range that was fitted with the
+ * conditions under which it holds. All conditions are stated, also those that are as by default, so that the entry means the
+ * same in any scene.
+ *
+ * @param scene name of the scene whose conditions hold
+ * @param run which run of its sweep, in words; empty if it has none
+ * @param settings of the scene, or of that run
+ * @param sensor name of the sensor
+ * @param drone name of the drone
+ * @param range the range asked for, m
+ * @param probability the probability asked for
  */
-public final class CalibratedEntry {
-    private CalibratedEntry() {}
+public record CalibratedEntry(
+        String scene,
+        Optional<String> run,
+        SceneSettings settings,
+        String sensor,
+        String drone,
+        Calibration fit,
+        double range,
+        double probability) {
+    /** The first line of the file of every entry. */
+    public static final Pattern FIRST_LINE = Pattern.compile("# A sensor as calibrated by dronewatch: .*");
+
+    private static final String HEADING =
+            "# A sensor as calibrated by dronewatch: scene files in this directory take it by"
+                    + " {use: NAME}, the name of this file without .yaml.\n";
+
+    /** What of a world belongs to its place, not to its conditions. */
+    private static final List<String> PLACE = List.of("models", "noiseSources", "surfaces", "origin", "tracing");
+
+    /** Ranges are stated in whole millimetres. */
+    private static final double PER_METRE = 1e3;
 
     /**
      * The text of the entry's file.
      *
-     * @param scene name of the scene whose conditions hold
-     * @param settings of the scene
-     * @param sensor name of the sensor
-     * @param drone name of the drone
-     * @param range the range asked for, m
-     * @param probability the probability asked for
      * @param from directory where names of files in the settings start
      * @param file that is to hold the text
      * @throws org.dronewatch.setting.InputException when a setting cannot be written
      */
-    public static String text(
-            String scene,
-            SceneSettings settings,
-            String sensor,
-            String drone,
-            Calibration fit,
-            double range,
-            double probability,
-            Path from,
-            Path file) {
+    public String text(Path from, Path file) {
         Kinds kinds = SensorKinds.kinds(Catalog.packaged());
         DroneSettings flying = settings.fliers().get(drone);
         Node.Mapping drones = SettingsFile.part(flying, DroneSettings.class, kinds, from, file)
                 .without(List.of("flight", "swarm", "label"));
-        Node.Mapping world = SettingsFile.part(settings.world(), WorldSettings.class, kinds, from, file)
-                .without(List.of("models", "surfaces", "origin", "tracing"));
-        Node.Mapping own = SettingsFile.part((Record) fit.sensor(), SensorSettings.class, kinds, from, file)
-                .without(List.of("position", "aim"));
-        PublishedRange stated = new PublishedRange(
-                range,
-                "drone '" + drone + "' of " + scene,
-                Optional.of(drones),
-                world.values().isEmpty() ? Optional.empty() : Optional.of(world));
+        Node.Mapping world = SettingsFile.wholePart(settings.world(), WorldSettings.class, kinds, from, file)
+                .without(PLACE);
+        Record fitted = (Record) fit.sensor();
+        Node.Mapping own = SettingsFile.part(fitted, SensorSettings.class, kinds, from, file)
+                .without(List.of("position", "aim"))
+                .overlaidWith(threshold(SettingsFile.wholePart(fitted, SensorSettings.class, kinds, from, file)));
+        String target = "drone '" + drone + "' of " + scene
+                + run.map(swept -> ", " + swept).orElse("");
+        PublishedRange stated = new PublishedRange(fittedRange(), target, Optional.of(drones), Optional.of(world));
         CatalogEntry entry = new CatalogEntry(
                 "Sensor '" + sensor + "' of " + scene + ", calibrated",
                 String.format(
@@ -70,18 +84,39 @@ public final class CalibratedEntry {
                         number(range),
                         number(probability)),
                 Basis.CALIBRATED,
-                note(fit),
+                note(),
                 "as its settings say",
                 Optional.empty(),
                 List.of(stated),
                 own);
-        return "# A sensor for scene files in this directory: {use: NAME}, NAME being the name of this file without .yaml.\n"
-                + SettingsFile.text(entry, kinds, file.toAbsolutePath().resolveSibling(""), file);
+        return HEADING + SettingsFile.text(entry, kinds, file.toAbsolutePath().resolveSibling(""), file);
     }
 
-    private static String note(Calibration fit) {
-        return "Fitted with a clear line of sight, without the models of the scene. " + String.join("; ", lines(fit))
-                + ".";
+    /** The setting that was fitted, which the entry states even where it happens to be as by default. */
+    private Node.Mapping threshold(Node.Mapping sensor) {
+        String name = fit.scale().setting().replaceFirst("\\..*", "");
+        return sensor.without(sensor.values().keySet().stream()
+                .filter(other -> !other.equals(name))
+                .toList());
+    }
+
+    /** The range that was fitted, to the millimetre, m. */
+    private double fittedRange() {
+        return Math.rint(fit.range() * PER_METRE) / PER_METRE;
+    }
+
+    private String note() {
+        double more = fittedRange() - range;
+        String residual = Math.abs(more) * PER_METRE < 1.0
+                ? ""
+                : String.format(
+                        Locale.ROOT,
+                        " The fitted range is %.3f m %s than the %s m asked for.",
+                        Math.abs(more),
+                        more > 0.0 ? "greater" : "less",
+                        number(range));
+        return "Fitted with a clear line of sight, without the models and noise sources of the scene. "
+                + String.join("; ", lines(fit)) + "." + residual;
     }
 
     /** What was fitted, and the range of each value, in words. */

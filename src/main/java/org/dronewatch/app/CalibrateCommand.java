@@ -2,6 +2,7 @@ package org.dronewatch.app;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.dronewatch.analysis.CalibratedEntry;
@@ -9,6 +10,7 @@ import org.dronewatch.analysis.Calibration;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenario.SweptValue;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
@@ -29,11 +31,13 @@ import picocli.CommandLine.Spec;
         description =
                 "Fits the threshold of a microphone or a radio receiver, or the pixel count of a camera, so that in"
                         + " free sight a range is the greatest at which it detects a drone, and writes the sensor as a file that"
-                        + " scenes take by 'use'. Air, noise, rain and light are those of the scene; its models are left out.",
+                        + " scenes take by 'use'. Air, background noise, rain and light are those of the scene; its models and"
+                        + " noise sources are left out. The file states range and conditions.",
         footer = {
             "",
             "Example:",
-            "  dronewatch calibrate multi-sensor --sensor microphone --drone quadrotor --range 300m --out mic.yaml"
+            "  dronewatch calibrate multi-sensor --sensor microphone --drone quadrotor --range 300m --out mic.yaml",
+            "  dronewatch calibrate acoustic-range --sensor microphone --drone quadrotor --range 150m --run 2 --out mic.yaml"
         })
 final class CalibrateCommand implements Callable<Integer> {
     private static final String ENDING = ".yaml";
@@ -63,10 +67,19 @@ final class CalibrateCommand implements Callable<Integer> {
     private String probability;
 
     @Option(
+            names = "--run",
+            defaultValue = "0",
+            paramLabel = "N",
+            description = "Run of a sweep whose conditions hold, from 0; 0 by default.")
+    private int run;
+
+    @Option(
             names = "--out",
             required = true,
             paramLabel = "NAME.yaml",
-            description = "File to write; a scene file in the same directory takes it by 'use: NAME'.")
+            description =
+                    "File to write; a scene file in the same directory takes it by 'use: NAME'. A file that is already"
+                            + " there is replaced only if 'calibrate' wrote it.")
     private String out;
 
     @Spec
@@ -80,7 +93,7 @@ final class CalibrateCommand implements Callable<Integer> {
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
         runner.notes(spec.commandLine().getErr()::println);
-        SceneSettings settings = runner.settingsOfRuns().get(0);
+        SceneSettings settings = SceneChoice.settingsOfRun(runner, run);
         known("--sensor", "sensor", sensor, settings.sensors().keySet());
         known("--drone", "drone", drone, settings.fliers().keySet());
         Drone flying = runner.stage(settings).dronesAt(0.0).stream()
@@ -88,13 +101,22 @@ final class CalibrateCommand implements Callable<Integer> {
                 .findFirst()
                 .orElseThrow();
         Calibration fit = fit(settings, flying, metres, least);
-        byte[] text = CalibratedEntry.text(
-                        scene.name(), settings, sensor, drone, fit, metres, least, scene.directory(), target.path())
+        Optional<String> swept = settings.sweep()
+                .map(sweep -> "run " + run + " of the sweep, " + new SweptValue(settings, sweep).text());
+        byte[] text = new CalibratedEntry(scene.name(), swept, settings, sensor, drone, fit, metres, least)
+                .text(scene.directory(), target.path())
                 .getBytes(StandardCharsets.UTF_8);
         target.write(stream -> stream.write(text));
+        swept.ifPresent(which -> spec.commandLine()
+                .getErr()
+                .println("fitted for " + PlainText.line(which) + (isAsked("--run") ? "" : "; --run chooses another")));
         CalibratedEntry.lines(fit).forEach(spec.commandLine().getOut()::println);
         spec.commandLine().getErr().println("sensor in " + PlainText.value(out));
         return 0;
+    }
+
+    private boolean isAsked(String option) {
+        return spec.commandLine().getParseResult().hasMatchedOption(option);
     }
 
     private Calibration fit(SceneSettings settings, Drone flying, double metres, double least) {
@@ -119,7 +141,7 @@ final class CalibrateCommand implements Callable<Integer> {
         if (choice.isSceneFile(target.path())) {
             throw new InputException(asked + "is the scene file itself; name another file");
         }
-        return target;
+        return target.replacingOnly(CalibratedEntry.FIRST_LINE, "'calibrate'");
     }
 
     private static void known(String option, String what, String id, Set<String> all) {

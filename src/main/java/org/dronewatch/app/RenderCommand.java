@@ -108,7 +108,7 @@ final class RenderCommand implements Callable<Integer> {
             runner.seed(seed);
         }
         runner.notes(spec.commandLine().getErr()::println);
-        SceneSettings settings = settingsOfRun(runner);
+        SceneSettings settings = SceneChoice.settingsOfRun(runner, run);
         Simulation simulation = new Simulation(scene, runner, run, threads.number());
         Rendering rendering = subject.view != null
                 ? new SiteRendering(scene.name(), settings, simulation, site, subject.view)
@@ -119,14 +119,6 @@ final class RenderCommand implements Callable<Integer> {
                 : rendering.picture(seconds(settings), ending(), target, threads, spec);
         spec.commandLine().getOut().println(out + ": " + said);
         return 0;
-    }
-
-    private SceneSettings settingsOfRun(SceneRunner runner) {
-        List<SceneSettings> runs = runner.settingsOfRuns();
-        if (run < 0 || run >= runs.size()) {
-            throw new InputException("--run " + run + ": must be 0 to " + (runs.size() - 1));
-        }
-        return runs.get(run);
     }
 
     private String camera(SceneSettings settings) {

@@ -1,10 +1,10 @@
 package org.dronewatch.app;
 
 import java.nio.charset.StandardCharsets;
-import java.util.List;
 import java.util.concurrent.Callable;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenario.SceneWriter;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
@@ -40,7 +40,9 @@ final class SaveCommand implements Callable<Integer> {
             names = "--out",
             required = true,
             paramLabel = "FILE",
-            description = "File to write, .yaml or .yml; the scene's own models must be beside it or below.")
+            description =
+                    "File to write, .yaml or .yml; the scene's own models must be beside it or below. A file that is"
+                            + " already there is replaced only if 'save' wrote it.")
     private String out;
 
     @Spec
@@ -55,27 +57,17 @@ final class SaveCommand implements Callable<Integer> {
         if (choice.isSceneFile(target.path())) {
             throw new InputException("--out " + PlainText.value(out) + ": is the scene file itself; name another file");
         }
+        target = target.replacingOnly(SceneWriter.FIRST_LINE, "'save'");
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
         runner.notes(spec.commandLine().getErr()::println);
         if (seed != null) {
             runner.seed(seed);
         }
-        byte[] text = runner.text(chosen(runner), target.path()).getBytes(StandardCharsets.UTF_8);
+        SceneSettings settings = run == null ? runner.settings() : SceneChoice.settingsOfRun(runner, run);
+        byte[] text = runner.text(settings, target.path()).getBytes(StandardCharsets.UTF_8);
         target.write(stream -> stream.write(text));
         spec.commandLine().getErr().println("scene in " + PlainText.value(out));
         return 0;
-    }
-
-    private SceneSettings chosen(SceneRunner runner) {
-        if (run == null) {
-            return runner.settings();
-        }
-        List<SceneSettings> runs = runner.settingsOfRuns();
-        if (run < 0 || run >= runs.size()) {
-            throw new InputException("--run " + run + ": must be "
-                    + (runs.size() == 1 ? "0, because no setting is swept" : "0 to " + (runs.size() - 1)));
-        }
-        return runs.get(run);
     }
 }

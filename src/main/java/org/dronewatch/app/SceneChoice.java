@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
@@ -78,6 +79,21 @@ final class SceneChoice {
                     override.substring(equals + 1).strip());
         }
         return runner;
+    }
+
+    /**
+     * One run of a sweep, or the only run of a scene without one.
+     *
+     * @param run the value of {@code --run}
+     * @throws InputException when there is no such run
+     */
+    static SceneSettings settingsOfRun(SceneRunner runner, int run) {
+        List<SceneSettings> runs = runner.settingsOfRuns();
+        if (run < 0 || run >= runs.size()) {
+            throw new InputException("--run " + run + ": must be "
+                    + (runs.size() == 1 ? "0, because no setting is swept" : "0 to " + (runs.size() - 1)));
+        }
+        return runs.get(run);
     }
 
     private Scene fromClass() {

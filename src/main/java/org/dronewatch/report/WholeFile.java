@@ -3,18 +3,24 @@ package org.dronewatch.report;
 import java.io.BufferedOutputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.UUID;
+import java.util.regex.Pattern;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.RegularFile;
 
 /** A file that the user named for output: checked before any work is done, and written whole or not at all. */
 public final class WholeFile {
     private static final int BUFFER_BYTES = 1 << 16;
+    private static final int LONGEST_LINE_BYTES = 1 << 12;
 
     private final String asked;
     private final Path file;
@@ -48,15 +54,67 @@ public final class WholeFile {
         } catch (InvalidPathException e) {
             throw new InputException(asked + ": not a path: " + e.getReason(), e);
         }
-        this.directory = file.getParent();
-        if (directory == null || Files.isDirectory(file)) {
+        this.directory = checkedDirectory();
+    }
+
+    private WholeFile(String asked, Path file) {
+        this.asked = asked;
+        this.file = file;
+        this.directory = checkedDirectory();
+    }
+
+    private Path checkedDirectory() {
+        Path parent = file.getParent();
+        if (parent == null || Files.isDirectory(file)) {
             throw new InputException(asked + ": is a directory");
         }
-        if (!Files.isDirectory(directory)) {
-            throw new InputException(asked + ": there is no directory " + PlainText.value(directory));
+        if (!Files.isDirectory(parent)) {
+            throw new InputException(asked + ": there is no directory " + PlainText.value(parent));
         }
-        if (!Files.isWritable(directory)) {
+        if (!Files.isWritable(parent)) {
             throw new InputException(asked + ": no permission to write there");
+        }
+        return parent;
+    }
+
+    /**
+     * This file, provided that it holds nothing that a person or another command has written. Of a link it is the file itself,
+     * so that two names of it are one target, as of a directory of results.
+     *
+     * @param firstLine what the first line of a file is that may be replaced
+     * @param writer what messages call the command that writes such files, such as {@code 'save'}
+     * @throws InputException when there is a file that may not be replaced
+     */
+    public WholeFile replacingOnly(Pattern firstLine, String writer) {
+        if (!Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
+            return this;
+        }
+        if (!Files.exists(file)) {
+            throw new InputException(
+                    asked + ": is a link to a file that does not exist: name another file, or delete it");
+        }
+        if (!firstLine.matcher(firstLine()).matches()) {
+            throw new InputException(
+                    asked + ": is there already, and " + writer + " did not write it: name another file, or delete it");
+        }
+        try {
+            return new WholeFile(asked, file.toRealPath());
+        } catch (IOException e) {
+            throw Refusal.of(asked, e);
+        }
+    }
+
+    /** The first line of the file, as far as it is not very long; empty when it cannot be read as a file. */
+    private String firstLine() {
+        if (!RegularFile.obstacle(file).isEmpty()) {
+            return "";
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            String beginning = new String(in.readNBytes(LONGEST_LINE_BYTES), StandardCharsets.UTF_8);
+            return beginning.lines().findFirst().orElse("");
+        } catch (IOException e) {
+            // What cannot be read is not known to be replaceable.
+            return "";
         }
     }
 

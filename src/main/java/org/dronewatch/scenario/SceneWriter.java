@@ -1,6 +1,7 @@
 package org.dronewatch.scenario;
 
 import java.nio.file.Path;
+import java.util.regex.Pattern;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.setting.PlainText;
@@ -8,6 +9,9 @@ import org.dronewatch.setting.file.SettingsFile;
 
 /** Writes settings as a scene file, wherever they come from: Java, another file, overrides, one run of a sweep. */
 public final class SceneWriter {
+    /** The first line of every file that this writes. */
+    public static final Pattern FIRST_LINE = Pattern.compile("# .*, as saved by dronewatch: .*");
+
     private SceneWriter() {}
 
     /**

@@ -9,6 +9,7 @@ import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenario.SceneWriter;
 
 /** Writes the settings of the run that is shown as a scene file. All methods are for the event thread. */
 final class SceneSaving {
@@ -50,7 +51,7 @@ final class SceneSaving {
             return;
         }
         try {
-            WholeFile target = new WholeFile("scene", file);
+            WholeFile target = new WholeFile("scene", file).replacingOnly(SceneWriter.FIRST_LINE, "'save'");
             byte[] bytes = text.apply(viewed.get().settings(), target.path()).getBytes(StandardCharsets.UTF_8);
             target.write(stream -> stream.write(bytes));
             pane.note("scene written to " + file);

@@ -6,8 +6,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.catalog.Catalog;
@@ -22,6 +24,8 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.Light;
+import org.dronewatch.world.WorldSettings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -205,6 +209,120 @@ class CalibrateCommandTest {
         assertThat(firstRange(200, "world.backgroundNoise=" + (NOISE + 5.0))).isEqualTo(range);
         double half = 2.0 * Math.atan(0.5 * Math.tan(Math.toRadians(5.0)));
         assertThat(firstRange(400, "sensors.s.fov=" + half)).isCloseTo(2.0 * range, within(0.01 * 2.0 * range));
+    }
+
+    /** One pixel changes the range by several metres: the entry states what it has, and how far it is from what was asked. */
+    @ParameterizedTest
+    @CsvSource({"150", "90", "40"})
+    void theEntryOfACameraStatesTheRangeThatARunGives(double asked) throws IOException {
+        Outcome outcome = calibrate("camera", asked + " m");
+        CatalogEntry entry = Catalog.beside(directory).entry("fitted").orElseThrow();
+        double stated = entry.ranges().get(0).distance();
+
+        assertThat(outcome.out().lines().filter(line -> line.endsWith("(fitted)")))
+                .singleElement()
+                .asString()
+                .contains(String.format(Locale.ROOT, ": %.3f m ", stated));
+        assertThat(stated).isNotEqualTo(asked);
+        assertThat(entry.note())
+                .endsWith(String.format(
+                        Locale.ROOT,
+                        "The fitted range is %.3f m %s than the %.0f m asked for.",
+                        Math.abs(stated - asked),
+                        stated > asked ? "greater" : "less",
+                        asked));
+        // From there on it stays detected; begun a little farther out, no look falls on an isolated position beyond.
+        assertThat(firstRange(stated + 0.02)).isBetween(stated - LOOK, stated + 0.02);
+    }
+
+    @Test
+    void ofASweepTheEntryIsForOneRunAndSaysWhich() throws IOException {
+        Files.writeString(
+                directory.resolve("level-scene.yaml"),
+                "sweep: {parameter: world.backgroundNoise, values: [30, 25]}\n",
+                StandardOpenOption.APPEND);
+        assertThat(calibrate("level", "300 m").err())
+                .contains("fitted for run 0 of the sweep, world.backgroundNoise=30 dB; --run chooses another");
+        double threshold = threshold();
+        Outcome second = calibrate("level", "300 m", "--run", "1");
+
+        assertThat(second.err()).contains("fitted for run 1 of the sweep, world.backgroundNoise=25 dB\n");
+        // 5 dB less of noise, 5 dB more above it at the same range.
+        assertThat(threshold()).isCloseTo(threshold + 5.0, within(1e-5));
+        PublishedRange range =
+                Catalog.beside(directory).entry("fitted").orElseThrow().ranges().get(0);
+        assertThat(range.target())
+                .isEqualTo("drone 'drone' of level-scene, run 1 of the sweep, world.backgroundNoise=25 dB");
+        assertThat(range.worldOf(ModelSettings.packaged("hill.obj")).backgroundNoise())
+                .isEqualTo(25.0);
+        assertThat(calibrate("level", "300 m", "--run", "2").complaints()).containsExactly("--run 2: must be 0 to 1");
+        assertThat(calibrate("rf", "300 m", "--run", "1").complaints())
+                .containsExactly("--run 1: must be 0, because no setting is swept");
+    }
+
+    private double threshold() {
+        return Double.parseDouble(Catalog.beside(directory)
+                .entry("fitted")
+                .orElseThrow()
+                .sensor()
+                .text("threshold")
+                .orElseThrow()
+                .replace(" dB", ""));
+    }
+
+    /** Defaults too: another version, or another scene, may have others. */
+    @Test
+    void allConditionsAreStatedAndReadBack() throws IOException {
+        calibrate(
+                "energy",
+                "200 m",
+                "--set",
+                "world.light.sun=200 deg, 55 deg",
+                "--set",
+                "world.atmosphere.temperature=278.15");
+        String text = Files.readString(directory.resolve("fitted.yaml"));
+
+        assertThat(text)
+                .contains(
+                        "      backgroundNoise: 30 dB\n",
+                        "      noiseShape: [0, -4, -8, -12, -16, -20, -24, -28]\n",
+                        "      atmosphere: {temperature: 278.15 K, humidity: 0.7, pressure: 101325 Pa}\n",
+                        "      rain: 0 mm/h\n",
+                        "illuminance: 5000 lx");
+        assertThat(text).doesNotContain("far.obj", "solid");
+        ModelSettings hill = ModelSettings.packaged("hill.obj");
+        WorldSettings expected = WorldSettings.of(hill)
+                .withBackgroundNoise(NOISE)
+                .withAtmosphere(Atmosphere.STANDARD.withTemperature(278.15))
+                .withLight(Light.DAY.withSun(new Light.Sun(Math.toRadians(200), Math.toRadians(55))));
+        assertThat(Catalog.beside(directory)
+                        .entry("fitted")
+                        .orElseThrow()
+                        .ranges()
+                        .get(0)
+                        .worldOf(hill))
+                .isEqualTo(expected);
+    }
+
+    @Test
+    void onlyWhatCalibrateWroteIsReplaced() throws IOException {
+        Path file = directory.resolve("fitted.yaml");
+        Files.writeString(file, "title: mine\n");
+        String refusal = "--out " + file
+                + ": is there already, and 'calibrate' did not write it: name another file, or delete it";
+        assertThat(calibrate("rf", "100 m")).satisfies(outcome -> {
+            assertThat(outcome.code()).isEqualTo(2);
+            assertThat(outcome.complaints()).containsExactly(refusal);
+        });
+        assertThat(file).hasContent("title: mine\n");
+
+        Files.delete(file);
+        assertThat(calibrate("rf", "100 m").code()).isZero();
+        String first = Files.readString(file);
+        assertThat(calibrate("rf", "200 m").code()).isZero();
+        assertThat(Files.readString(file)).isNotEqualTo(first);
+        assertThat(Program.run("save", "camera-range", "--out", file.toString()).complaints())
+                .containsExactly(refusal.replace("'calibrate'", "'save'"));
     }
 
     @Test

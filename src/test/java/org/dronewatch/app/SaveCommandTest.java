@@ -72,6 +72,39 @@ class SaveCommandTest {
     }
 
     @Test
+    void onlyASavedSceneIsReplaced() throws IOException {
+        Files.writeString(directory.resolve("mine.yaml"), "# my scene\nworld: {models: [packaged:hill.obj]}\n");
+        Files.createSymbolicLink(directory.resolve("link.yaml"), Path.of("mine.yaml"));
+        for (String out : List.of("mine.yaml", "link.yaml")) {
+            assertThat(command(2, Stream.of("save", "camera-range", "--out", path(out))))
+                    .isEqualToIgnoringNewLines("--out " + path(out)
+                            + ": is there already, and 'save' did not write it: name another file, or delete it");
+        }
+        assertThat(text("mine.yaml")).startsWith("# my scene\n");
+
+        command(0, Stream.of("save", "camera-range", "--out", path("saved.yaml")));
+        command(0, Stream.of("save", "acoustic-range", "--out", path("saved.yaml")));
+        assertThat(text("saved.yaml")).startsWith("# acoustic-range, as saved by dronewatch: ");
+    }
+
+    /** Two names of one file are one target. */
+    @Test
+    void ofALinkTheSavedFileIsReplacedAndTheLinkStays() throws IOException {
+        command(0, Stream.of("save", "camera-range", "--out", path("saved.yaml")));
+        Path link = Files.createSymbolicLink(directory.resolve("link.yaml"), Path.of("saved.yaml"));
+        command(0, Stream.of("save", "acoustic-range", "--out", link.toString()));
+
+        assertThat(link).isSymbolicLink();
+        assertThat(text("saved.yaml")).startsWith("# acoustic-range, as saved by dronewatch: ");
+
+        Path lost = Files.createSymbolicLink(directory.resolve("lost.yaml"), Path.of("nowhere.yaml"));
+        assertThat(command(2, Stream.of("save", "camera-range", "--out", lost.toString())))
+                .isEqualToIgnoringNewLines(
+                        "--out " + lost + ": is a link to a file that does not exist: name another file, or delete it");
+        assertThat(directory.resolve("nowhere.yaml")).doesNotExist();
+    }
+
+    @Test
     void aRunThatTheSweepDoesNotHaveIsRefused() {
         assertThat(command(2, Stream.of("save", "camera-range", "--run", "5", "--out", path("a.yaml"))))
                 .contains("--run 5: must be 0 to 4");

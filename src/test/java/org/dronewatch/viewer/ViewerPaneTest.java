@@ -156,6 +156,14 @@ class ViewerPaneTest {
         });
         settle(() -> pane.notice().isVisible());
         assertThat(pane.log().text()).contains("there is no directory");
+
+        Path own = Files.writeString(directory.resolve("own.yaml"), "# mine\n");
+        onEventThread(() -> {
+            saving.write(own.toString());
+            return null;
+        });
+        settle(() -> pane.log().text().contains("'save' did not write it"));
+        assertThat(own).hasContent("# mine");
     }
 
     private static long colours(BufferedImage image) {

@@ -114,6 +114,20 @@ public final class SettingsFile {
         return new SettingsWriter(kinds).write(moved, type);
     }
 
+    /**
+     * A record likewise, but with all its values, also those that are as by default.
+     *
+     * @param type the type of the setting that holds it: its own, or an interface with kinds
+     * @param kinds among which to choose
+     * @param from directory where names of files in the settings start
+     * @param file that is to hold the part; names of files in it start from its directory
+     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or below it
+     */
+    public static Node.Mapping wholePart(Record settings, Class<?> type, Kinds kinds, Path from, Path file) {
+        Record moved = new RelocatedFiles(from, file.toAbsolutePath().resolveSibling("")).of(settings);
+        return SettingsWriter.ofAll(kinds).write(moved, type);
+    }
+
     private static String difference(Record wanted, Record read) {
         List<String> lines = CanonicalSettings.of(read).lines().toList();
         return CanonicalSettings.of(wanted)

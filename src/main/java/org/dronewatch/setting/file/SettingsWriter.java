@@ -26,6 +26,7 @@ final class SettingsWriter {
     private static final Mark NOWHERE = new Mark("", 1, 1);
 
     private final Kinds kinds;
+    private final boolean withDefaults;
 
     /**
      * A writer.
@@ -33,7 +34,17 @@ final class SettingsWriter {
      * @param kinds the names of the kinds of settings where a record has an interface
      */
     SettingsWriter(Kinds kinds) {
+        this(kinds, false);
+    }
+
+    private SettingsWriter(Kinds kinds, boolean withDefaults) {
         this.kinds = kinds;
+        this.withDefaults = withDefaults;
+    }
+
+    /** A writer that also writes what is as it would be by default. */
+    static SettingsWriter ofAll(Kinds kinds) {
+        return new SettingsWriter(kinds, true);
     }
 
     /**
@@ -63,7 +74,7 @@ final class SettingsWriter {
             boolean isDefault = !form.required().contains(part.getName())
                     && plain.isPresent()
                     && Objects.equals(SettingsForm.get(plain.get(), part), value);
-            if (!isDefault) {
+            if (!isDefault || withDefaults && !value.equals(Optional.empty())) {
                 String here = path.isEmpty() ? part.getName() : path + "." + part.getName();
                 Node node = node(value, part.getGenericType(), SettingText.quantity(part), here);
                 written.put(part.getName(), switched(form, part, settings, node));
