@@ -13,6 +13,8 @@ import org.dronewatch.catalog.CatalogEntry.Basis;
 import org.dronewatch.catalog.CatalogEntry.PublishedRange;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Hover;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.file.Kinds;
@@ -52,6 +54,8 @@ public record CalibratedEntry(
     /** What of a world belongs to its place, not to its conditions. */
     private static final List<String> PLACE = List.of("models", "noiseSources", "surfaces", "origin", "tracing");
 
+    private static final String POSITIONER = "positioner";
+
     /** Ranges are stated in whole millimetres. */
     private static final double PER_METRE = 1e3;
 
@@ -64,14 +68,14 @@ public record CalibratedEntry(
      */
     public String text(Path from, Path file) {
         Kinds kinds = SensorKinds.kinds(Catalog.packaged());
-        DroneSettings flying = settings.fliers().get(drone);
+        // One of a swarm flies a path that no file can name.
+        DroneSettings flying = settings.fliers().get(drone).withFlight(Hover.at(new Position(0, 0, 0)));
         Node.Mapping drones = SettingsFile.part(flying, DroneSettings.class, kinds, from, file)
                 .without(List.of("flight", "swarm", "label"));
         Node.Mapping world = SettingsFile.wholePart(settings.world(), WorldSettings.class, kinds, from, file)
                 .without(PLACE);
         Record fitted = (Record) fit.sensor();
-        Node.Mapping own = SettingsFile.part(fitted, SensorSettings.class, kinds, from, file)
-                .without(List.of("position", "aim"))
+        Node.Mapping own = withoutPlace(SettingsFile.part(fitted, SensorSettings.class, kinds, from, file))
                 .overlaidWith(threshold(SettingsFile.wholePart(fitted, SensorSettings.class, kinds, from, file)));
         String target = "drone '" + drone + "' of " + scene
                 + run.map(swept -> ", " + swept).orElse("");
@@ -90,6 +94,15 @@ public record CalibratedEntry(
                 List.of(stated),
                 own);
         return HEADING + SettingsFile.text(entry, kinds, file.toAbsolutePath().resolveSibling(""), file);
+    }
+
+    /** A sensor without what belongs to its place: other sensors that cue it are not in every scene. */
+    private static Node.Mapping withoutPlace(Node.Mapping sensor) {
+        Node.Mapping plain = sensor.without(List.of("position", "aim", POSITIONER));
+        return sensor.mapping(POSITIONER)
+                .map(mount -> plain.overlaidWith(
+                        Node.Mapping.ofNodes(POSITIONER, Map.of(POSITIONER, mount.without(List.of("cues"))))))
+                .orElse(plain);
     }
 
     /** The setting that was fitted, which the entry states even where it happens to be as by default. */

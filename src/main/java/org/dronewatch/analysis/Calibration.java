@@ -34,6 +34,9 @@ public record Calibration(
     /** The greatest distance between the ranges at which a count of pixels is looked at, as a fraction of the range. */
     private static final double STEP = 1e-3;
 
+    /** The same near the sensor, m. */
+    private static final double NEAREST_STEP = 1e-2;
+
     /**
      * At how many ranges a count is looked at over the way that the drone flies between two looks. Counts do not fall
      * steadily: a farther position at which the drone covers one pixel more for less than this way may fall between two
@@ -93,6 +96,9 @@ public record Calibration(
             double best = scale.value(hardest);
             ranges.put(best, isWhole(scale) ? greatestByCount(best, range) : greatest(best));
             if (isWhole(scale)) {
+                if (Double.isNaN(ranges.get(best))) {
+                    throw outOfReach(scale, range);
+                }
                 // The next whole number may be closer, from below.
                 double next = scale.value(Math.min(hardest + 1, scale.last()));
                 double nextRange = greatestByCount(next, range);
@@ -150,8 +156,8 @@ public record Calibration(
         }
 
         /**
-         * The greatest range of a count from which on it is reached for the length of a look's flight, looked for from far
-         * away inwards, m; NaN when there is none.
+         * The greatest range of a count from which on it is reached for the length of a look's flight, or down to
+         * {@link #NEAREST}, looked for from far away inwards, m; NaN when there is none.
          */
         private double greatestByCount(double threshold, double about) {
             FreeSight.Probability look = sight.of(sensor.withThreshold(threshold));
@@ -161,17 +167,19 @@ public record Calibration(
                 far *= 2.0;
             }
             far = Math.min(FARTHEST, 2.0 * far);
-            double step = Math.min(STEP * about, perLook / PER_LOOK);
+            double step = Math.min(Math.max(STEP * about, NEAREST_STEP), perLook / PER_LOOK);
             long needed = Math.max(1, (long) Math.ceil(perLook / step));
             long held = 0;
-            for (long number = (long) Math.floor(far / step); number * step >= NEAREST; number--) {
+            long number = (long) Math.floor(far / step);
+            while (number * step >= NEAREST && held < needed) {
                 held = detects.test(number * step) ? held + 1 : 0;
-                if (held == needed) {
-                    long first = number + needed - 1;
-                    return between(detects, first * step, Math.min(FARTHEST, (first + 1) * step));
-                }
+                number--;
             }
-            return Double.NaN;
+            if (held < needed && !detects.test(NEAREST)) {
+                return Double.NaN;
+            }
+            double reached = held == 0 ? NEAREST : (number + held) * step;
+            return between(detects, reached, Math.min(FARTHEST, (number + held + 1) * step));
         }
 
         /** By bisection on the logarithm of the range. */

@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
@@ -169,7 +170,8 @@ public final class Catalog implements Kinds.NamedSettings {
     public SensorSettings<?> settings(String name, Map<String, ?> parts) {
         if (!partsOf(name).isEmpty()) {
             throw new InputException("'" + name
-                    + "' is a system of several sensors: it can be used only in a scene file, as 'use: " + name + "'");
+                    + "' is a system of several sensors: a scene file takes it as 'use: " + name
+                    + "', and --set sensors.ID=" + name + " puts it in the place of another");
         }
         Node.Mapping known = find(name)
                 .or(() -> ofKind(name))
@@ -179,6 +181,27 @@ public final class Catalog implements Kinds.NamedSettings {
         Path start = directory.orElse(Path.of(""));
         return SettingsFile.read(all, SensorSettings.class, SensorKinds.kinds(this), start, formerNames);
     }
+
+    /**
+     * The sensors of a system, as if a scene file had placed it.
+     *
+     * @param id what the scene calls the system; its part {@code radar} is then {@code ID-radar}
+     * @param name of the system, one of which {@link #partsOf} knows the parts
+     * @param position of all of them, m
+     * @throws InputException when an entry that it consists of is wrong
+     */
+    public Map<String, SensorSettings<?>> settingsOfSystem(String id, String name, Position position) {
+        Node.Mapping placed =
+                Node.Mapping.ofUse(name).overlaidWith(Node.Mapping.ofReady(name, Map.of("position", position)));
+        Node.Mapping scene =
+                Node.Mapping.ofNodes(name, Map.of("sensors", Node.Mapping.ofNodes(name, Map.of(id, placed))));
+        Path start = directory.orElse(Path.of(""));
+        return SettingsFile.read(scene, Placed.class, SensorKinds.kinds(this), start, formerNames)
+                .sensors();
+    }
+
+    /** Sensors as a scene has them. */
+    private record Placed(Map<String, SensorSettings<?>> sensors) {}
 
     /** The names that {@link #settings} takes. */
     private Set<String> choices() {

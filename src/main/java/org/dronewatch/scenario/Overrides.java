@@ -14,7 +14,10 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.SettingsPath;
 
-/** Changes single settings of a scene: a value by its path, or a whole sensor by its name in the catalogue. */
+/**
+ * Changes single settings of a scene: a value by its path, or a whole sensor, or system of sensors, by its name in the
+ * catalogue.
+ */
 public final class Overrides {
     private static final String SENSORS = "sensors.";
 
@@ -28,7 +31,25 @@ public final class Overrides {
     }
 
     /**
-     * The scene with one more setting changed.
+     * The scene with one more setting changed, which may put a system in the place of a sensor, or the reverse.
+     *
+     * @throws InputException when the path leads nowhere or the value does not fit
+     */
+    public SceneSettings override(SceneSettings scene, String path, String value) {
+        String id = path.startsWith(SENSORS) ? path.substring(SENSORS.length()) : "";
+        SystemSwap swap = new SystemSwap(catalog, id, value.strip());
+        if (!swap.applies(scene)) {
+            return write(scene, path, value);
+        }
+        try {
+            return swap.of(scene);
+        } catch (IllegalArgumentException | InputException e) {
+            throw new InputException(path + "=" + PlainText.value(value) + ": " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * The scene with one more setting changed, and the same sensors by name, as in a sweep.
      *
      * @throws InputException when the path leads nowhere or the value does not fit
      */

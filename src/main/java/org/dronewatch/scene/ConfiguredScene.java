@@ -74,7 +74,7 @@ final class ConfiguredScene {
             boolean sweptPath =
                     path.equals(sweptPath(settings, new FormerNames()).orElse(""));
             try {
-                settings = writer().write(settings, override.getKey(), override.getValue());
+                settings = writer().override(settings, override.getKey(), override.getValue());
             } catch (InputException e) {
                 throw new InputException("--set " + e.getMessage(), e);
             }

@@ -200,6 +200,43 @@ class CalibrateCommandTest {
         }
     }
 
+    /** Neither its path nor the sensors that cue the camera can be in a file that is for any scene. */
+    @Test
+    void aCuedCameraIsFittedToADroneOfASwarm() throws IOException {
+        String camera =
+                "cued: {kind: camera, width: 640, height: 360, fov: 10 deg, position: [0, 0, 20], aim: {azimuth: 30"
+                        + " deg, elevation: 0}, positioner: {cues: [radar], panSpeed: 30 deg/s}}\n"
+                        + "  radar: {use: blighter-a400, position: [0, 0, 20]}";
+        write("cued-scene.yaml", scene(camera, 100).replace("    speed:", "    swarm: {count: 3}\n    speed:"));
+        Outcome outcome = Program.run(
+                "calibrate",
+                directory.resolve("cued-scene.yaml").toString(),
+                "--sensor",
+                "cued",
+                "--drone",
+                "drone-2",
+                "--range",
+                "80 m",
+                "--out",
+                directory.resolve("fitted.yaml").toString());
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        CatalogEntry entry = Catalog.beside(directory).entry("fitted").orElseThrow();
+
+        assertThat(entry.sensor().mapping("positioner").orElseThrow().values()).containsOnlyKeys("panSpeed");
+        double stated = entry.ranges().get(0).distance();
+        assertThat(firstRange(stated + 0.02)).isBetween(stated - LOOK, stated + 0.02);
+    }
+
+    /** There the drone fills a large part of the image, and nothing nearer is looked at. */
+    @Test
+    void aCameraCanBeFittedToTheNearestRange() {
+        Outcome outcome =
+                calibrate("camera", "1 m", "--set", "sensors.camera.width=240", "--set", "sensors.camera.height=135");
+
+        assertThat(outcome.code()).isZero();
+        assertThat(outcome.out()).containsPattern("px: 1\\.00\\d m \\(fitted\\)");
+    }
+
     /** Noise is nothing to a camera; with twice the focal length the same pixels are seen from twice as far. */
     @Test
     void theRangeOfACameraFollowsItsFocalLengthAndNotTheNoise() throws IOException {

@@ -89,7 +89,8 @@ class SensorSystemTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> Catalog.packaged().settings("liteye", Map.of("position", MAST)))
                 .withMessage(
-                        "'liteye' is a system of several sensors: it can be used only in a scene file, as 'use: liteye'");
+                        "'liteye' is a system of several sensors: a scene file takes it as 'use: liteye', and --set"
+                                + " sensors.ID=liteye puts it in the place of another");
     }
 
     @Test

@@ -108,6 +108,19 @@ public sealed interface Node {
             return of(nodes, places, mark);
         }
 
+        /** Nodes that a program puts together. */
+        public static Mapping ofNodes(String name, Map<String, ? extends Node> nodes) {
+            Mark mark = new Mark(name, 1, 1);
+            Map<String, Mark> places = new LinkedHashMap<>();
+            nodes.keySet().forEach(part -> places.put(part, mark));
+            return of(new LinkedHashMap<>(nodes), places, mark);
+        }
+
+        /** What {@code use: NAME} alone is. */
+        public static Mapping ofUse(String name) {
+            return ofNodes(name, Map.of(KindChooser.USE, new Scalar(name, new Mark(name, 1, 1))));
+        }
+
         /** What {@code kind: NAME} alone is. */
         public static Mapping ofKind(String name) {
             Mark mark = new Mark(name, 1, 1);

@@ -1,0 +1,106 @@
+package org.dronewatch.scenario;
+
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * Puts a system of sensors in the place of another system or of a single sensor, or a single sensor in that of a system.
+ * Position and aim are kept; each part has a positioner as its system says.
+ *
+ * @param id what the scene calls the system, whose parts it calls {@code ID-radar} and so on, or the sensor
+ * @param name what is put there
+ */
+record SystemSwap(Catalog catalog, String id, String name) {
+    private static final String POSITION = "position";
+    private static final String AIM = "aim";
+
+    /** Whether the scene has such a system, or such a sensor whose place a system is to take. */
+    boolean applies(SceneSettings scene) {
+        return scene.sensors().containsKey(id) ? isSystem() : !system(scene).isEmpty();
+    }
+
+    private boolean isSystem() {
+        return !catalog.partsOf(name).isEmpty();
+    }
+
+    /** The names that the parts of a system have in the scene: of that with most parts, if all are there. */
+    private List<String> system(SceneSettings scene) {
+        List<String> most = List.of();
+        for (String system : Catalog.systemNames()) {
+            List<String> parts = Catalog.system(system).orElseThrow().sensors().keySet().stream()
+                    .map(part -> id + "-" + part)
+                    .toList();
+            if (parts.size() > most.size() && scene.sensors().keySet().containsAll(parts)) {
+                most = parts;
+            }
+        }
+        return most;
+    }
+
+    /**
+     * The scene with the other system or sensor.
+     *
+     * @throws IllegalArgumentException when the scene refers to a part that is no longer there
+     * @throws InputException when there is no such system or sensor, or a name is taken
+     */
+    SceneSettings of(SceneSettings scene) {
+        Map<String, SensorSettings<?>> old = new LinkedHashMap<>(scene.sensors());
+        old.keySet().retainAll(scene.sensors().containsKey(id) ? List.of(id) : system(scene));
+        Position place = old.values().iterator().next().position();
+        Map<String, SensorSettings<?>> fresh = new LinkedHashMap<>();
+        if (isSystem()) {
+            fresh.putAll(catalog.settingsOfSystem(id, name, place));
+        } else {
+            fresh.put(id, catalog.settings(name, Map.of(POSITION, place)));
+        }
+        fresh.replaceAll((part, sensor) -> mounted(sensor, part, old));
+        Map<String, SensorSettings<?>> all = new LinkedHashMap<>();
+        scene.sensors().forEach((other, sensor) -> {
+            if (!old.containsKey(other)) {
+                add(all, other, sensor);
+            } else if (other.equals(old.keySet().iterator().next())) {
+                fresh.forEach((part, one) -> add(all, part, one));
+            }
+        });
+        Set<String> off = new LinkedHashSet<>(scene.disabled());
+        off.retainAll(all.keySet());
+        return SettingsForm.with(scene, Map.of("sensors", all, "disabled", off));
+    }
+
+    private static void add(Map<String, SensorSettings<?>> all, String id, SensorSettings<?> sensor) {
+        if (all.putIfAbsent(id, sensor) != null) {
+            throw new InputException("the scene has a sensor '" + id + "' already");
+        }
+    }
+
+    /** A sensor with position and aim of the part that had its name, or else of the first that had them. */
+    private static SensorSettings<?> mounted(SensorSettings<?> sensor, String id, Map<String, SensorSettings<?>> old) {
+        SensorSettings<?> mounted = sensor;
+        for (String part : List.of(POSITION, AIM)) {
+            Optional<Object> kept = Optional.ofNullable(old.get(id))
+                    .flatMap(same -> value(same, part))
+                    .or(() -> old.values().stream()
+                            .flatMap(other -> value(other, part).stream())
+                            .findFirst());
+            if (kept.isPresent() && value(sensor, part).isPresent()) {
+                mounted = (SensorSettings<?>) SettingsForm.with((Record) mounted, part, kept.get());
+            }
+        }
+        return mounted;
+    }
+
+    private static Optional<Object> value(SensorSettings<?> sensor, String part) {
+        return sensor instanceof Record settings
+                ? SettingsForm.of(settings.getClass()).part(part).map(known -> SettingsForm.get(settings, known))
+                : Optional.empty();
+    }
+}
