@@ -58,7 +58,7 @@ class BenchCommandTest extends CommandLines {
                 directory.resolve("my.rays"),
                 rays(new float[] {0.2f, 0.2f, -2, 0, 0, 1}, new float[] {0.2f, 0.2f, -2, 0, 0, -1}));
         for (String traversal : List.of("stack", "sequential")) {
-            Outcome outcome =
+            Program.Outcome outcome =
                     commandIn("bench DIR/model.obj --rays DIR/my.rays --hits DIR/my.hits --passes 2 --threads 2"
                             + " --traversal " + traversal);
 
@@ -87,7 +87,7 @@ class BenchCommandTest extends CommandLines {
 
     @Test
     void benchMakesCameraAndDiffuseRaysItself() {
-        Outcome outcome = commandIn("bench packaged:house.obj --passes 1");
+        Program.Outcome outcome = commandIn("bench packaged:house.obj --passes 1");
 
         assertThat(outcome.code()).isZero();
         assertThat(outcome.out().lines()).hasSize(2);

@@ -127,14 +127,14 @@ class CommandLineTest extends CommandLines {
     @Test
     void everyCommandHasHelpWithAnExample() {
         for (String name : List.of("run", "check", "render", "bench", "list", "models", "schema")) {
-            Outcome outcome = command(name, "--help");
+            Program.Outcome outcome = Program.run(name, "--help");
             assertThat(outcome.code()).isZero();
             assertThat(outcome.out()).contains("Usage:").contains(name);
             if (!name.equals("list")) {
                 assertThat(outcome.out()).contains("Example");
             }
         }
-        assertThat(command("--help").out()).contains("Example");
+        assertThat(Program.run("--help").out()).contains("Example");
     }
 
     @ParameterizedTest
@@ -146,7 +146,7 @@ class CommandLineTest extends CommandLines {
                 "--cut=-5000m      | --cut -5000m: must be above the site's lowest point, ",
             })
     void optionsOfAPictureThatWouldShowNothingAreRefused(String option, String message) {
-        Outcome outcome = command(
+        Program.Outcome outcome = Program.run(
                 "render",
                 "camera-range",
                 "--view",
@@ -163,7 +163,7 @@ class CommandLineTest extends CommandLines {
 
     @Test
     void listTellsEachSceneInALine() {
-        assertThat(command("list").out().lines().map(line -> line.split("\\s+")[1]))
+        assertThat(Program.run("list").out().lines().map(line -> line.split("\\s+")[1]))
                 .startsWith("closed-space", "camera-range", "acoustic-range", "multi-sensor")
                 .containsSubsequence(Catalog.packagedNames())
                 .endsWith(Positioners.packagedNames().toArray(String[]::new));
@@ -171,7 +171,7 @@ class CommandLineTest extends CommandLines {
 
     @Test
     void checkRunsNothing() throws IOException {
-        Outcome outcome = command("check", "camera-range");
+        Program.Outcome outcome = Program.run("check", "camera-range");
 
         assertThat(outcome.code()).isZero();
         assertThat(outcome.out().strip())
@@ -181,7 +181,7 @@ class CommandLineTest extends CommandLines {
 
     @Test
     void checkCountsSensorsThatAreSwitchedOff() {
-        Outcome outcome = command("check", "multi-sensor", "--set", "sensors.north-east-1.enabled=false");
+        Program.Outcome outcome = Program.run("check", "multi-sensor", "--set", "sensors.north-east-1.enabled=false");
 
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.out()).contains(" drone, 13 sensors (1 switched off), ");
@@ -192,7 +192,7 @@ class CommandLineTest extends CommandLines {
         String run = "run multi-sensor --set run.duration=1 --out DIR/out --rays DIR/rays.obj";
         assertThat(commandIn(run).err()).containsPattern("[1-9][0-9,]* ray segments written");
 
-        Outcome outcome = commandIn(run + " --set sensors.microphone.enabled=false");
+        Program.Outcome outcome = commandIn(run + " --set sensors.microphone.enabled=false");
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err())
                 .containsOnlyOnce("warning: --rays ")
@@ -230,7 +230,7 @@ class CommandLineTest extends CommandLines {
 
     @Test
     void renderDrawsThePictureOfACamera() throws IOException {
-        Outcome outcome = commandIn("render camera-range --camera camera --time 35 --out DIR/view.png"
+        Program.Outcome outcome = commandIn("render camera-range --camera camera --time 35 --out DIR/view.png"
                 + " --set sensors.camera.width=480 --set sensors.camera.height=270");
         assertThat(outcome.code()).as(outcome.err()).isZero();
         BufferedImage image = ImageIO.read(directory.resolve("view.png").toFile());
@@ -246,7 +246,7 @@ class CommandLineTest extends CommandLines {
 
     @Test
     void modelsAreWrittenAsTheyAreShipped() throws IOException {
-        Outcome outcome = commandIn("models --out DIR");
+        Program.Outcome outcome = commandIn("models --out DIR");
 
         assertThat(outcome.code()).as(outcome.err()).isZero();
         for (Map.Entry<String, String> file : files().entrySet()) {
@@ -260,7 +260,7 @@ class CommandLineTest extends CommandLines {
     @ValueSource(strings = {"view multi-sensor", "run multi-sensor --view --out DIR/results"})
     void withoutADisplayAWindowIsRefusedInOneLine(String line) throws IOException {
         assumeTrue(GraphicsEnvironment.isHeadless());
-        Outcome outcome = commandIn(line);
+        Program.Outcome outcome = commandIn(line);
 
         assertThat(outcome.code()).isEqualTo(3);
         assertThat(outcome.out()).isEmpty();
@@ -274,7 +274,7 @@ class CommandLineTest extends CommandLines {
     @ParameterizedTest
     @ValueSource(strings = {"top", "side", "orbit"})
     void rendersTheSite(String view) throws IOException {
-        Outcome outcome =
+        Program.Outcome outcome =
                 commandIn("render closed-space --rays --max-order 1 --size 320x200 --out DIR/site.png --view " + view);
 
         assertThat(outcome.code()).isZero();
@@ -306,7 +306,7 @@ class CommandLineTest extends CommandLines {
                 "--view orbit --time 99 | --time 99: must be 0 to 39",
             })
     void aPictureThatCannotBeIsRefusedInOneLine(String options, String said) throws IOException {
-        Outcome outcome = commandIn("render camera-range --out DIR/site.png " + options);
+        Program.Outcome outcome = commandIn("render camera-range --out DIR/site.png " + options);
 
         assertThat(outcome.code()).as(outcome.err()).isEqualTo(2);
         assertThat(outcome.err()).contains(said);

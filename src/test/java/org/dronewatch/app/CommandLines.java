@@ -3,8 +3,6 @@ package org.dronewatch.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
@@ -17,18 +15,9 @@ abstract class CommandLines {
     @TempDir
     Path directory;
 
-    record Outcome(int code, String out, String err) {}
-
-    static Outcome command(String... arguments) {
-        StringWriter out = new StringWriter();
-        StringWriter err = new StringWriter();
-        int code = Main.execute(new PrintWriter(out, true), new PrintWriter(err, true), arguments);
-        return new Outcome(code, out.toString(), err.toString());
-    }
-
     /** Runs a command line in which DIR stands for the test's directory. */
-    Outcome commandIn(String line) {
-        return command(Stream.of(line.split("\\s+"))
+    Program.Outcome commandIn(String line) {
+        return Program.run(Stream.of(line.split("\\s+"))
                 .filter(word -> !word.isEmpty())
                 .map(word -> word.replace("DIR", directory.toString()))
                 .toArray(String[]::new));
@@ -48,7 +37,7 @@ abstract class CommandLines {
 
     void assertRefused(String line, String... parts) throws IOException {
         Map<String, String> before = files();
-        Outcome outcome = commandIn(line);
+        Program.Outcome outcome = commandIn(line);
         assertThat(outcome.code()).as(outcome.err()).isEqualTo(2);
         assertThat(outcome.out()).isEmpty();
         assertThat(outcome.err().strip())

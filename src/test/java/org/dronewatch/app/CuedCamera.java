@@ -3,8 +3,6 @@ package org.dronewatch.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
@@ -32,11 +30,9 @@ abstract class CuedCamera {
     }
 
     static String command(String... arguments) {
-        StringWriter out = new StringWriter();
-        StringWriter err = new StringWriter();
-        int code = Main.execute(new PrintWriter(out, true), new PrintWriter(err, true), arguments);
-        assertThat(code).as(err.toString()).isZero();
-        return out.toString();
+        Program.Outcome outcome = Program.run(arguments);
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        return outcome.out();
     }
 
     String render(String... options) {

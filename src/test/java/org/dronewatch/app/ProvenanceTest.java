@@ -3,8 +3,6 @@ package org.dronewatch.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
@@ -66,10 +64,8 @@ class ProvenanceTest {
         List<String> arguments = new ArrayList<>(
                 List.of("run", scene.toString(), "--out", directory.resolve(out).toString()));
         arguments.addAll(List.of(more));
-        StringWriter err = new StringWriter();
-        int code = Main.execute(
-                new PrintWriter(new StringWriter()), new PrintWriter(err, true), arguments.toArray(new String[0]));
-        assertThat(code).as(err.toString()).isZero();
+        Program.Outcome outcome = Program.run(arguments.toArray(String[]::new));
+        assertThat(outcome.code()).as(outcome.err()).isZero();
         return Files.readString(directory.resolve(out).resolve("result.json"));
     }
 
@@ -195,9 +191,6 @@ class ProvenanceTest {
 
     @Test
     void theCommandLineNamesTheVersionOfTheBuild() {
-        StringWriter out = new StringWriter();
-        Main.execute(new PrintWriter(out, true), new PrintWriter(new StringWriter()), "--version");
-
-        assertThat(out.toString().strip()).matches("dronewatch \\d+\\.\\d+\\.\\d+.*");
+        assertThat(Program.run("--version").out().strip()).matches("dronewatch \\d+\\.\\d+\\.\\d+.*");
     }
 }

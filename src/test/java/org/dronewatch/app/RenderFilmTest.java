@@ -105,12 +105,11 @@ class RenderFilmTest extends CuedCamera {
                 "--camera cued --out DIR/none/a.mp4           | no directory",
             })
     void aFilmThatCannotBeIsRefusedInALine(String options, String message) throws IOException {
-        StringWriter err = new StringWriter();
         String[] words = ("render " + scene + " " + options.replace("DIR", directory.toString())).split("\\s+");
-        int code = Main.execute(new PrintWriter(new StringWriter()), new PrintWriter(err, true), words);
+        Program.Outcome outcome = Program.run(words);
 
-        assertThat(code).as(err.toString()).isEqualTo(2);
-        assertThat(err.toString().strip().lines()).hasSize(1).allSatisfy(line -> assertThat(line)
+        assertThat(outcome.code()).as(outcome.err()).isEqualTo(2);
+        assertThat(outcome.err().strip().lines()).hasSize(1).allSatisfy(line -> assertThat(line)
                 .contains(message));
         try (Stream<Path> files = Files.list(directory)) {
             assertThat(files).containsExactly(scene);

@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -33,11 +31,8 @@ class ReportPicturesTest {
         List<String> words =
                 new ArrayList<>(List.of("run", "closed-space", "--set", "run.duration=0.1 s", "--out", out.toString()));
         words.addAll(List.of(options));
-        StringWriter said = new StringWriter();
-        PrintWriter writer = new PrintWriter(said);
-        assertThat(Main.execute(writer, writer, words.toArray(String[]::new)))
-                .as("%s", said)
-                .isZero();
+        Program.Outcome outcome = Program.run(words.toArray(String[]::new));
+        assertThat(outcome.code()).as(outcome.err()).isZero();
         List<Shown> shown = new ArrayList<>();
         Matcher figures = FIGURE.matcher(Files.readString(out.resolve("report.html")));
         while (figures.find()) {

@@ -50,7 +50,7 @@ class RunFilesTest extends CommandLines {
 
     @Test
     void theFilesOfARunAreWhatScriptsRelyOn() throws IOException {
-        Outcome outcome = commandIn("run camera-range --out DIR/results --set sensors.camera.fov=0.6 --seed 9");
+        Program.Outcome outcome = commandIn("run camera-range --out DIR/results --set sensors.camera.fov=0.6 --seed 9");
         assertThat(outcome.code()).as(outcome.err()).isZero();
 
         JsonNode summary = JSON.readTree(Files.readString(directory.resolve("results/summary.json")));
@@ -81,7 +81,7 @@ class RunFilesTest extends CommandLines {
 
     @Test
     void theRaysOfARunAreLinesThatAModelProgramReads() throws IOException {
-        Outcome outcome = commandIn("run closed-space --out DIR/results --rays DIR/rays.obj");
+        Program.Outcome outcome = commandIn("run closed-space --out DIR/results --rays DIR/rays.obj");
         assertThat(outcome.code()).as(outcome.err()).isZero();
 
         List<String> lines = Files.readAllLines(directory.resolve("rays.obj"));
@@ -120,7 +120,7 @@ class RunFilesTest extends CommandLines {
         Files.writeString(directory.resolve("site.obj"), TRIANGLE + "f 1 2 3\n");
         Path file = directory.resolve("site.yaml");
         Files.writeString(file, scene.replace("ORIGIN", ", origin: {latitude: 50.08 deg, longitude: 14.42 deg}"));
-        Outcome outcome = commandIn("run DIR/site.yaml --out DIR/results");
+        Program.Outcome outcome = commandIn("run DIR/site.yaml --out DIR/results");
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(files().get("results/map.geojson")).contains("eye detects one", "50.08");
         assertThat(files().get("results/map.kml")).contains("eye detects one", "14.42,50.08,2");

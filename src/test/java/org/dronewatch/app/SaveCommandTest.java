@@ -3,8 +3,6 @@ package org.dronewatch.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -21,11 +19,10 @@ class SaveCommandTest {
     private Path directory;
 
     private String command(int code, Stream<String> words) {
-        StringWriter err = new StringWriter();
         String[] all = words.toArray(String[]::new);
-        int actual = Main.execute(new PrintWriter(new StringWriter()), new PrintWriter(err, true), all);
-        assertThat(actual).as("%s: %s", List.of(all), err).isEqualTo(code);
-        return err.toString();
+        Program.Outcome outcome = Program.run(all);
+        assertThat(outcome.code()).as("%s: %s", List.of(all), outcome.err()).isEqualTo(code);
+        return outcome.err();
     }
 
     private String path(String name) {
