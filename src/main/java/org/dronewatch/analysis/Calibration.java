@@ -47,7 +47,7 @@ public record Calibration(
     /** How precisely ranges are found, as a fraction of the range. */
     private static final double PRECISION = 1e-9;
 
-    /** Keeps its own map. */
+    /** Copies the map: later changes by the caller have no effect. */
     public Calibration {
         ranges = Map.copyOf(ranges);
     }

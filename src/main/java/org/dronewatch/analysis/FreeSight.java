@@ -18,8 +18,8 @@ import org.dronewatch.world.WorldSettings;
 
 /**
  * A drone in front of a sensor with nothing else about: the air, background noise, rain and light of a scene without its
- * models and noise sources. The sensor's axis is level, with the azimuth of its own aim (north for a sensor without one); the
- * drone is on that axis, at the sensor's height, and flies towards the sensor at its cruise speed. A positioner has turned to
+ * models and noise sources. The sensor's axis is level, at the azimuth at which it is aimed (north for a sensor without one);
+ * the drone is on that axis, at the sensor's height, and flies towards the sensor at its cruise speed. A positioner has turned to
  * the drone, as in {@link Coverage}.
  *
  * @param world conditions without models

@@ -93,7 +93,7 @@ public record CatalogEntry(
     }
 
     /**
-     * Keeps its own list.
+     * Copies the list: later changes by the caller have no effect.
      *
      * @throws IllegalArgumentException when something is missing, or there are ranges without a basis or the reverse
      */

@@ -139,7 +139,7 @@ public interface FlightPathSettings {
      * @param points 2 to 10,000 waypoints, consecutive ones 1 mm or more apart, m
      */
     record Waypoints(List<Position> points) implements FlightPathSettings {
-        /** Checks the limits and keeps its own list. */
+        /** Checks the limits and copies the list. */
         public Waypoints {
             points = List.copyOf(Check.present("points", points));
             if (points.size() < 2 || points.size() > MOST_WAYPOINTS) {

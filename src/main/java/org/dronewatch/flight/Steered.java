@@ -9,7 +9,7 @@ import org.dronewatch.world.Ground;
 
 /**
  * Is steered by a program while the run goes on: hovers until the first command, then flies as commanded, at no more than
- * the drone's speed. Each drone of a swarm starts at its place in the formation and is steered by itself.
+ * the drone's speed. Each drone of a swarm starts at its position in the formation and is steered separately.
  *
  * @param start where it is at time 0, m
  * @param heading where the nose points before the first command, clockwise from north, rad

@@ -31,7 +31,7 @@ public record TerrainFollowing(
     /** The default angle, rad. */
     static final double USUAL_STEEPEST = Math.PI / 4;
 
-    /** Checks the limits and keeps its own list. */
+    /** Checks the limits and copies the list. */
     public TerrainFollowing {
         Limits.check(TerrainFollowing.class, points, height, maxFlightPathAngle);
         points = List.copyOf(points);

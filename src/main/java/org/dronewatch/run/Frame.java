@@ -19,7 +19,7 @@ import org.dronewatch.sensor.Observation;
  */
 public record Frame(
         int run, double time, List<Drone> drones, List<Observation> observations, Map<String, Pointing> pointings) {
-    /** Keeps its own lists. */
+    /** Copies the lists: later changes by the caller have no effect. */
     public Frame {
         drones = List.copyOf(drones);
         observations = List.copyOf(observations);

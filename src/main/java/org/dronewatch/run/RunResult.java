@@ -26,7 +26,7 @@ public record RunResult(
         List<DetectionEvent> events,
         List<PairResult> pairs,
         List<AlertResult> alerts) {
-    /** Keeps its own lists. */
+    /** Copies the lists: later changes by the caller have no effect. */
     public RunResult {
         events = List.copyOf(events);
         pairs = List.copyOf(pairs);

@@ -15,7 +15,7 @@ import java.util.OptionalDouble;
  * @param timing how the computing time was spent
  */
 public record SceneResult(String scene, long seed, int threads, boolean complete, List<RunResult> runs, Timing timing) {
-    /** Keeps its own list. */
+    /** Copies the list: later changes by the caller have no effect. */
     public SceneResult {
         runs = List.copyOf(runs);
     }

@@ -13,7 +13,7 @@ import java.util.TreeMap;
  * @param looking how long the sensors of each kind looked, summed over all threads
  */
 public record Timing(double load, double build, double wall, Map<String, Double> looking) {
-    /** Keeps its own map. */
+    /** Copies the map: later changes by the caller have no effect. */
     public Timing {
         looking = Collections.unmodifiableMap(new TreeMap<>(looking));
     }

@@ -1,7 +1,7 @@
 package org.dronewatch.scene;
 
 /**
- * Steers the drones of one run whose flight is {@code steered}. Each run has a pilot of its own, so whatever a pilot
+ * Steers the drones of one run whose flight is {@code steered}. Each run gets a new pilot, so whatever a pilot
  * remembers begins anew with each run of a sweep and each replication, and a run does not depend on what ran before it.
  *
  * <p>A pilot acts through the run's simulator: at the beginning it gives its first commands and schedules the events at

@@ -35,7 +35,7 @@ public record NoiseSource(
     private static final double SHORTEST = 0.1;
 
     /**
-     * Checks the limits and keeps its own list.
+     * Checks the limits and copies the list.
      *
      * @throws IllegalArgumentException if a value is out of range, there is no position, or a line has no length
      */

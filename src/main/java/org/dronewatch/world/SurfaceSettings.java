@@ -29,7 +29,7 @@ public record SurfaceSettings(
     @Defaults
     public static final SurfaceSettings DEFAULT = new SurfaceSettings(Map.of(), SurfaceMaterials.SOLID, Map.of());
 
-    /** Keeps its own maps. Names are looked up by {@link #checkNames}, which {@link WorldSettings} calls. */
+    /** Copies the maps. Names are looked up by {@link #checkNames}, which {@link WorldSettings} calls. */
     public SurfaceSettings {
         materials = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("materials", materials)));
         Check.present("defaultSurface", defaultSurface);

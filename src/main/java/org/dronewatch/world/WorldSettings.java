@@ -48,7 +48,7 @@ public record WorldSettings(
     public static final double QUIET = 30.0;
 
     /**
-     * Checks the limits and keeps its own list.
+     * Checks the limits and copies the list.
      *
      * @throws IllegalArgumentException if a value is out of range, or a surface has an unknown name
      */

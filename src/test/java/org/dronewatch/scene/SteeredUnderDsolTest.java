@@ -22,7 +22,7 @@ import org.dronewatch.sensor.Observation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A DSOL model of somebody's own holds a scene, under a simulator of their own, and steers its drones. */
+/** A user's DSOL model holds a scene, runs under the user's simulator, and steers its drones. */
 class SteeredUnderDsolTest {
     private static final double DURATION = 4.0;
 

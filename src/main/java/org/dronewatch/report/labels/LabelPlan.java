@@ -28,7 +28,7 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
 
     private static final double MEGA = 1e6;
 
-    /** Keeps its own list. */
+    /** Copies the list: later changes by the caller have no effect. */
     public LabelPlan {
         cameras = List.copyOf(cameras);
     }
