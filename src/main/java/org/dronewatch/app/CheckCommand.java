@@ -31,6 +31,7 @@ final class CheckCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         runner.notes(err::println);
         List<SceneSettings> runs = runner.settingsOfRuns();
+        runs.forEach(runner::checkPilot);
         runs.forEach(runner::stage);
         SceneSettings first = runs.get(0);
         spec.commandLine()

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Check;
 
 /**
  * The flight of one drone in one run that is steered while the run goes on. Between two commands its velocity and its
@@ -14,7 +15,8 @@ import org.dronewatch.geometry.Position;
  *
  * <p>A command counts from its time on, that time included. Of several at one time the last counts. A command at a time
  * at which sensors have already looked, as the answer to what they saw, counts from the next instant that a double can
- * tell from that time; so what they saw stays true. Only the thread that runs the scene steers; any thread may ask.
+ * tell from that time; so what they saw stays true. Only the thread that runs the scene steers, since a command of any
+ * other would count from whatever time the run happens to have reached; any thread may ask.
  */
 public final class SteeredFlight implements FlownPath {
     /** By how much a commanded speed may be above the limit, as the length of a rounded vector may. */
@@ -27,9 +29,10 @@ public final class SteeredFlight implements FlownPath {
     private double now;
     private double looked = -1.0;
     private boolean over;
+    private Thread steering = Thread.currentThread();
 
     /**
-     * At rest at the start of a run.
+     * At rest at the start of a run, steered by the calling thread.
      *
      * @param start where it is, m
      * @param heading of its nose, clockwise from north, rad
@@ -46,8 +49,8 @@ public final class SteeredFlight implements FlownPath {
      *
      * @param time seconds since the start of the run
      * @param velocity m/s
-     * @throws IllegalArgumentException when the velocity is above the drone's speed, or a later time is already known
-     * @throws IllegalStateException when the run is over
+     * @throws IllegalArgumentException when the velocity is above the drone's speed or null, or a later time is already known
+     * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void fly(double time, Position velocity) {
         double from = begun(time, velocity);
@@ -60,10 +63,12 @@ public final class SteeredFlight implements FlownPath {
      * @param time seconds since the start of the run
      * @param velocity m/s
      * @param attitude yaw, pitch and roll; does not depend on the velocity
-     * @throws IllegalArgumentException when the velocity is above the drone's speed, or a later time is already known
-     * @throws IllegalStateException when the run is over
+     * @throws IllegalArgumentException when the velocity is above the drone's speed, it or the attitude is null, or a later
+     *     time is already known
+     * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void fly(double time, Position velocity, Attitude attitude) {
+        Check.present("attitude", attitude);
         add(begun(time, velocity), velocity, attitude);
     }
 
@@ -74,12 +79,13 @@ public final class SteeredFlight implements FlownPath {
      * @param time seconds since the start of the run
      * @param target the point, m
      * @param arrival when it is to be there, after the command, seconds since the start of the run
-     * @throws IllegalArgumentException when that takes more than the drone's speed, or the arrival is not after the command,
-     *     or a later time is already known
-     * @throws IllegalStateException when the run is over
+     * @throws IllegalArgumentException when that takes more than the drone's speed, the point is null, the arrival is not
+     *     after the command, or a later time is already known
+     * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void flyTo(double time, Position target, double arrival) {
         double from = effective(time);
+        Check.present("target", target);
         if (!(arrival > from) || !Double.isFinite(arrival)) {
             throw new IllegalArgumentException(
                     "arrival at " + arrival + " s must be after the command, at " + from + " s");
@@ -102,7 +108,7 @@ public final class SteeredFlight implements FlownPath {
     /** Checks a command before anything is changed. */
     private double begun(double time, Position velocity) {
         double from = effective(time);
-        checkSpeed(velocity);
+        checkSpeed(Check.present("velocity", velocity));
         now = from;
         return from;
     }
@@ -111,6 +117,11 @@ public final class SteeredFlight implements FlownPath {
     private double effective(double time) {
         if (over) {
             throw new IllegalStateException("the run is over: nobody can steer any more");
+        }
+        if (Thread.currentThread() != steering) {
+            throw new IllegalStateException("commanded by the thread '"
+                    + Thread.currentThread().getName() + "', but only '" + steering.getName()
+                    + "', which runs the scene, steers: give commands in events of its simulator");
         }
         double from = time <= looked ? Math.nextUp(looked) : time;
         if (!(time >= looked && from >= now) || !Double.isFinite(time)) {
@@ -133,6 +144,11 @@ public final class SteeredFlight implements FlownPath {
         Position here = Leg.at(legs, from).position();
         legs.removeIf(leg -> leg.time() >= from);
         legs.add(new Leg(from, new FlightState(here, velocity, attitude, OptionalDouble.empty())));
+    }
+
+    /** From now on the calling thread runs the scene, and it alone steers. */
+    public synchronized void steerHere() {
+        steering = Thread.currentThread();
     }
 
     /** Time goes on: up to this time, and including it unless a command changes it, the flight is known. */

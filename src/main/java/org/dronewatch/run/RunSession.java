@@ -23,7 +23,7 @@ import org.dronewatch.sensor.Observation;
  * }</pre>
  *
  * <p>Steered drones are commanded between the looks: {@code SteeredFlight.in(session.stage().flight("hunter"))} takes
- * commands with their times. Whoever drives the run gives them; without commands such a drone hovers.
+ * commands with their times. The thread that drives the run gives them; without commands such a drone hovers.
  */
 public final class RunSession implements AutoCloseable {
     private final RunInfo info;

@@ -149,8 +149,14 @@ public final class Stage {
         return steered().mapToDouble(SteeredFlight::known).min().orElse(Double.POSITIVE_INFINITY);
     }
 
-    /** Steered drones have flown on to this time. */
+    /** From now on the calling thread runs the scene: it alone steers the drones. */
+    public void steerHere() {
+        steered().forEach(SteeredFlight::steerHere);
+    }
+
+    /** Steered drones have flown on to this time, and the calling thread steers them on. */
     void flyTo(double time) {
+        steerHere();
         steered().forEach(flight -> flight.advance(time));
     }
 

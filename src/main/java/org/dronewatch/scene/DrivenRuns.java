@@ -1,8 +1,11 @@
 package org.dronewatch.scene;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.dronewatch.parallel.Interrupts;
 import org.dronewatch.run.ModelCache;
@@ -20,6 +23,7 @@ import org.dronewatch.run.SceneListener;
  * @param models where models come from
  * @param listeners are notified of each run
  * @param pilots gives the pilot of each run
+ * @param notes receives warnings about what pilots do
  * @param control of each run, which ends no later than its settings state
  */
 record DrivenRuns(
@@ -28,6 +32,7 @@ record DrivenRuns(
         ModelCache models,
         List<SceneListener> listeners,
         Supplier<Pilot> pilots,
+        Consumer<String> notes,
         RunControl control) {
 
     /**
@@ -38,8 +43,10 @@ record DrivenRuns(
      */
     List<RunResult> run(List<RunInfo> infos) {
         List<RunResult> results = new ArrayList<>();
+        // The pilots of a sweep mostly do the same in each run.
+        Set<String> said = new HashSet<>();
         for (RunInfo info : infos) {
-            results.add(run(info));
+            results.add(run(info, note -> once(note, said)));
             if (isCancelled()) {
                 break;
             }
@@ -47,12 +54,18 @@ record DrivenRuns(
         return results;
     }
 
-    private RunResult run(RunInfo info) {
+    private void once(String note, Set<String> said) {
+        if (said.add(note)) {
+            notes.accept(note);
+        }
+    }
+
+    private RunResult run(RunInfo info, Consumer<String> warnings) {
         double until = Math.min(control.until(), info.settings().run().duration());
         try (RunSession session =
                 new RunSession(info, info.settings().run().seed(), models, control.withUntil(until))) {
             listeners.forEach(session::listen);
-            simulate(session, until);
+            simulate(session, until, warnings);
             return session.result();
         } catch (CancellationException e) {
             if (isCancelled()) {
@@ -67,10 +80,10 @@ record DrivenRuns(
     }
 
     /** Runs to the end, or until the run is cancelled: an interrupt then only brings that about sooner. */
-    private void simulate(RunSession session, double until) {
+    private void simulate(RunSession session, double until, Consumer<String> warnings) {
         try {
             Interrupts.surfacing(() -> {
-                simulator.run(scene, new SceneReplication(scene.name(), until), session, pilots.get());
+                simulator.run(scene, new SceneReplication(scene.name(), until), session, pilots.get(), warnings);
                 return null;
             });
         } catch (CancellationException e) {

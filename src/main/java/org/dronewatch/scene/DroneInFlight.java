@@ -9,12 +9,16 @@ import org.dronewatch.flight.FlightState;
 import org.dronewatch.flight.FlownPath;
 import org.dronewatch.flight.SteeredFlight;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.InputException;
 
 /**
  * A drone during a run, at the simulator's time: where any drone is, and commands for those whose flight is {@code
  * steered}. A command counts from now until the next one; between two commands velocity and attitude are constant, and the
  * position follows from them. Of several commands at one time the last counts. A command from a listener of
  * a scene's observations takes effect just after that look.
+ *
+ * <p>Only the thread that runs the scene gives commands, in a pilot, in events of the simulator or in listeners: a command of
+ * another thread would count from whatever time the run happens to have reached, and no run could be repeated.
  *
  * <p>A drone whose flight is {@code recorded} flies as it did: commands change nothing, so a scene with its pilot can be
  * replayed.
@@ -51,11 +55,19 @@ public final class DroneInFlight {
      * Where it was at a time.
      *
      * @param time seconds since the start of the run
-     * @throws IllegalStateException when it is steered and the time is yet to come
+     * @throws InputException when the time is negative, not finite, or, for a steered drone, yet to come
      */
     public FlightState state(double time) {
-        SteeredFlight.in(path).ifPresent(flight -> flight.advance(clock.getAsDouble()));
-        return path.at(time);
+        if (!(time >= 0.0 && Double.isFinite(time))) {
+            throw new InputException(here() + "its state at " + time + " s: the time must be 0 s or later");
+        }
+        double now = clock.getAsDouble();
+        SteeredFlight.in(path).ifPresent(flight -> flight.advance(now));
+        try {
+            return path.at(time);
+        } catch (IllegalStateException e) {
+            throw new InputException(here() + e.getMessage(), e);
+        }
     }
 
     /**
@@ -63,8 +75,8 @@ public final class DroneInFlight {
      * and at rest the nose stays as it is.
      *
      * @param velocity east, north and up, m/s
-     * @throws IllegalArgumentException when that is faster than the drone's speed
-     * @throws IllegalStateException when it is neither steered nor recorded, or the run is over
+     * @throws InputException when that is faster than the drone's speed or null, the drone is neither steered nor recorded,
+     *     the run is over, or another thread runs it
      */
     public void fly(Position velocity) {
         command((flight, now) -> flight.fly(now, velocity));
@@ -75,8 +87,8 @@ public final class DroneInFlight {
      *
      * @param velocity east, north and up, m/s
      * @param attitude yaw, pitch and roll; does not depend on the velocity
-     * @throws IllegalArgumentException when that is faster than the drone's speed
-     * @throws IllegalStateException when it is neither steered nor recorded, or the run is over
+     * @throws InputException when that is faster than the drone's speed or null, the drone is neither steered nor recorded,
+     *     the run is over, or another thread runs it
      */
     public void fly(Position velocity, Attitude attitude) {
         command((flight, now) -> flight.fly(now, velocity, attitude));
@@ -87,8 +99,8 @@ public final class DroneInFlight {
      *
      * @param target the point, m
      * @param time when it is to be there, after now, seconds since the start of the run
-     * @throws IllegalArgumentException when that takes more than the drone's speed, or the time is not after now
-     * @throws IllegalStateException when it is neither steered nor recorded, or the run is over
+     * @throws InputException when that takes more than the drone's speed, the point is null, the time is not after now, the
+     *     drone is neither steered nor recorded, the run is over, or another thread runs it
      */
     public void flyTo(Position target, double time) {
         command((flight, now) -> flight.flyTo(now, target, time));
@@ -100,13 +112,17 @@ public final class DroneInFlight {
             if (FlownPath.in(path).isPresent()) {
                 return;
             }
-            throw new IllegalStateException(
-                    "drone '" + id + "' cannot be steered: its flight is not of the kind 'steered'");
+            throw new InputException(here() + "cannot be steered: its flight is not of the kind 'steered'");
         }
         try {
             command.accept(flight.get(), clock.getAsDouble());
-        } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException("drone '" + id + "': " + e.getMessage(), e);
+        } catch (IllegalArgumentException | IllegalStateException e) {
+            throw new InputException(here() + e.getMessage(), e);
         }
+    }
+
+    /** The beginning of a message: who and when. */
+    private String here() {
+        return "drone '" + id + "' at " + clock.getAsDouble() + " s: ";
     }
 }

@@ -1,15 +1,21 @@
 package org.dronewatch.scene;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 import nl.tudelft.simulation.dsol.SimRuntimeException;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.Check;
 import org.dronewatch.setting.InputException;
 
-/** A run whose drones are steered: its drones, its time and its simulator. For the thread of the simulator. */
+/** A run whose drones are steered: its drones, its time and its simulator. For the thread that runs the scene. */
 public final class PilotedRun {
     private final RunSession session;
     private final DevsSimulatorInterface<Double> simulator;
+    private final List<Double> late = new ArrayList<>();
 
     PilotedRun(RunSession session, DevsSimulatorInterface<Double> simulator) {
         this.session = session;
@@ -22,20 +28,44 @@ public final class PilotedRun {
     }
 
     /**
-     * Does something later in the run, before sensors look at that time.
+     * Does something later in the run, before sensors look at that time. What would come after the end of the run is not
+     * done, so that an action can schedule itself again and again; if a pilot schedules it when it begins, the runner warns.
      *
      * @param seconds from now, 0 or more
-     * @throws IllegalArgumentException when negative or not a number
+     * @throws IllegalArgumentException when negative or not a number, or the action is null
      */
     public void after(double seconds, Runnable action) {
         if (!(seconds >= 0.0)) {
             throw new IllegalArgumentException("after " + seconds + " s: must be 0 or more");
+        }
+        Check.present("action", action);
+        double when = time() + seconds;
+        if (when > settings().run().duration()) {
+            late.add(when);
         }
         try {
             simulator.scheduleEventRel(seconds, () -> act(action));
         } catch (SimRuntimeException e) {
             throw new IllegalStateException(e);
         }
+    }
+
+    /**
+     * Lets a pilot begin.
+     *
+     * @param pilot what it does first
+     * @return a warning, if it schedules what comes after the end of the run
+     * @throws InputException as for {@link #act}
+     */
+    Optional<String> begin(Consumer<PilotedRun> pilot) {
+        late.clear();
+        act(() -> pilot.accept(this));
+        return late.stream()
+                .min(Double::compare)
+                .map(first -> "the pilot schedules " + late.size() + (late.size() == 1 ? " action" : " actions")
+                        + " after the end of the run at "
+                        + settings().run().duration() + " s, the first at " + first + " s: "
+                        + (late.size() == 1 ? "it has" : "they have") + " no effect");
     }
 
     /**
@@ -67,9 +97,13 @@ public final class PilotedRun {
      * A drone as it flies now.
      *
      * @param id its name in the scene; {@code x-1} for the first drone of a swarm {@code x}
-     * @throws IllegalArgumentException when there is no such drone
+     * @throws InputException when there is no such drone
      */
     public DroneInFlight drone(String id) {
-        return new DroneInFlight(id, session.stage().flight(id), this::time);
+        try {
+            return new DroneInFlight(id, session.stage().flight(id), this::time);
+        } catch (IllegalArgumentException e) {
+            throw new InputException("pilot at " + time() + " s: " + e.getMessage(), e);
+        }
     }
 }

@@ -275,7 +275,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
      * A drone of the run that is going on, at the simulator's time: for DSOL models that hold this scene.
      *
      * @param id its name in the scene
-     * @throws IllegalArgumentException when the scene has no such drone
+     * @throws org.dronewatch.setting.InputException when the scene has no such drone
      * @throws IllegalStateException when no run is going on
      */
     public final DroneInFlight drone(String id) {
@@ -293,7 +293,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         session = own.flatMap(SceneSimulator::session).orElseGet(this::openSession);
         Pilot steering = own.flatMap(SceneSimulator::pilot).orElseGet(this::pilot);
         PilotedRun run = new PilotedRun(session, getSimulator());
-        run.act(() -> steering.begin(run));
+        RunThread.follow(session.stage(), getSimulator());
+        run.begin(steering::begin).ifPresent(warning -> own.ifPresent(simulator -> simulator.warn(warning)));
         scheduleNextLook();
     }
 

@@ -252,15 +252,14 @@ public final class SceneRunner {
         inputs = Optional.of(configured.inputs(settings));
         List<SceneSettings> all = configured.settingsOfRuns(settings);
         List<RunInfo> runs = chosen(all);
-        if (pilots.get() == Pilot.NONE) {
-            runs.forEach(info -> configured.checkUnpiloted(info.settings()));
-        }
+        runs.forEach(info -> checkPilot(info.settings()));
         double before = models().seconds();
         LookTimes times = new LookTimes();
         long start = System.nanoTime();
         all.forEach(models()::load);
         RunControl control = new RunControl(until, pace, cancelled, times);
-        DrivenRuns driven = new DrivenRuns(scene, simulator, models().cache(), List.copyOf(listeners), pilots, control);
+        DrivenRuns driven =
+                new DrivenRuns(scene, simulator, models().cache(), List.copyOf(listeners), pilots, notes, control);
         List<RunResult> results;
         try (Workers workers = new Workers(threads)) {
             results = workers.call(() -> driven.run(runs));
@@ -274,7 +273,17 @@ public final class SceneRunner {
         return new SceneResult(scene.name(), settings.run().seed(), threads, complete, results, timing);
     }
 
-    /** All runs, or the single one that is to run. */
+    /**
+     * Checks that there is a pilot if a drone is steered in one of {@link #settingsOfRuns()}; nothing is loaded.
+     *
+     * @throws InputException when a drone is steered and nobody steers it
+     */
+    public void checkPilot(SceneSettings settings) {
+        if (pilots.get() == Pilot.NONE) {
+            configured.checkUnpiloted(settings);
+        }
+    }
+
     private List<RunInfo> chosen(List<SceneSettings> all) {
         List<RunInfo> runs = new ArrayList<>();
         for (int run = 0; run < all.size(); run++) {

@@ -3,6 +3,7 @@ package org.dronewatch.scene;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.function.Consumer;
 import nl.tudelft.simulation.dsol.SimRuntimeException;
 import nl.tudelft.simulation.dsol.experiment.Replication;
 import nl.tudelft.simulation.dsol.model.DsolModel;
@@ -25,6 +26,7 @@ final class SceneSimulator extends DevsSimulator<Double> {
     private transient RuntimeException failure;
     private transient RunSession session;
     private transient Pilot pilot;
+    private transient Consumer<String> warnings;
 
     private SceneSimulator(String id) {
         super(id);
@@ -42,16 +44,19 @@ final class SceneSimulator extends DevsSimulator<Double> {
      *
      * @param open the run, which the caller closes
      * @param steering who steers its drones
+     * @param notes receives warnings about what the pilot does
      */
     void run(
             DsolModel<Double, DevsSimulatorInterface<Double>> scene,
             SceneReplication replication,
             RunSession open,
-            Pilot steering) {
+            Pilot steering,
+            Consumer<String> notes) {
         caller = Thread.currentThread();
         failure = null;
         session = open;
         pilot = steering;
+        warnings = notes;
         try {
             initializeApart(scene, replication);
             runToEnd();
@@ -59,6 +64,7 @@ final class SceneSimulator extends DevsSimulator<Double> {
             cleanUp();
             session = null;
             pilot = null;
+            warnings = null;
             caller = null;
         }
     }
@@ -71,6 +77,13 @@ final class SceneSimulator extends DevsSimulator<Double> {
     /** Who steers the drones of {@link #session()}. */
     Optional<Pilot> pilot() {
         return Optional.ofNullable(pilot);
+    }
+
+    /** Warns whoever runs the scene. */
+    void warn(String warning) {
+        if (warnings != null) {
+            warnings.accept("warning: " + warning);
+        }
     }
 
     /** DSOL swallows interrupts while it initializes, which takes a millisecond: so another thread does that. */

@@ -3,11 +3,14 @@ package org.dronewatch.app;
 import java.util.function.Supplier;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings.Hover;
+import org.dronewatch.flight.Steered;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.RunSettings;
+import org.dronewatch.scene.Pilot;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.camera.CameraSettings;
 
 /** Scenes of users that fail with errors of Java. */
 public final class FaultyScenes {
@@ -114,6 +117,27 @@ public final class FaultyScenes {
         @Override
         protected void build() {
             throw new UnsupportedOperationException("x".repeat(5000));
+        }
+    }
+
+    /** A scene whose pilot asks where its drone will be. */
+    public static final class WrongPilot extends Scene {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected void build() {
+            loadWorld(loadPackaged("house.obj"));
+            add("drone", DroneSettings.of(loadPackaged("quadrotor.obj"), Steered.from(new Position(0, 30, 20))));
+            add("camera", CameraSettings.at(new Position(0, 0, 20)).withRate(1.0));
+            setRun(RunSettings.DEFAULT.withDuration(5.0));
+        }
+
+        @Override
+        protected Pilot pilot() {
+            return run -> {
+                run.after(2.0, () -> run.drone("drone").state(9.0));
+                run.after(25.0, () -> run.drone("drone").fly(new Position(0, 0, 1)));
+            };
         }
     }
 }

@@ -2,7 +2,6 @@ package org.dronewatch.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
@@ -12,7 +11,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.drone.DroneSettings;
-import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.flight.Recorded;
 import org.dronewatch.flight.Steered;
 import org.dronewatch.flight.SteeredFlight;
@@ -25,7 +23,6 @@ import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -297,34 +294,5 @@ class SteeringTest {
         // With the nose to the east, ten metres to the right are ten to the south.
         assertThat(ends.get(1).distance(Pursuit.START.plus(new Position(0, -10, -6))))
                 .isLessThan(1e-9);
-    }
-
-    @Test
-    void onlyASteeredDroneTakesCommands() {
-        SceneRunner runner = new SceneRunner(new Pursuit())
-                .pilot(() -> run -> run.drone("prey").fly(new Position(1, 0, 0)));
-        assertThatIllegalStateException()
-                .isThrownBy(runner::run)
-                .withMessageContaining("drone 'prey' cannot be steered: its flight is not of the kind 'steered'");
-        SceneRunner fast = new SceneRunner(new Pursuit())
-                .pilot(() -> run -> run.after(1.0, () -> run.drone("hunter").fly(new Position(30, 0, 0))));
-        assertThatThrownBy(fast::run)
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining(
-                        "pilot at 1.0 s: drone 'hunter': speed 30.0 m/s must be at most 25.0 m/s, the drone's");
-        assertThatIllegalStateException()
-                .isThrownBy(() -> new Pursuit().drone("hunter"))
-                .withMessageContaining("no run of the scene is going on");
-    }
-
-    @Test
-    void withoutAPilotNothingIsRun() {
-        FlightPathSettings steered =
-                new Pursuit().describe().drones().get("hunter").flight();
-        SceneRunner runner = new SceneRunner(new Pursuit(steered)).pilot(() -> Pilot.NONE);
-        assertThatThrownBy(runner::run)
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining(
-                        "drones.hunter.flight: is steered, but no pilot steers 'hunter': run a Java scene");
     }
 }
