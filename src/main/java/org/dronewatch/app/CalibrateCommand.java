@@ -13,6 +13,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SweptValue;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
@@ -100,6 +101,7 @@ final class CalibrateCommand implements Callable<Integer> {
                 .filter(one -> one.id().equals(drone))
                 .findFirst()
                 .orElseThrow();
+        warnOfNoiseSources(settings);
         Calibration fit = fit(settings, flying, metres, least);
         Optional<String> swept = settings.sweep()
                 .map(sweep -> "run " + run + " of the sweep, " + new SweptValue(settings, sweep).text());
@@ -113,6 +115,16 @@ final class CalibrateCommand implements Callable<Integer> {
         CalibratedEntry.lines(fit).forEach(spec.commandLine().getOut()::println);
         spec.commandLine().getErr().println("sensor in " + PlainText.value(out));
         return 0;
+    }
+
+    private void warnOfNoiseSources(SceneSettings settings) {
+        boolean listens = settings.sensors().get(sensor).as(SoundTracing.class).isPresent();
+        if (listens && !settings.world().noiseSources().isEmpty()) {
+            spec.commandLine()
+                    .getErr()
+                    .println("warning: world.noiseSources is left out, as are the models through which they are heard:"
+                            + " only world.backgroundNoise counts");
+        }
     }
 
     private boolean isAsked(String option) {

@@ -11,6 +11,7 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.setting.Switchable;
+import org.dronewatch.sound.DroneSounds;
 import org.dronewatch.world.Clearance;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
@@ -24,6 +25,7 @@ record SiteAdvice(SceneSettings settings, World world) {
     /** Gives one line for each warning. */
     void giveTo(Consumer<String> target) {
         onSurfaces(target);
+        onSounds(target);
         if (!settings.world().noiseSources().isEmpty() && !isListening()) {
             target.accept("world.noiseSources has no effect: no sensor that is switched on listens");
         }
@@ -47,6 +49,19 @@ record SiteAdvice(SceneSettings settings, World world) {
                 .forEach(name -> target.accept("world.surfaces.own." + name
                         + " has no effect: no material of the models has this surface; they are "
                         + String.join(", ", world.mesh().materialNames())));
+    }
+
+    /** With its own spectrum a drone's sound is a mere name: that of another spectrum misleads. */
+    private void onSounds(Consumer<String> target) {
+        settings.drones().forEach((id, drone) -> {
+            boolean isMisleading = drone.spectrum().isPresent()
+                    && !drone.sound().equals(DroneSounds.SMALL_QUADROTOR)
+                    && DroneSounds.find(drone.sound()).isPresent();
+            if (isMisleading) {
+                target.accept("drones." + id + ".spectrum takes the place of the table's spectrum of sound '"
+                        + drone.sound() + "', which has no effect");
+            }
+        });
     }
 
     private boolean isListening() {

@@ -20,6 +20,7 @@ import org.dronewatch.setting.SettingsPath;
  */
 public final class Overrides {
     private static final String SENSORS = "sensors.";
+    private static final String KIND = ".kind";
 
     /** What a sensor takes over from the one that it replaces. */
     private static final List<String> POSE = List.of("position", "aim", "positioner");
@@ -57,12 +58,22 @@ public final class Overrides {
         String id = path.startsWith(SENSORS) ? path.substring(SENSORS.length()) : "";
         SensorSettings<?> old = scene.sensors().get(id);
         if (old == null) {
+            checkNotKind(scene, path);
             return new SettingsPath(path).write(scene, value);
         }
         try {
             return scene.withSensor(id, catalog.settings(value.strip(), poseOf(old, value.strip())));
         } catch (InputException e) {
             throw new InputException(path + "=" + PlainText.value(value) + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** A sensor is replaced by its name: its kind is no part of it. */
+    private static void checkNotKind(SceneSettings scene, String path) {
+        String sensor = path.endsWith(KIND) ? path.substring(0, path.length() - KIND.length()) : "";
+        if (sensor.startsWith(SENSORS) && scene.sensors().containsKey(sensor.substring(SENSORS.length()))) {
+            throw new InputException("setting '" + path + "': set '" + sensor
+                    + "' itself to the name of a kind or of an entry of the catalogue");
         }
     }
 

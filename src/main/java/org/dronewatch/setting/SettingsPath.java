@@ -16,6 +16,9 @@ import java.util.Optional;
  * dots.
  */
 public final class SettingsPath {
+    /** Under this name scene files choose one of several kinds of settings. */
+    private static final String KIND = "kind";
+
     private final String path;
     private final List<String> names;
 
@@ -165,7 +168,19 @@ public final class SettingsPath {
             }
             return list.get(Integer.parseInt(name));
         }
-        throw unknown(depth, unwrapped == null ? "is not set" : "is a single value");
+        throw unknown(depth, unwrapped == null ? "is not set" + wholeOf(tree, depth) : "is a single value");
+    }
+
+    /** How the setting at a depth, which is not set, is set as a whole. */
+    private String wholeOf(Object tree, int depth) {
+        Object parent = tree;
+        for (int above = 0; above < depth - 1; above++) {
+            parent = child(tree, parent, above);
+        }
+        Object holder = parent instanceof Optional<?> optional ? optional.orElse(null) : parent;
+        return holder instanceof Record settings
+                ? ": " + WholeSetting.unset(upTo(depth), component(tree, settings, depth - 1))
+                : "";
     }
 
     private static String has(List<String> known) {
@@ -175,6 +190,12 @@ public final class SettingsPath {
     private RecordComponent component(Object tree, Record settings, int depth) {
         SettingsForm form = SettingsForm.of(settings.getClass());
         return form.part(form.currentName(names.get(depth))).orElseThrow(() -> {
+            Optional<String> kind = names.get(depth).equals(KIND)
+                    ? WholeSetting.kind(upTo(depth), settings.getClass())
+                    : Optional.empty();
+            if (kind.isPresent()) {
+                return new InputException("setting '" + path + "': " + kind.get());
+            }
             List<String> more = Switches.at(tree, withLast(depth, Switchable.ENABLED))
                     .map(toggle -> List.of(Switchable.ENABLED))
                     .orElse(List.of());
@@ -191,8 +212,12 @@ public final class SettingsPath {
         return path;
     }
 
+    private String upTo(int depth) {
+        return String.join(".", names.subList(0, depth));
+    }
+
     private InputException unknown(int depth, String what) {
-        String parent = depth == 0 ? "the scene" : "'" + String.join(".", names.subList(0, depth)) + "'";
+        String parent = depth == 0 ? "the scene" : "'" + upTo(depth) + "'";
         return new InputException("setting '" + path + "': no '" + names.get(depth) + "': " + parent + " " + what);
     }
 

@@ -272,6 +272,28 @@ class CalibrateCommandTest {
         assertThat(firstRange(stated + 0.02)).isBetween(stated - LOOK, stated + 0.02);
     }
 
+    /** They belong to the place, and are heard through its models. */
+    @Test
+    void noiseSourcesAreLeftOutWithAWarning() throws IOException {
+        for (String sensor : List.of("level", "camera")) {
+            Path scene = directory.resolve(sensor + "-scene.yaml");
+            Files.writeString(
+                    scene,
+                    Files.readString(scene)
+                            .replace(
+                                    ", backgroundNoise",
+                                    ", noiseSources: {plant: {positions: [[9, 9, 9]], soundPowerLevel: 70, soundLevel: 70}}, backgroundNoise"));
+        }
+        Outcome microphone = calibrate("level", "120 m");
+
+        assertThat(microphone.code()).isZero();
+        assertThat(microphone.complaints())
+                .contains(
+                        "warning: world.noiseSources is left out, as are the models through which they are heard: only"
+                                + " world.backgroundNoise counts");
+        assertThat(calibrate("camera", "120 m").err()).doesNotContain("world.noiseSources is left out");
+    }
+
     @Test
     void ofASweepTheEntryIsForOneRunAndSaysWhich() throws IOException {
         Files.writeString(

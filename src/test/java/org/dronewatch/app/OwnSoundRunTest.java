@@ -64,6 +64,18 @@ class OwnSoundRunTest {
                 .isNotEqualTo(packaged);
     }
 
+    /** The name of another spectrum beside it would mislead. */
+    @Test
+    void aSoundOfTheTableHasNoEffectBesideASpectrum() throws IOException {
+        String own = "spectrum: [0, -60, -60, -60, -60, -60, -60, -60]";
+        String alone = observations(own);
+        assertThat(said.toString()).doesNotContain("drones.buzzer");
+        assertThat(observations(own + "\n    sound: petrol-fixed-wing")).isEqualTo(alone);
+        assertThat(said.toString().lines().filter(line -> line.contains("drones.buzzer")))
+                .containsExactly("warning: drones.buzzer.spectrum takes the place of the table's spectrum of sound"
+                        + " 'petrol-fixed-wing', which has no effect");
+    }
+
     @Test
     void aSpectrumThatDoesNotFitIsOneLine() throws IOException {
         assertThat(run("spectrum: [0, -3, -6]", directory.resolve("a"))).isEqualTo(2);

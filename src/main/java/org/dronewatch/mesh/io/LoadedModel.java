@@ -44,15 +44,19 @@ public record LoadedModel(
         AABB bounds = mesh.bounds();
         return String.format(
                 Locale.ROOT,
-                "%s: %,d triangles%s, %.2f x %.2f x %.2f m along x, y, z, %d materials%s",
+                "%s: %s%s, %.2f x %.2f x %.2f m along x, y, z, %s%s",
                 name,
-                mesh.triangleCount(),
+                counted(mesh.triangleCount(), "triangle"),
                 dropped == 0 ? "" : String.format(Locale.ROOT, " (%,d of zero area dropped)", dropped),
                 bounds.maxX() - bounds.minX(),
                 bounds.maxY() - bounds.minY(),
                 bounds.maxZ() - bounds.minZ(),
-                mesh.materialNames().size(),
+                counted(mesh.materialNames().size(), "material"),
                 skipped.isEmpty() ? "" : "; skipped " + listSkipped());
+    }
+
+    private static String counted(int count, String noun) {
+        return String.format(Locale.ROOT, "%,d %s%s", count, noun, count == 1 ? "" : "s");
     }
 
     private String listSkipped() {

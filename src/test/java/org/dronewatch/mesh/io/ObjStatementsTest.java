@@ -150,10 +150,10 @@ class ObjStatementsTest {
     @Test
     void theDescriptionOfAFileWithoutSuchStatementsDoesNotMentionThem() throws IOException {
         assertThat(load(TRIANGLE + "f 1 2 3\n").describe())
-                .contains(": 1 triangles, ")
-                .endsWith("1 materials");
+                .contains(": 1 triangle, ")
+                .endsWith("1 material");
         assertThat(load(TRIANGLE + "f 1 2 3\nf 1 2 2\n").describe())
-                .contains(": 1 triangles (1 of zero area dropped), ");
+                .contains(": 1 triangle (1 of zero area dropped), ");
     }
 
     @Test
