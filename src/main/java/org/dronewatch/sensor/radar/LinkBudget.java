@@ -1,11 +1,14 @@
 package org.dronewatch.sensor.radar;
 
+import java.util.Optional;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /** How strong an echo is over the noise: from the parameters of its hardware, or from its manufacturer's data sheet. */
 public sealed interface LinkBudget {
@@ -27,16 +30,17 @@ public sealed interface LinkBudget {
     }
 
     /**
-     * The radar equation: {@code SNR = P G^2 lambda^2 sigma / ((4 pi)^3 r^4 k T0 B F L)} with T0 = 290 K (Skolnik,
+     * The radar equation: {@code SNR = P Gt Gr lambda^2 sigma / ((4 pi)^3 r^4 k T0 B F L)} with T0 = 290 K (Skolnik,
      * Radar Handbook). B is the noise bandwidth after coherent processing, one over the integration time, not that of
      * the sweep. A radar with a known system temperature T instead of a noise figure has the figure 10 lg(T / 290 K).
      *
      * @param power transmitted power, 1e-9 to 1e9 W
-     * @param gain gain of the antenna, the same for transmission and reception, -20 to 80 dBi
+     * @param gain gain of the antenna Gt, for transmission and, unless stated otherwise, reception, -20 to 80 dBi
      * @param integrationTime coherent integration time, 1e-9 to 10 s
      * @param sweepBandwidth bandwidth of the transmitted signal, 1 to 1e12 Hz
      * @param noiseFigure noise figure of the receiver, -20 to 60 dB
      * @param losses total system losses, 0 to 60 dB
+     * @param receiveGain gain for reception Gr where another antenna receives, -20 to 80 dBi
      */
     record Hardware(
             @In(value = Quantity.POWER, from = 1e-9, to = 1e9) double power,
@@ -44,14 +48,27 @@ public sealed interface LinkBudget {
             @In(value = Quantity.DURATION, from = 1e-9, to = 10) double integrationTime,
             @In(value = Quantity.FREQUENCY, from = 1, to = 1e12) double sweepBandwidth,
             @In(value = Quantity.LEVEL, from = -20, to = 60) double noiseFigure,
-            @In(value = Quantity.LEVEL, from = 0, to = 60) double losses)
+            @In(value = Quantity.LEVEL, from = 0, to = 60) double losses,
+            @Minor @In(value = Quantity.LEVEL, from = -20, to = 80) Optional<Double> receiveGain)
             implements LinkBudget {
         private static final double BOLTZMANN = 1.380649e-23;
         private static final double ROOM_TEMPERATURE = 290.0;
 
         /** Checks the limits. */
         public Hardware {
-            Limits.check(Hardware.class, power, gain, integrationTime, sweepBandwidth, noiseFigure, losses);
+            Limits.check(
+                    Hardware.class, power, gain, integrationTime, sweepBandwidth, noiseFigure, losses, receiveGain);
+        }
+
+        /** Hardware with one antenna. */
+        public Hardware(
+                double power,
+                double gain,
+                double integrationTime,
+                double sweepBandwidth,
+                double noiseFigure,
+                double losses) {
+            this(power, gain, integrationTime, sweepBandwidth, noiseFigure, losses, Optional.empty());
         }
 
         /** Hardware without added noise or losses, and a sweep of 10 MHz. */
@@ -69,7 +86,12 @@ public sealed interface LinkBudget {
                     * crossSection
                     / (Math.pow(4.0 * Math.PI, 3) * range * range * range * range);
             double noise = BOLTZMANN * ROOM_TEMPERATURE / integrationTime;
-            return 10.0 * Math.log10(received / noise) + 2.0 * gain - noiseFigure - losses;
+            return 10.0 * Math.log10(received / noise) + (gain + receiveGain.orElse(gain)) - noiseFigure - losses;
+        }
+
+        /** This hardware with another antenna for reception, dBi. */
+        public Hardware withReceiveGain(double decibels) {
+            return SettingsForm.with(this, "receiveGain", Optional.of(decibels));
         }
 
         @Override

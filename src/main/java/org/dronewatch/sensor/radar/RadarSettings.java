@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.radar;
 
+import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
@@ -12,6 +13,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
@@ -21,6 +23,7 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param position where its antenna is, m
  * @param aim the centre of its field of view; the elevation is its tilt
+ * @param maxTilt how far its mount tilts it, up or down: limits the elevation of the aim, 0 to 90 degrees, rad
  * @param azimuthWidth horizontal width of its field of view, 0.01 to 360 degrees, rad
  * @param elevationWidth vertical width of its field of view, 0.01 to 180 degrees, rad
  * @param minRange minimum range: nearer drones are masked by its own pulse, 0 to 1000 km, m
@@ -37,6 +40,7 @@ import org.dronewatch.setting.SettingsForm;
 public record RadarSettings(
         Position position,
         Aim aim,
+        @Minor @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 2) double maxTilt,
         @In(value = Quantity.ANGLE, from = In.NARROWEST, to = 2 * Math.PI) double azimuthWidth,
         @In(value = Quantity.ANGLE, from = In.NARROWEST, to = Math.PI) double elevationWidth,
         @In(value = Quantity.LENGTH, from = 0, to = 1e6) double minRange,
@@ -61,6 +65,7 @@ public record RadarSettings(
                 RadarSettings.class,
                 position,
                 aim,
+                maxTilt,
                 azimuthWidth,
                 elevationWidth,
                 minRange,
@@ -73,7 +78,7 @@ public record RadarSettings(
                 budget,
                 detection,
                 accuracy);
-        aim.from(position);
+        checkTilt(tilt(aim.from(position)), maxTilt);
         if (minRange >= maxRange) {
             throw new IllegalArgumentException("minRange " + minRange + " m must be below maxRange " + maxRange + " m");
         }
@@ -81,6 +86,22 @@ public record RadarSettings(
             throw new IllegalArgumentException(
                     "minSpeed " + minSpeed + " m/s must be below maxSpeed " + maxSpeed + " m/s");
         }
+    }
+
+    private static void checkTilt(double tilt, double most) {
+        // An aim at a point may lie at the limit but for rounding.
+        if (Math.abs(tilt) > most + 1e-9) {
+            throw new IllegalArgumentException(String.format(
+                    Locale.ROOT,
+                    "aim: elevation %s must be %s to %s, the limit of its mount (maxTilt)",
+                    Quantity.ANGLE.inWords(tilt),
+                    Quantity.ANGLE.inWords(-most),
+                    Quantity.ANGLE.inWords(most)));
+        }
+    }
+
+    private static double tilt(Position axis) {
+        return Math.atan2(axis.z(), Math.hypot(axis.x(), axis.y()));
     }
 
     /**
@@ -93,6 +114,7 @@ public record RadarSettings(
         return new RadarSettings(
                 position,
                 Aim.Direction.DEFAULT,
+                0.5 * Math.PI,
                 2.0 * Math.PI,
                 Math.toRadians(20.0),
                 20.0,
@@ -115,6 +137,11 @@ public record RadarSettings(
     @Override
     public RadarSettings withAim(Aim other) {
         return SettingsForm.with(this, "aim", other);
+    }
+
+    /** These settings with another limit of the tilt, rad. */
+    public RadarSettings withMaxTilt(double angle) {
+        return SettingsForm.with(this, "maxTilt", angle);
     }
 
     /** These settings with another field of view, rad. */
@@ -162,12 +189,7 @@ public record RadarSettings(
     public Outline.Sector outline() {
         Position axis = aim.from(position);
         return new Outline.Sector(
-                Math.atan2(axis.x(), axis.y()),
-                Math.atan2(axis.z(), Math.hypot(axis.x(), axis.y())),
-                azimuthWidth,
-                elevationWidth,
-                minRange,
-                maxRange);
+                Math.atan2(axis.x(), axis.y()), tilt(axis), azimuthWidth, elevationWidth, minRange, maxRange);
     }
 
     @Override

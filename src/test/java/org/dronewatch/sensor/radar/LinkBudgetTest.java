@@ -24,6 +24,19 @@ class LinkBudgetTest {
     }
 
     @Test
+    void anotherAntennaReceives() {
+        Hardware one = Hardware.of(4, 33, 0.02);
+        double difference =
+                one.withReceiveGain(21.5).signalToNoise(16.5e9, 0.01, 8000) - one.signalToNoise(16.5e9, 0.01, 8000);
+        assertThat(difference).isCloseTo(21.5 - 33, within(1e-9));
+        assertThat(one.withReceiveGain(33).signalToNoise(16.5e9, 0.01, 8000))
+                .isEqualTo(one.signalToNoise(16.5e9, 0.01, 8000));
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> one.withReceiveGain(81))
+                .withMessageContaining("receiveGain 81");
+    }
+
+    @Test
     void theEchoFallsWithTheFourthPowerOfTheRange() {
         double near = TEXTBOOK.signalToNoise(10e9, 0.01, 1000);
         assertThat(TEXTBOOK.signalToNoise(10e9, 0.01, 2000) - near).isCloseTo(-12.0412, within(1e-4));

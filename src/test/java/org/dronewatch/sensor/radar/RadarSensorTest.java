@@ -101,6 +101,23 @@ class RadarSensorTest {
     }
 
     @Test
+    void itIsAimedNoHigherThanItsMountTilts() {
+        double limit = Math.toRadians(40);
+        RadarSettings tilted = RADAR.withMaxTilt(limit).withAim(new Aim.Direction(1, limit));
+        assertThat(tilted.withAim(new Aim.Direction(1, -limit)).maxTilt()).isEqualTo(limit);
+        assertThat(tilted.withAim(new Aim.Target(new Position(0, 100, 100 * Math.tan(limit))))
+                        .aim())
+                .isInstanceOf(Aim.Target.class);
+        for (Aim steep : List.of(new Aim.Direction(0, limit + 1e-6), new Aim.Target(new Position(0, 100, -84)))) {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> tilted.withAim(steep))
+                    .withMessageMatching(
+                            "aim: elevation -?4\\d.* deg must be -40 deg to 40 deg, the limit of its mount.*");
+        }
+        assertThatIllegalArgumentException().isThrownBy(() -> tilted.withMaxTilt(Math.toRadians(39)));
+    }
+
+    @Test
     void allRoundIsWithoutAGapBehind() {
         for (double azimuth : new double[] {0, Math.PI, -Math.PI, Math.nextUp(Math.PI), 3}) {
             RadarSettings turned = RADAR.withAim(new Aim.Direction(azimuth, 0));
