@@ -28,6 +28,19 @@ class ThesisPageTest {
     private static final Pattern CODE = Pattern.compile("`([^`]+)`");
     private static final Pattern CLASS = Pattern.compile("([A-Z]\\w+)(?:\\.(\\w+))?");
     private static final Pattern SETTING = Pattern.compile("[a-z]+\\.[\\w.]+");
+    private static final String WHY_NOT = "*why not:*";
+
+    /** What is left out for a reason: rows that need show nothing. */
+    private static final Set<String> LEFT_OUT = Set.of(
+            "magnetic detection",
+            "ultraviolet cameras",
+            "automatic focus",
+            "nodes of 32 bits for small scenes",
+            "correlation of pixels and detections of real detectors");
+
+    private static final Pattern LINK = Pattern.compile("\\[[^\\]]+\\]\\([^)]+\\)");
+    private static final Pattern PUT_OFF = Pattern.compile(
+            "not yet|not enforced|to be done|planned|in future|later version", Pattern.CASE_INSENSITIVE);
     private static final Pattern WORD = Pattern.compile("(?:[^\\s\"]|\"[^\"]*\")+");
     private static final Map<String, List<String>> OUTPUT = Map.of(
             "run", List.of("--out", "results"),
@@ -35,6 +48,9 @@ class ThesisPageTest {
             "coverage", List.of("--out", "plan.png"),
             "calibrate", List.of("--out", "fitted.yaml"),
             "save", List.of("--out", "scene.yaml"));
+
+    private static final Set<String> COMMANDS =
+            new CommandLine(new Main()).getSubcommands().keySet();
 
     @TempDir
     private Path directory;
@@ -116,20 +132,34 @@ class ThesisPageTest {
     @Test
     void everyRowSaysWhereItIsSeenOrWhyNot() throws IOException {
         List<Row> rows = rows();
-        assertThat(rows).hasSizeGreaterThan(120);
+        assertThat(rows).hasSizeGreaterThan(130);
+        assertThat(rows).extracting(Row::thesis).containsAll(LEFT_OUT);
         Map<String, Path> sources = sources();
         for (Row row : rows) {
             assertThat(row.thesis()).as("%s", row).isNotEmpty();
             assertThat(row.here()).as("%s", row).isNotEmpty();
-            if (row.here().equals("none")) {
-                assertThat(row.differs() + row.see()).as("%s", row).isNotEmpty();
-            } else if (codeOf(row.here()).stream().noneMatch(name -> name.endsWith("Test"))) {
-                assertThat(row.see()).as("%s", row).isNotEmpty();
+            boolean isLeftOut = LEFT_OUT.contains(row.thesis());
+            assertThat(row.differs().startsWith(WHY_NOT)).as("%s", row).isEqualTo(isLeftOut);
+            if (!isLeftOut) {
+                assertThat(row.here()).as("%s", row).isNotEqualTo("none");
+                assertThat(row.here() + row.see()).as("%s", row).matches(ThesisPageTest::shows);
             }
             codeOf(row.see()).stream()
                     .filter(name -> name.endsWith("Test"))
                     .forEach(name -> assertThat(sources).as("%s", row).containsKey(name));
         }
+    }
+
+    /** Whether there is a test, a command or a page to look at. */
+    private static boolean shows(String cells) {
+        return LINK.matcher(cells).find()
+                || codeOf(cells).stream()
+                        .anyMatch(name -> name.endsWith("Test") || COMMANDS.contains(name.split(" ")[0]));
+    }
+
+    @Test
+    void nothingIsPutOff() throws IOException {
+        assertThat(Files.readString(Path.of("src/site/markdown/thesis.md"))).doesNotContainPattern(PUT_OFF);
     }
 
     private static Set<String> commands() throws IOException {
@@ -162,7 +192,7 @@ class ThesisPageTest {
         }
     }
 
-    /** A minute's work: asked for by the CI, and by whoever changes the page. */
+    /** Two minutes' work: asked for by the CI, and by whoever changes the page. */
     @Test
     @EnabledIfSystemProperty(named = "dronewatch.commands", matches = "run")
     void everyCommandRuns() throws IOException {
@@ -187,5 +217,6 @@ class ThesisPageTest {
         assertThat(Main.execute(writer, writer, words.toArray(String[]::new)))
                 .as("%s: %s", words, said)
                 .isZero();
+        assertThat(said.toString()).as("%s", words).doesNotContain("has no effect");
     }
 }

@@ -125,6 +125,32 @@ class SteeredUnderDsolTest {
         }
     }
 
+    /** First this thread runs the events, then the simulator's own: each steers in its turn. */
+    @Test
+    void aSimulatorIsSteppedByHandAndThenStarted() throws IOException, InterruptedException {
+        DevsSimulator<Double> simulator = new DevsSimulator<>("stepped");
+        SceneFile scene = scene(simulator);
+        Model model = new Model(scene, simulator);
+        try {
+            CountDownLatch ended = new CountDownLatch(1);
+            simulator.initialize(model, new SingleReplication<>("stepped", 0.0, 0.0, DURATION));
+            simulator.addListener(event -> ended.countDown(), Replication.END_REPLICATION_EVENT);
+            while (simulator.getSimulatorTime() < 1.0) {
+                simulator.step();
+            }
+            assertThat(model.corners).as("a corner by hand").isEqualTo(2);
+            scene.drone("hunter").fly(new Position(10, 0, 0));
+            simulator.start();
+            assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+        } finally {
+            simulator.cleanUp();
+        }
+        assertThat(model.corners).isEqualTo(5);
+        assertThat(model.ends).singleElement().satisfies(state -> assertThat(
+                        state.position().distance(new Position(0, 10 * (DURATION - 4 * Model.SIDE), 160)))
+                .isLessThan(1e-9));
+    }
+
     /** Where the square leads. */
     private static Position square(double time) {
         double side = 10 * Model.SIDE;
