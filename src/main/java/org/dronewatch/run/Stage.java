@@ -30,8 +30,8 @@ import org.dronewatch.world.WorldSettings;
 
 /**
  * A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. Only {@link
- * #look} changes it, and is for the thread that runs the scene; everything else may be queried by any thread, during
- * the run and after it.
+ * #look} and {@link #steerHere} change it, and are for the thread that runs the scene; everything else may be queried by
+ * any thread, during the run and after it.
  */
 public final class Stage {
     private final World world;

@@ -16,6 +16,7 @@ public final class PilotedRun {
     private final RunSession session;
     private final DevsSimulatorInterface<Double> simulator;
     private final List<Double> late = new ArrayList<>();
+    private boolean beginning;
 
     PilotedRun(RunSession session, DevsSimulatorInterface<Double> simulator) {
         this.session = session;
@@ -40,7 +41,7 @@ public final class PilotedRun {
         }
         Check.present("action", action);
         double when = time() + seconds;
-        if (when > settings().run().duration()) {
+        if (beginning && when > settings().run().duration()) {
             late.add(when);
         }
         try {
@@ -58,8 +59,9 @@ public final class PilotedRun {
      * @throws InputException as for {@link #act}
      */
     Optional<String> begin(Consumer<PilotedRun> pilot) {
-        late.clear();
+        beginning = true;
         act(() -> pilot.accept(this));
+        beginning = false;
         return late.stream()
                 .min(Double::compare)
                 .map(first -> "the pilot schedules " + late.size() + (late.size() == 1 ? " action" : " actions")
