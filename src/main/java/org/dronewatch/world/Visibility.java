@@ -28,8 +28,12 @@ public final class Visibility {
      */
     public static final double MARGIN = 1e-5;
 
+    /** The same between points that are known to lie off all surfaces, m: above the rounding of computed distances. */
+    private static final double MARGIN_OF_CLEAR_POINTS = 1e-10;
+
     private final World world;
     private final RayTracer tracer;
+    private final double skipped;
 
     /** The segment along which surfaces are looked for: its beginning, its vector, and the multiple of that where it ends. */
     private double x;
@@ -44,20 +48,22 @@ public final class Visibility {
 
     /** In a world. */
     public Visibility(World world) {
-        this(world, world.newRayTracer());
+        this(world, world.newRayTracer(), MARGIN);
     }
 
-    private Visibility(World world, RayTracer tracer) {
+    private Visibility(World world, RayTracer tracer, double skipped) {
         this.world = world;
         this.tracer = tracer;
+        this.skipped = skipped;
     }
 
     /**
-     * In a world, for segments that are unrelated to each other, such as the paths of diffuse sound; see {@link
-     * World#newIncoherentRayTracer()}.
+     * In a world, for segments that are unrelated to each other, such as the paths of diffuse sound (see {@link
+     * World#newIncoherentRayTracer()}), and end at points that have been moved off the surfaces on which they lie. There no
+     * surface is skipped: in a corner, another wall may be nearer than {@link #MARGIN}, and sound would leak through it.
      */
-    public static Visibility ofUnrelatedSegments(World world) {
-        return new Visibility(world, world.newIncoherentRayTracer());
+    public static Visibility ofClearPoints(World world) {
+        return new Visibility(world, world.newIncoherentRayTracer(), MARGIN_OF_CLEAR_POINTS);
     }
 
     /** The world. */
@@ -84,8 +90,8 @@ public final class Visibility {
      */
     public boolean isFreeAlong(
             double fromX, double fromY, double fromZ, double alongX, double alongY, double alongZ, double end) {
-        double skipped = margin(alongX, alongY, alongZ);
-        return !tracer.isOccluded(fromX, fromY, fromZ, alongX, alongY, alongZ, skipped, end - skipped);
+        double room = margin(alongX, alongY, alongZ);
+        return !tracer.isOccluded(fromX, fromY, fromZ, alongX, alongY, alongZ, room, end - room);
     }
 
     /** What stands first between two points, as seen from the first; empty where they see each other. */
@@ -117,8 +123,8 @@ public final class Visibility {
     }
 
     /**
-     * Looks for the next surface behind the one that was found last; two that are met within {@link #MARGIN} of each other count
-     * as one.
+     * Looks for the next surface behind the one that was found last; two that are met within {@link #MARGIN} of each other, or
+     * between clear points within 1e-10 m, count as one.
      *
      * @return whether there is one
      */
@@ -131,12 +137,17 @@ public final class Visibility {
         return tracer.triangle();
     }
 
+    /** Which multiple of the vector leads to what was found last. */
+    public double distance() {
+        return tracer.distance();
+    }
+
     private boolean find(double first) {
         return first < last && tracer.closestHit(x, y, z, dx, dy, dz, first, last);
     }
 
-    /** The multiple of a vector that is as long as the margin; infinite for one without length. */
-    private static double margin(double alongX, double alongY, double alongZ) {
-        return MARGIN / Math.sqrt(alongX * alongX + alongY * alongY + alongZ * alongZ);
+    /** The multiple of a vector that is as long as what is skipped; infinite for one without length. */
+    private double margin(double alongX, double alongY, double alongZ) {
+        return skipped / Math.sqrt(alongX * alongX + alongY * alongY + alongZ * alongZ);
     }
 }

@@ -9,17 +9,16 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
  * One ray traced backward from the sensor. A surface absorbs part of its energy; the rest goes on as one ray, reflected
  * specularly, scattered by Lambert's law or transmitted through the wall, drawn at random so that the mean is right.
- * Where the ray is scattered, it is connected to the source; where it passes the source after a specular reflection, it
- * is counted in a sphere about the source, unless its path is one of those that are computed exactly. One per thread.
+ * Where the ray is scattered, it is connected to the source; where it passes the source after specular reflections, it is
+ * counted in a sphere about the source, unless its path is computed exactly or was connected before. One per thread.
  */
 final class BackwardRay {
-    private static final double STAND_OFF = 1e-9;
-
     /**
      * Up to this order every surface that scatters is connected to the source, later ones only if the ray is scattered
      * there.
@@ -29,22 +28,22 @@ final class BackwardRay {
     /** How far rays that meet nothing are drawn, m. */
     private static final double DRAWN = 1000.0;
 
-    /** Instead of the number of specular reflections: marks a path that is not purely specular. */
-    private static final int NOT_EXACT = -1;
-
     private final EnergyModel model;
-    private final Position sensor;
     private final TriangleMesh mesh;
     private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final WallPlanes planes;
-    private final ReceiverSphere receiver;
+    private final ReceiverSphere ofSource;
+    private final ReceiverSphere ofSensor;
     private final DiffuseConnection connection;
     private final EnergyPacket energy;
+    private final Arrival arrival = new Arrival();
     private final AcousticRay ray = new AcousticRay();
     private final double[] normal = new double[3];
+    private final double[] emitted = new double[OctaveBands.COUNT];
 
-    private SoundSource source;
+    private Ends ends;
+    private ScatteredSound scattered;
     private RandomGenerator random;
     private RayRecorder recorder;
     private int traced;
@@ -52,48 +51,43 @@ final class BackwardRay {
     /** Whether the last interaction was a specular reflection: such rays cannot be connected to a point source. */
     private boolean fromMirror;
 
-    /** The number of specular reflections of the ray, if it is purely specular. */
-    private int mirrors;
-
-    /** Whether all specular reflections so far were in large walls. */
-    private boolean largeWallsOnly;
-
     /**
      * Rays from one sensor.
      *
-     * @param radius of the sphere about the source, m
-     * @param tally accumulates what rays contribute
-     * @param ledger records where their energy goes
+     * @param ofSource the sphere about the source
+     * @param ofSensor the sphere about the sensor
+     * @param connection connects scattered rays to the source
+     * @param energy of the ray
      */
     BackwardRay(
             EnergyModel model,
-            Position sensor,
-            double radius,
             World world,
             WallPlanes planes,
             BandSurfaces surfaces,
-            Air air,
-            EnergyTally tally,
-            EnergyLedger ledger) {
+            ReceiverSphere ofSource,
+            ReceiverSphere ofSensor,
+            DiffuseConnection connection,
+            EnergyPacket energy) {
         this.model = model;
-        this.sensor = sensor;
         this.mesh = world.mesh();
         this.traversal = world.newIncoherentRayTracer();
         this.surfaces = surfaces;
         this.planes = planes;
-        this.receiver = new ReceiverSphere(radius, air, tally);
-        this.connection = new DiffuseConnection(world, surfaces, air, tally);
-        this.energy = new EnergyPacket(model, surfaces, air, ledger);
+        this.ofSource = ofSource;
+        this.ofSensor = ofSensor;
+        this.connection = connection;
+        this.energy = energy;
     }
 
-    /** Prepares for rays that look for a source. */
-    void seek(SoundSource next) {
-        receiver.surround(next.position(), traversal);
-    }
-
-    /** Follows one ray to its end, looking for the source that is sought; returns the number of segments traced. */
-    int follow(SoundSource from, RandomGenerator chance, RayRecorder listener) {
-        source = from;
+    /**
+     * Follows one ray to its end, looking for the source.
+     *
+     * @param near where a ray from the source was scattered
+     * @return the number of segments traced
+     */
+    int follow(Ends both, ScatteredSound near, RandomGenerator chance, RayRecorder listener) {
+        ends = both;
+        scattered = near;
         random = chance;
         recorder = listener;
         traced = 0;
@@ -111,8 +105,8 @@ final class BackwardRay {
                     Double.POSITIVE_INFINITY);
             traced++;
             double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
-            if (fromMirror && !isExact()) {
-                receiver.count(ray, energy.byBand(), distance, source);
+            if (fromMirror && !arrival.isExact()) {
+                countPassing(distance);
             }
             recordFlight(Math.min(distance, DRAWN));
             if (!hit) {
@@ -133,22 +127,26 @@ final class BackwardRay {
     }
 
     private void start() {
-        energy.fill(source);
-        ray.originX = sensor.x();
-        ray.originY = sensor.y();
-        ray.originZ = sensor.z();
+        energy.fill(ends.source());
+        ray.originX = ends.sensor().x();
+        ray.originY = ends.sensor().y();
+        ray.originZ = ends.sensor().z();
         Directions.draw(random, ray);
         ray.travelled = 0.0;
         ray.order = 0;
         ray.medium = AcousticRay.AIR;
         fromMirror = false;
-        mirrors = 0;
-        largeWallsOnly = true;
+        arrival.start(ends, ofSensor, ray);
     }
 
-    /** Whether a path straight on to the source is one of those that are computed exactly. */
-    private boolean isExact() {
-        return mirrors == 1 || mirrors > 1 && largeWallsOnly && mirrors <= model.imageSourceOrder();
+    private void countPassing(double end) {
+        if (!ofSource.isCrossed(ray, arrival.run(), end, random)) {
+            return;
+        }
+        for (int band = 0; band < emitted.length; band++) {
+            emitted[band] = energy.byBand()[band] * ends.source().factor(band, ofSource.rise());
+        }
+        ofSource.count(ray, emitted, arrival.reluctanceBefore());
     }
 
     private void recordFlight(double length) {
@@ -163,37 +161,37 @@ final class BackwardRay {
 
     private void recordConnection() {
         if (recorder != RayRecorder.NONE) {
-            Position position = source.position();
+            Position position = ends.source().position();
             record(position.x(), position.y(), position.z(), true);
         }
     }
 
     /** The level of a segment is that of the fraction of the source's power which it carries. */
     private void record(double toX, double toY, double toZ, boolean received) {
-        double level = Levels.ofRatio(energy.all() * source.emitted() / model.rays());
+        double level = Levels.ofRatio(energy.all() * ends.source().emitted() / model.rays());
         recorder.record(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, level, ray.order, received);
     }
 
     private void meet(int triangle, double distance) {
         int material = mesh.material(triangle);
         Normals.facing(mesh, triangle, ray, normal);
-        ray.originX += distance * ray.directionX;
-        ray.originY += distance * ray.directionY;
-        ray.originZ += distance * ray.directionZ;
+        ray.advance(distance);
         ray.order++;
+        double cosine = -along();
+        arrival.meet(distance, cosine, ray.order);
         if (ray.medium == material) {
             // Out of a solid: its loss was taken on entry.
             ray.medium = AcousticRay.AIR;
-            mirrors = NOT_EXACT;
-            standOff(-1.0);
+            arrival.passThrough();
+            ray.standOff(normal, -1.0);
             return;
         }
-        if (energy.drawTransmission(material, -along(), random)) {
+        if (energy.drawTransmission(material, cosine, random)) {
             ray.medium = surfaces.isSheet(material) ? ray.medium : material;
-            mirrors = NOT_EXACT;
-            standOff(-1.0);
+            arrival.passThrough();
+            ray.standOff(normal, -1.0);
         } else {
-            standOff(1.0);
+            ray.standOff(normal, 1.0);
             reflect(triangle, material);
         }
     }
@@ -209,40 +207,21 @@ final class BackwardRay {
             }
             Directions.drawLambert(random, normal, ray);
             energy.scatter(material, along());
+            arrival.scatter(ray, along());
             fromMirror = false;
-            mirrors = NOT_EXACT;
         } else {
-            mirror();
+            ray.reflect(normal);
+            arrival.reflect(planes.wallOf(triangle));
             fromMirror = true;
-            mirrors = mirrors == NOT_EXACT ? NOT_EXACT : mirrors + 1;
-            largeWallsOnly = largeWallsOnly && planes.wallOf(triangle) != WallPlanes.NONE;
         }
     }
 
     private void join(int material, double[] leaving) {
-        traced++;
-        if (connection.add(ray, normal, material, leaving, source)) {
-            recordConnection();
-        }
+        traced += connection.add(ray, normal, material, leaving, arrival, scattered);
     }
 
     /** The part of the ray's direction along the normal. */
     private double along() {
         return ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2];
-    }
-
-    private void mirror() {
-        double twice = 2.0 * along();
-        ray.directionX -= twice * normal[0];
-        ray.directionY -= twice * normal[1];
-        ray.directionZ -= twice * normal[2];
-    }
-
-    private void standOff(double side) {
-        double far = 1.0 + Math.abs(ray.originX) + Math.abs(ray.originY) + Math.abs(ray.originZ);
-        double step = side * STAND_OFF * far;
-        ray.originX += step * normal[0];
-        ray.originY += step * normal[1];
-        ray.originZ += step * normal[2];
     }
 }

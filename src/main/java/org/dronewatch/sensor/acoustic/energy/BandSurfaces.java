@@ -43,7 +43,7 @@ final class BandSurfaces {
     }
 
     /** The fraction that is reflected of sound from all directions alike. */
-    private double reflected(int material, int band) {
+    double reflected(int material, int band) {
         return reflected[BANDS * material + band];
     }
 
@@ -91,10 +91,15 @@ final class BandSurfaces {
         return reflected(material, band, cosine) * (1.0 - scattered(material, band));
     }
 
+    /** The fraction that is reflected specularly of sound from all directions alike. */
+    double mirrored(int material, int band) {
+        return reflected(material, band) * (1.0 - scattered(material, band));
+    }
+
     /** Whether anything is reflected specularly. */
     boolean mirrors(int material) {
         for (int band = 0; band < BANDS; band++) {
-            if (reflected(material, band) * (1.0 - scattered(material, band)) > 0.0) {
+            if (mirrored(material, band) > 0.0) {
                 return true;
             }
         }
@@ -113,6 +118,17 @@ final class BandSurfaces {
 
     double scattered(int material, int band) {
         return scattered[BANDS * material + band];
+    }
+
+    /** The fraction of all energies, by band, that is scattered. */
+    double chanceOfScattering(int material, double[] energies) {
+        double all = 0.0;
+        double diffuse = 0.0;
+        for (int band = 0; band < BANDS; band++) {
+            all += energies[band];
+            diffuse += energies[band] * scattered(material, band);
+        }
+        return all > 0.0 ? diffuse / all : 0.0;
     }
 
     boolean transmits(int material) {

@@ -59,6 +59,7 @@ public final class EnergyHearing implements SoundTracer {
      * @param recorder receives every ray segment; {@link RayRecorder#NONE} to record nothing
      */
     public EnergyReading read(Drone drone, RandomGenerator random, RayRecorder recorder) {
+        background();
         return tracer.trace(sound(drone), random, recorder);
     }
 
@@ -81,6 +82,7 @@ public final class EnergyHearing implements SoundTracer {
     private BandLevels background() {
         if (background.isEmpty()) {
             background = Optional.of(SiteNoise.at(microphone.position(), world, tracer));
+            tracer.listenIn(background.get());
         }
         return background.get();
     }
@@ -90,7 +92,9 @@ public final class EnergyHearing implements SoundTracer {
         return signal(read(drone, random, RayRecorder.NONE));
     }
 
-    private Signal signal(EnergyReading reading) {
+    /** A reading that stands on few rays does not decide: what is known without them does. */
+    private Signal signal(EnergyReading whole) {
+        EnergyReading reading = whole.settled();
         double value = reading.aWeightedLevel();
         double over = background().aWeighted();
         if (model.criterion() == Criterion.BEST_BAND) {

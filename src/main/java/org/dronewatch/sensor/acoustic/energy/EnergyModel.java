@@ -24,8 +24,8 @@ import org.dronewatch.world.World;
  * @param roulette fraction of its initial energy below which a ray survives by chance only (Russian roulette), above 0
  *     and below 1
  * @param maxOrder how many surfaces a ray may hit before it is dropped, 0 to 10,000
- * @param imageSourceOrder order up to which specular reflections in the largest planes are computed exactly, 1 to 4;
- *     first-order reflections in all surfaces always are
+ * @param imageSourceOrder order up to which paths over specular reflections alone are computed exactly, 1 to
+ *     50: those in any one surface, and those over several that rays from the microphone or from the drone find
  * @param diffraction how diffraction round edges is computed
  * @param criterion which level is compared with the background
  * @param ground whether direct sound and what the ground reflects interfere
@@ -38,7 +38,7 @@ public record EnergyModel(
         @In(value = Quantity.LEVEL, from = 0, to = 10) double accuracy,
         @In(value = Quantity.NUMBER, above = 0, below = 1) double roulette,
         @In(value = Quantity.NUMBER, from = 0, to = 10_000) int maxOrder,
-        @In(value = Quantity.NUMBER, from = 1, to = 4) @Formerly("mirrorOrder") int imageSourceOrder,
+        @In(value = Quantity.NUMBER, from = 1, to = 50) @Formerly("mirrorOrder") int imageSourceOrder,
         Diffraction diffraction,
         Criterion criterion,
         Ground ground,
@@ -57,7 +57,7 @@ public record EnergyModel(
             0.2,
             0.5,
             1000,
-            3,
+            20,
             Diffraction.MAEKAWA,
             Criterion.A_WEIGHTED,
             Ground.INCOHERENT,

@@ -1,9 +1,11 @@
 package org.dronewatch.sensor.acoustic.energy;
 
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntToDoubleFunction;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
@@ -14,10 +16,11 @@ import org.dronewatch.sound.OctaveBands;
  *
  * @param direct by the straight path, through walls that let sound pass; exact
  * @param diffracted round the nearest edge of what obstructs the drone
- * @param mirrored by specular reflections of low order, exact
+ * @param mirrored by specular reflections alone, exact
  * @param reverberant by all that comes later, estimated
  * @param traced how many ray segments were traced
- * @param standardError of the level of all together, dB, from the scatter among rays
+ * @param standardError of the level that decides, dB, from the scatter among rays
+ * @param isConverged whether what the rays brought stands on enough of them
  * @param audit where the rays' energy went
  * @param decay how the sound decays
  */
@@ -28,15 +31,21 @@ public record EnergyReading(
         List<Double> reverberant,
         long traced,
         double standardError,
+        boolean isConverged,
         EnergyAudit audit,
         DecayCurve decay) {
 
-    /** Keeps its own lists. */
+    /** Copies the lists. */
     public EnergyReading {
         direct = List.copyOf(direct);
         diffracted = List.copyOf(diffracted);
         mirrored = List.copyOf(mirrored);
         reverberant = List.copyOf(reverberant);
+    }
+
+    /** This reading without what the rays brought where too few of them did: what is known for certain. */
+    public EnergyReading settled() {
+        return isConverged ? this : SettingsForm.with(this, "reverberant", Collections.nCopies(OctaveBands.COUNT, 0.0));
     }
 
     private double energy(int band) {
@@ -98,6 +107,7 @@ public record EnergyReading(
         figures.put("reverberant_db", reverberantLevel());
         figures.put("rays_traced", (double) traced);
         figures.put("standard_error_db", standardError);
+        figures.put("converged", isConverged ? 1.0 : 0.0);
         for (int band = 0; band < OctaveBands.COUNT; band++) {
             figures.put("level_" + OctaveBands.nominal(band) + "hz_db", level(band));
         }

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
 /**
@@ -11,12 +12,23 @@ import org.dronewatch.sound.OctaveBands;
 final class EnergyTally {
     private static final int BANDS = OctaveBands.COUNT;
 
+    /** Besides the bands, all of them A-weighted. */
+    static final int A_WEIGHTED = BANDS;
+
+    private static final int QUANTITIES = BANDS + 1;
+    private static final double[] A_WEIGHTS = new double[BANDS];
+
+    static {
+        for (int band = 0; band < BANDS; band++) {
+            A_WEIGHTS[band] = Levels.toRatio(OctaveBands.aWeight(band));
+        }
+    }
+
     private final Air air;
-    private final double[] received = new double[BANDS];
     private final DecayCurve decay = new DecayCurve();
-    private double ofThisRay;
-    private double sum;
-    private double squares;
+    private final double[] ofThisRay = new double[QUANTITIES];
+    private final double[] sums = new double[QUANTITIES];
+    private final double[] squares = new double[QUANTITIES];
     private long rays;
 
     EnergyTally(Air air) {
@@ -24,11 +36,10 @@ final class EnergyTally {
     }
 
     void clear() {
-        Arrays.fill(received, 0.0);
         decay.clear();
-        ofThisRay = 0.0;
-        sum = 0.0;
-        squares = 0.0;
+        Arrays.fill(ofThisRay, 0.0);
+        Arrays.fill(sums, 0.0);
+        Arrays.fill(squares, 0.0);
         rays = 0;
     }
 
@@ -41,30 +52,33 @@ final class EnergyTally {
      */
     void add(AcousticRay ray, double[] inBand, double onward) {
         double brought = 0.0;
+        double weighted = 0.0;
         for (int band = 0; band < BANDS; band++) {
-            received[band] += inBand[band];
+            ofThisRay[band] += inBand[band];
             brought += inBand[band];
+            weighted += A_WEIGHTS[band] * inBand[band];
         }
-        ofThisRay += brought;
+        ofThisRay[A_WEIGHTED] += weighted;
         decay.add((ray.travelled + onward) / air.soundSpeed(), brought);
     }
 
     /** Adds the contributions of other rays, which have all ended. */
     void add(EnergyTally others) {
-        for (int band = 0; band < BANDS; band++) {
-            received[band] += others.received[band];
+        for (int i = 0; i < QUANTITIES; i++) {
+            sums[i] += others.sums[i];
+            squares[i] += others.squares[i];
         }
         decay.add(others.decay);
-        sum += others.sum;
-        squares += others.squares;
         rays += others.rays;
     }
 
     /** Records that a ray has ended: rays are the independent samples. */
     void endRay() {
-        sum += ofThisRay;
-        squares += ofThisRay * ofThisRay;
-        ofThisRay = 0.0;
+        for (int i = 0; i < QUANTITIES; i++) {
+            sums[i] += ofThisRay[i];
+            squares[i] += ofThisRay[i] * ofThisRay[i];
+            ofThisRay[i] = 0.0;
+        }
         rays++;
     }
 
@@ -73,19 +87,24 @@ final class EnergyTally {
         return rays;
     }
 
-    /** The mean contribution of a ray in a band, 1/m2. */
-    double received(int band) {
-        return received[band] / rays;
+    /**
+     * The mean contribution of a ray, 1/m2.
+     *
+     * @param quantity a band or {@link #A_WEIGHTED}
+     */
+    double received(int quantity) {
+        return sums[quantity] / rays;
     }
 
-    /** The mean contribution of a ray in all bands, 1/m2. */
-    double received() {
-        return sum / rays;
+    /** Standard error of {@link #received}, 1/m2. */
+    double standardError(int quantity) {
+        double sum = sums[quantity];
+        return Math.sqrt(Math.max(0.0, squares[quantity] - sum * sum / rays)) / rays;
     }
 
-    /** Standard error of {@link #received()}, 1/m2. */
-    double standardError() {
-        return Math.sqrt(Math.max(0.0, squares - sum * sum / rays)) / rays;
+    /** How many rays of equal contributions would scatter as much as these (Kish, Survey Sampling, 1965). */
+    double effectiveRays(int quantity) {
+        return squares[quantity] > 0.0 ? sums[quantity] * sums[quantity] / squares[quantity] : 0.0;
     }
 
     /** When it arrives; keeps its own figures. */

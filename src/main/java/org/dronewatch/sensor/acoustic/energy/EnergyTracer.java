@@ -11,6 +11,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.Clearance;
@@ -19,8 +20,8 @@ import org.dronewatch.world.World;
 /**
  * The energy model. Deterministic paths come from {@link ExactPaths}. The rest is found by tracing rays backward from
  * the sensor: they reach what the sensor can hear, however far away the source is, and by reciprocity the fraction of
- * their energy that reaches the source is the fraction that the source would have sent to the sensor. Singly scattered
- * paths are also sampled from the source.
+ * their energy that reaches the source is the fraction that the source would have sent to the sensor. Where sound is
+ * scattered first is sampled from the source, too.
  *
  * <p>Rays are traced in batches, on the calling {@link Workers}. Each batch has a separate random stream, and batches
  * count in their order up to the one that makes the reading accurate: the reading is the same for any number of
@@ -28,7 +29,7 @@ import org.dronewatch.world.World;
  */
 public final class EnergyTracer {
     /** Rays before the first check of the standard error, which is unreliable for a few. */
-    private static final int FEWEST = 1000;
+    static final int FEWEST = 1000;
 
     /**
      * Rays from one check of the standard error to the next: stopping at the earliest opportunity would favour low
@@ -36,9 +37,17 @@ public final class EnergyTracer {
      */
     private static final int BATCH = 500;
 
+    /** Where rays bring less than this fraction of what is heard, it does not matter how many they are. */
+    private static final double INSIGNIFICANT = 0.1;
+
+    /** Fewer contributions than this do not show how much they scatter. */
+    private static final double ENOUGH = 20.0;
+
     private final EnergyModel model;
+    private BandLevels background;
     private final Clearance clearance;
     private final Position sensor;
+    private final EndSearch search;
     private final Air air;
     private final ExactPaths exact;
     private final EnergyTally tally;
@@ -58,12 +67,14 @@ public final class EnergyTracer {
         BandSurfaces surfaces = new BandSurfaces(world.surfaces());
         WallPlanes planes = new WallPlanes(world.mesh(), surfaces);
         this.model = model;
+        this.background = world.backgroundNoise().spectrum();
         this.clearance = new Clearance(world);
         this.sensor = clearance.of(sensor);
+        this.search = new EndSearch(model, this.sensor, radius, world, planes, surfaces);
         this.air = new Air(world.atmosphere());
         this.exact = new ExactPaths(model, world, planes, surfaces, air);
         this.tally = new EnergyTally(air);
-        this.batches = () -> new RayBatch(model, this.sensor, radius, world, planes, surfaces, air);
+        this.batches = () -> new RayBatch(model, radius, world, planes, surfaces, air);
     }
 
     /**
@@ -77,7 +88,7 @@ public final class EnergyTracer {
         SoundSource source = drone.at(clearance.of(drone.position()));
         ledger.clear();
         tally.clear();
-        exact.find(source, sensor);
+        Ends ends = search.find(source, exact);
         long seed = random.nextLong();
         // A recorder takes one segment at a time.
         int atOnce = recorder == RayRecorder.NONE ? Workers.available() : 1;
@@ -86,15 +97,15 @@ public final class EnergyTracer {
         }
         long traced = 0;
         int from = 0;
-        while (from < model.rays() && !isAccurate(from)) {
+        while (from < model.rays() && !isAccurate(source, from)) {
             int first = from;
             int wave = Math.min(atOnce, (model.rays() - first + BATCH - 1) / BATCH);
             Workers.forEach(wave, i -> {
                 int start = first + i * BATCH;
                 int count = Math.min(BATCH, model.rays() - start);
-                team.get(i).trace(source, count, new SplittableRandom(Draws.mix(seed, start)), recorder);
+                team.get(i).trace(ends, count, new SplittableRandom(Draws.mix(seed, start)), recorder);
             });
-            for (int i = 0; i < wave && !isAccurate(from); i++) {
+            for (int i = 0; i < wave && !isAccurate(source, from); i++) {
                 RayBatch batch = team.get(i);
                 tally.add(batch.tally());
                 ledger.add(batch.ledger());
@@ -103,6 +114,11 @@ public final class EnergyTracer {
             }
         }
         return reading(source, traced);
+    }
+
+    /** Tells in which noise sound is to be heard: that decides which band is the best one. */
+    void listenIn(BandLevels noise) {
+        background = noise;
     }
 
     /**
@@ -116,18 +132,67 @@ public final class EnergyTracer {
         List<Double> nothing = Collections.nCopies(OctaveBands.COUNT, 0.0);
         EnergyAudit unsent = new EnergyAudit(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
         return new EnergyReading(
-                energies(source, band -> heard[band]), nothing, nothing, nothing, 0, 0.0, unsent, new DecayCurve());
+                energies(source, band -> heard[band]),
+                nothing,
+                nothing,
+                nothing,
+                0,
+                0.0,
+                true,
+                unsent,
+                new DecayCurve());
     }
 
     /** As long as no ray has contributed anything, the contribution of further rays is unknown. */
-    private boolean isAccurate(int rays) {
-        return rays >= FEWEST && tally.received() > 0.0 && errorLevel() < model.accuracy();
+    private boolean isAccurate(SoundSource source, int rays) {
+        if (rays < FEWEST) {
+            return false;
+        }
+        int quantity = decisive(source);
+        return tally.received(quantity) > 0.0 && errorLevel(quantity) < model.accuracy() && isConverged(quantity);
     }
 
-    /** Standard error of the total level so far, dB; infinity as long as nothing is heard. */
-    private double errorLevel() {
-        double all = exact.heard() + tally.received();
-        return all > 0.0 ? Levels.ofRatio(1.0 + tally.standardError() / all) : Double.POSITIVE_INFINITY;
+    /** What is compared with the background: a band of the tally, or all of them A-weighted. */
+    private int decisive(SoundSource source) {
+        if (model.criterion() == EnergyModel.Criterion.A_WEIGHTED) {
+            return EnergyTally.A_WEIGHTED;
+        }
+        int best = 0;
+        double highest = Double.NEGATIVE_INFINITY;
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            double level = Levels.ofRatio(heard(band) * source.emitted()) - background.level(band);
+            if (level > highest) {
+                best = band;
+                highest = level;
+            }
+        }
+        return best;
+    }
+
+    /** What comes over exact paths and by rays, 1/m2. */
+    private double heard(int quantity) {
+        return exactly(quantity) + tally.received(quantity);
+    }
+
+    private double exactly(int quantity) {
+        if (quantity != EnergyTally.A_WEIGHTED) {
+            return exact.heard(quantity);
+        }
+        double sum = 0.0;
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            sum += Levels.toRatio(OctaveBands.aWeight(band)) * exact.heard(band);
+        }
+        return sum;
+    }
+
+    /** Standard error of the level so far, dB; infinity as long as nothing is heard. */
+    private double errorLevel(int quantity) {
+        double all = heard(quantity);
+        return all > 0.0 ? Levels.ofRatio(1.0 + tally.standardError(quantity) / all) : Double.POSITIVE_INFINITY;
+    }
+
+    private boolean isConverged(int quantity) {
+        return tally.received(quantity) <= INSIGNIFICANT * heard(quantity) || tally.effectiveRays(quantity) >= ENOUGH;
     }
 
     private EnergyReading reading(SoundSource source, long traced) {
@@ -135,7 +200,8 @@ public final class EnergyTracer {
         List<Double> diffracted = energies(source, exact.diffracted()::heard);
         List<Double> mirrored = energies(source, exact.mirrored()::heard);
         List<Double> reverberant = energies(source, tally::received);
-        double error = errorLevel();
+        int quantity = decisive(source);
+        double error = errorLevel(quantity);
         DecayCurve decay = tally.decay();
         exact.direct().addTo(decay, air.soundSpeed());
         exact.diffracted().addTo(decay, air.soundSpeed());
@@ -147,6 +213,7 @@ public final class EnergyTracer {
                 reverberant,
                 traced,
                 Double.isFinite(error) ? error : 0.0,
+                isConverged(quantity),
                 ledger.audit(tally.rays()),
                 decay);
     }

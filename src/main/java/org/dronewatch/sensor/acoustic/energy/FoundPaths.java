@@ -32,15 +32,6 @@ final class FoundPaths {
         append(length, all);
     }
 
-    /** What is heard over all paths in all bands. */
-    double heard() {
-        double sum = 0.0;
-        for (double inBand : heard) {
-            sum += inBand;
-        }
-        return sum;
-    }
-
     /** Adds all paths of others. */
     void add(FoundPaths others) {
         for (int i = 0; i < others.count; i++) {

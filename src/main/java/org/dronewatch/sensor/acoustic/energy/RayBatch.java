@@ -1,45 +1,56 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.random.RandomGenerator;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.world.World;
 
 /** Traces some rays of a reading and keeps what they found until it is asked for. One per thread. */
 final class RayBatch {
     private final EnergyModel model;
-    private final Position sensor;
+    private final WallPlanes planes;
     private final EnergyTally tally;
     private final EnergyLedger ledger = new EnergyLedger();
     private final BackwardRay ray;
-    private final FirstScattering firstScattering;
+    private final ReceiverSphere ofSource;
+    private final ReceiverSphere ofSensor;
+    private final DiffuseConnection connection;
+    private final ScatteredSound scattered;
+    private final AcousticRay scratch = new AcousticRay();
     private long traced;
 
-    RayBatch(
-            EnergyModel model,
-            Position sensor,
-            double radius,
-            World world,
-            WallPlanes planes,
-            BandSurfaces surfaces,
-            Air air) {
+    RayBatch(EnergyModel model, double radius, World world, WallPlanes planes, BandSurfaces surfaces, Air air) {
         this.model = model;
-        this.sensor = sensor;
+        this.planes = planes;
         this.tally = new EnergyTally(air);
-        this.ray = new BackwardRay(model, sensor, radius, world, planes, surfaces, air, tally, ledger);
-        this.firstScattering = new FirstScattering(world, surfaces, air, tally);
+        this.ofSource = new ReceiverSphere(radius, world, planes, surfaces, air, tally);
+        this.ofSensor = new ReceiverSphere(radius, world, planes, surfaces, air, tally);
+        this.connection = new DiffuseConnection(model, world, planes, surfaces, air, tally);
+        this.ray = new BackwardRay(
+                model,
+                world,
+                planes,
+                surfaces,
+                ofSource,
+                ofSensor,
+                connection,
+                new EnergyPacket(model, surfaces, air, ledger));
+        this.scattered = new ScatteredSound(world, planes, surfaces, ofSource, ofSensor, air);
     }
 
     /** Traces a number of rays; discards the results of the previous ones. */
-    void trace(SoundSource source, int rays, RandomGenerator random, RayRecorder recorder) {
+    void trace(Ends ends, int rays, RandomGenerator random, RayRecorder recorder) {
         tally.clear();
         ledger.clear();
         traced = 0;
-        ray.seek(source);
+        double known = ends.isOpen() ? ends.known() : Double.POSITIVE_INFINITY;
+        ofSource.surround(ends.source().position(), known);
+        ofSensor.surround(ends.sensor(), known);
+        connection.seek(ends, planes);
         for (int i = 0; i < rays; i++) {
-            traced += ray.follow(source, random, recorder);
-            // Paths found by the source's rays have hit one surface, too.
-            traced += model.maxOrder() > 0 ? firstScattering.add(source, sensor, random) : 0;
+            traced += scattered.follow(ends, model.maxOrder(), random);
+            traced += connection.addFrom(scattered, scratch);
+            traced += ray.follow(ends, scattered, random, recorder);
             tally.endRay();
         }
     }

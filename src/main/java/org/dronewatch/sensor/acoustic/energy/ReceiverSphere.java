@@ -1,14 +1,20 @@
 package org.dronewatch.sensor.acoustic.energy;
 
-import org.dronewatch.geometry.IntersectionHandler;
+import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
 
 /**
- * A sphere in which passing rays are counted: each contributes its energy times the length of its chord, and the sum
- * divided by the sphere's volume is the mean intensity in it. One per thread.
+ * A sphere about the source in which passing rays from the sensor are counted, or one about the sensor for rays from the
+ * source: each contributes its energy times the length of its
+ * chord, and the sum divided by the sphere's volume is the mean intensity in it. In the open, where few rays come by, the
+ * sphere is wider, so that none of them brings much of what is heard anyway, but not wide for the distance of a ray. Only what its centre sees is part of it: the far side of a wall is not. One per
+ * thread.
  */
 final class ReceiverSphere {
     private static final int BANDS = OctaveBands.COUNT;
@@ -16,73 +22,166 @@ final class ReceiverSphere {
     /** Number of directions sampled to estimate the unobstructed volume of the sphere; accurate to about 1 %. */
     private static final int LOOKS = 100;
 
-    private static final double GOLDEN_ANGLE = Math.PI * (3.0 - Math.sqrt(5.0));
+    /** Up to this radius what passes the centre is as strong as what reaches it, m. */
+    private static final double NEAR = 1.0;
+
+    /** The largest fraction of what is heard anyway that one of the fewest rays of a reading should bring. */
+    private static final double APPRECIABLE = 0.002;
+
+    /** The largest radius relative to the length of a ray since it was scattered. */
+    private static final double SLENDER = 0.5;
+
+    /** No sphere is wider than this in order to catch more rays, m. */
+    private static final double WIDEST = 25.0;
 
     private final double radius;
+    private final double widest;
     private final Air air;
-    private double volume;
     private final EnergyTally tally;
+    private final RayTracer tracer;
+    private final Visibility visibility;
+    private final WallPlanes planes;
+    private final MirrorPath path;
+    private final AcousticRay look = new AcousticRay();
+    private final double[] free = new double[LOOKS];
     private final double[] brought = new double[BANDS];
+    private Position centre;
+    private double wanted;
+    private double length;
+    private double at;
+    private double fraction;
+    private double rise;
 
-    ReceiverSphere(double radius, Air air, EnergyTally tally) {
+    /**
+     * A sphere.
+     *
+     * @param radius for rays that come from near, m
+     */
+    ReceiverSphere(double radius, World world, WallPlanes planes, BandSurfaces surfaces, Air air, EnergyTally tally) {
         this.radius = radius;
+        this.widest = Math.max(radius, WIDEST);
         this.air = air;
         this.tally = tally;
+        this.tracer = world.newIncoherentRayTracer();
+        this.visibility = Visibility.ofClearPoints(world);
+        this.planes = planes;
+        this.path = new MirrorPath(world, planes, surfaces);
     }
 
     /**
-     * Centres the sphere at a point. What a surface cuts off contributes nothing, and does not count in the volume
-     * either: a drone just above a floor has half a sphere.
+     * Centres the sphere at a point.
      *
-     * @return its volume, m3
+     * @param known about what is heard without rays that pass, in all bands, as intensity over the source's
+     *     power, 1/m2; infinite where the sphere is not to be widened, since enough rays pass
      */
-    double surround(Position centre, RayTracer traversal) {
-        double fraction = 0.0;
+    void surround(Position point, double known) {
+        centre = point;
+        // A ray brings at most its energy over the cross-section of the sphere.
+        wanted = Math.sqrt(BANDS / (Math.PI * EnergyTracer.FEWEST * APPRECIABLE * known));
         for (int i = 0; i < LOOKS; i++) {
-            // Spread evenly over the sphere (Fibonacci lattice).
-            double z = 1.0 - (2.0 * i + 1.0) / LOOKS;
-            double level = Math.sqrt(1.0 - z * z);
-            double x = level * Math.cos(GOLDEN_ANGLE * i);
-            double y = level * Math.sin(GOLDEN_ANGLE * i);
-            boolean cut = traversal.closestHit(centre.x(), centre.y(), centre.z(), x, y, z, 0.0, radius);
-            double free = cut ? traversal.distance() / radius : 1.0;
-            fraction += free * free * free / LOOKS;
+            Directions.ofLattice(i, LOOKS, look);
+            boolean cut = tracer.closestHit(
+                    centre.x(), centre.y(), centre.z(), look.directionX, look.directionY, look.directionZ, 0.0, widest);
+            free[i] = cut ? tracer.distance() : Double.POSITIVE_INFINITY;
         }
-        volume = fraction * 4.0 / 3.0 * Math.PI * radius * radius * radius;
-        return volume;
     }
 
     /**
-     * Counts the contribution of a ray to the sphere about a source, up to {@code end} metres from the ray's origin, if
-     * it crosses the sphere.
+     * The volume of what the centre sees within a radius. What a surface cuts off contributes nothing, and does not count
+     * in the volume either: a drone just above a floor has half a sphere.
+     *
+     * @param within at most the widest radius, m
+     * @return m3
      */
-    void count(AcousticRay ray, double[] energy, double end, SoundSource source) {
-        Position centre = source.position();
-        double entry = IntersectionHandler.raySphere(
-                ray.originX,
-                ray.originY,
-                ray.originZ,
-                ray.directionX,
-                ray.directionY,
-                ray.directionZ,
-                centre.x(),
-                centre.y(),
-                centre.z(),
-                radius);
-        if (entry >= end || !(volume > 0.0)) {
-            return;
+    double volume(double within) {
+        double cubes = 0.0;
+        for (double distance : free) {
+            double seen = Math.min(distance, within);
+            cubes += seen * seen * seen;
         }
+        return 4.0 / 3.0 * Math.PI * cubes / LOOKS;
+    }
+
+    /**
+     * Whether a ray crosses the sphere, over walls that lead to its centre.
+     *
+     * @param run how the ray came here since it left its beginning or was scattered
+     * @param end how far the ray goes on from its origin, m
+     */
+    boolean isCrossed(AcousticRay ray, MirrorRun run, double end, RandomGenerator random) {
         double x = centre.x() - ray.originX;
         double y = centre.y() - ray.originY;
         double z = centre.z() - ray.originZ;
         double middle = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
         double besideSquared = Math.max(0.0, x * x + y * y + z * z - middle * middle);
-        double exit = Math.min(end, middle + Math.sqrt(Math.max(0.0, radius * radius - besideSquared)));
-        double at = 0.5 * (entry + exit);
-        double chord = (exit - entry) / volume;
+        length = run.length() + Math.max(0.0, middle);
+        double reach = reach(length);
+        double half = Math.sqrt(Math.max(0.0, reach * reach - besideSquared));
+        double entry = Math.max(0.0, middle - half);
+        double exit = Math.min(end, middle + half);
+        if (!(exit > entry)) {
+            return false;
+        }
+        at = entry + random.nextDouble() * (exit - entry);
+        fraction = (exit - entry) / volume(reach);
+        rise = -ray.directionZ;
+        if (!isSeen(ray, at)) {
+            return false;
+        }
+        if (reach <= Math.max(radius, NEAR) || run.isThroughWalls()) {
+            return true;
+        }
+        // What passes far from the centre need not reach it, nor is it as far from the ray's beginning.
+        if (!run.leadsTo(centre, path, planes)) {
+            return false;
+        }
+        double nearer = (run.length() + at) / path.length();
+        fraction *= nearer * nearer;
+        rise = path.riseFromEnd();
+        return true;
+    }
+
+    /** Sine of the elevation at which a ray from the centre would have left it to come back the same way. */
+    double rise() {
+        return rise;
+    }
+
+    /**
+     * Counts a ray that crosses the sphere.
+     *
+     * @param energy in each band, at the ray's origin
+     * @param others the sum of the reluctances of legs at which the same path could be connected
+     */
+    void count(AcousticRay ray, double[] energy, double others) {
+        double counted = fraction * (wanted > 0.0 ? Connections.weight(reluctance(length), others) : 1.0);
         for (int band = 0; band < BANDS; band++) {
-            brought[band] = energy[band] * source.factor(band, ray.directionZ) * air.left(band, at) * chord;
+            brought[band] = energy[band] * air.left(band, at) * counted;
         }
         tally.add(ray, brought, at);
+    }
+
+    private double reach(double length) {
+        return Math.max(radius, Math.min(wanted, Math.min(WIDEST, SLENDER * length)));
+    }
+
+    /**
+     * The reluctance of a leg that is found because it passes the centre (see {@link Connections}): like one that is
+     * connected, a ray brings its energy over this.
+     *
+     * @param length of the leg, m
+     */
+    double reluctance(double length) {
+        return Math.PI * reach(length) * reach(length);
+    }
+
+    /** Whether nothing stands between the centre and a point of a ray. */
+    private boolean isSeen(AcousticRay ray, double at) {
+        return visibility.isFree(
+                centre.x(),
+                centre.y(),
+                centre.z(),
+                ray.originX + at * ray.directionX,
+                ray.originY + at * ray.directionY,
+                ray.originZ + at * ray.directionZ);
     }
 }

@@ -6,54 +6,57 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * The planes of a mesh: one for each triangle, and the largest walls, each of them all triangles in one plane. Specular
- * reflections of higher order are sought between the largest walls only. Immutable.
+ * The planes in which a mesh reflects specularly: all triangles that lie in one plane, of whatever material and winding,
+ * count as one wall. Nothing here depends on the directions of the axes. Immutable.
  */
 final class WallPlanes {
-    /** Enough for the walls of a few buildings; second-order reflections in smaller planes are found by the rays. */
-    static final int LARGEST = 24;
-
-    /** The number of a triangle that is in none of the largest walls. */
+    /** The number of a triangle that reflects nothing specularly. */
     static final int NONE = -1;
 
-    private static final int NUMBERS = 4;
-    private static final double NORMAL_GRID = 1e-5;
+    /**
+     * How far a corner may lie off the plane that its triangle is counted to, relative to the size of the mesh:
+     * coordinates of single precision are exact to 6e-8 of it, and a small triangle's plane is extended over the wall.
+     */
+    private static final double RELATIVE_TOLERANCE = 1e-6;
 
-    /** Relative to the size of the mesh: corners are floats. */
-    private static final double PLACE_GRID = 1e-5;
+    private static final double LEAST_TOLERANCE = 1e-5;
+
+    /** Planes whose unit normals differ by more in any coordinate are not compared. */
+    private static final double NORMAL_CELL = 1e-2;
+
+    private static final double ALMOST_PARALLEL = 0.99;
+
+    private static final int NUMBERS = 4;
+    private static final int BOUNDS = 6;
 
     private final double[] planes;
+    private final double[] bounds;
+    private final int[] triangleOf;
     private final int[] wallOf;
-    private final List<Wall> walls = new ArrayList<>();
+    private final double tolerance;
 
     WallPlanes(TriangleMesh mesh, BandSurfaces surfaces) {
-        int count = mesh.triangleCount();
-        this.planes = new double[NUMBERS * count];
-        this.wallOf = new int[count];
+        this.tolerance = Math.max(LEAST_TOLERANCE, RELATIVE_TOLERANCE * size(mesh));
+        this.wallOf = new int[mesh.triangleCount()];
         Arrays.fill(wallOf, NONE);
-        Map<List<Long>, Wall> found = new HashMap<>();
-        double size = size(mesh);
-        for (int triangle = 0; triangle < count; triangle++) {
-            double area = setPlane(mesh, triangle);
-            if (surfaces.mirrors(mesh.material(triangle))) {
-                found.computeIfAbsent(key(triangle, size), key -> new Wall()).add(mesh, triangle, area);
-            }
+        Grouping grouping = new Grouping(mesh);
+        double[] areas = new double[wallOf.length];
+        for (int triangle = 0; triangle < wallOf.length; triangle++) {
+            areas[triangle] = surfaces.mirrors(mesh.material(triangle)) ? grouping.area(triangle) : 0.0;
         }
-        found.values().stream()
-                .sorted(Comparator.comparingDouble((Wall wall) -> -wall.area).thenComparingInt(wall -> wall.triangle))
-                .limit(LARGEST)
-                .forEach(this::keep);
-    }
-
-    private void keep(Wall wall) {
-        for (int triangle : wall.triangles) {
-            wallOf[triangle] = walls.size();
-        }
-        wall.triangles.clear();
-        walls.add(wall);
+        // The largest triangle has the most exact plane.
+        IntStream.range(0, wallOf.length)
+                .filter(triangle -> areas[triangle] > 0.0)
+                .boxed()
+                .sorted(Comparator.comparingDouble(triangle -> -areas[triangle]))
+                .forEach(grouping::add);
+        this.planes = grouping.planes();
+        this.triangleOf = grouping.triangles();
+        this.bounds = bounds(mesh);
     }
 
     private static double size(TriangleMesh mesh) {
@@ -66,104 +69,175 @@ final class WallPlanes {
         return size;
     }
 
-    /** Computes a triangle's plane; gives its area. */
-    private double setPlane(TriangleMesh mesh, int triangle) {
-        double[] normal = new double[3];
-        mesh.normal(triangle, normal);
-        double nx = normal[0];
-        double ny = normal[1];
-        double nz = normal[2];
-        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        // One sign for both sides of a wall, so that triangles of either winding have the same plane.
-        double largest = Math.abs(nx) > Math.abs(ny) ? nx : ny;
-        double sign = Math.abs(largest) > Math.abs(nz) ? largest : nz;
-        double scale = (sign < 0.0 ? -1.0 : 1.0) / length;
-        int at = NUMBERS * triangle;
-        planes[at] = nx * scale;
-        planes[at + 1] = ny * scale;
-        planes[at + 2] = nz * scale;
-        planes[at + 3] = planes[at] * mesh.coordinate(triangle, 0, 0)
-                + planes[at + 1] * mesh.coordinate(triangle, 0, 1)
-                + planes[at + 2] * mesh.coordinate(triangle, 0, 2);
-        return 0.5 * length;
+    private double[] bounds(TriangleMesh mesh) {
+        double[] boxes = new double[BOUNDS * triangleOf.length];
+        for (int wall = 0; wall < triangleOf.length; wall++) {
+            Arrays.fill(boxes, BOUNDS * wall, BOUNDS * wall + 3, Double.POSITIVE_INFINITY);
+            Arrays.fill(boxes, BOUNDS * wall + 3, BOUNDS * wall + BOUNDS, Double.NEGATIVE_INFINITY);
+        }
+        double margin = 2.0 * tolerance;
+        for (int triangle = 0; triangle < wallOf.length; triangle++) {
+            for (int corner = 0; wallOf[triangle] != NONE && corner < 3; corner++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    double at = mesh.coordinate(triangle, corner, axis);
+                    int low = BOUNDS * wallOf[triangle] + axis;
+                    boxes[low] = Math.min(boxes[low], at - margin);
+                    boxes[low + 3] = Math.max(boxes[low + 3], at + margin);
+                }
+            }
+        }
+        return boxes;
     }
 
-    private List<Long> key(int triangle, double size) {
-        int at = NUMBERS * triangle;
-        return List.of(
-                Math.round(planes[at] / NORMAL_GRID),
-                Math.round(planes[at + 1] / NORMAL_GRID),
-                Math.round(planes[at + 2] / NORMAL_GRID),
-                Math.round(planes[at + 3] / (PLACE_GRID * size)));
+    /** How many planes reflect something. */
+    int count() {
+        return triangleOf.length;
     }
 
-    double normalX(int triangle) {
-        return planes[NUMBERS * triangle];
-    }
-
-    double normalY(int triangle) {
-        return planes[NUMBERS * triangle + 1];
-    }
-
-    double normalZ(int triangle) {
-        return planes[NUMBERS * triangle + 2];
-    }
-
-    /** Signed distance of a point from a triangle's plane, m. */
-    double height(int triangle, double x, double y, double z) {
-        int at = NUMBERS * triangle;
-        return planes[at] * x + planes[at + 1] * y + planes[at + 2] * z - planes[at + 3];
-    }
-
-    /** The number of the large wall that a triangle belongs to, or {@link #NONE}. */
+    /** The plane in which a triangle lies, or {@link #NONE}. */
     int wallOf(int triangle) {
         return wallOf[triangle];
     }
 
-    int wallCount() {
-        return walls.size();
-    }
-
-    /** A triangle of a large wall: its plane is the wall's. */
+    /** The largest triangle in a plane. */
     int triangleOf(int wall) {
-        return walls.get(wall).triangle;
+        return triangleOf[wall];
     }
 
-    /** Whether a point of a large wall's plane lies in the box around the wall. */
+    /** How far a point may lie off a plane that it is counted to, m. */
+    double tolerance() {
+        return tolerance;
+    }
+
+    /** Signed distance of a point from a plane, m. */
+    double height(int wall, double x, double y, double z) {
+        int at = NUMBERS * wall;
+        return planes[at] * x + planes[at + 1] * y + planes[at + 2] * z - planes[at + 3];
+    }
+
+    /** A coordinate of a plane's unit normal. */
+    double normal(int wall, int axis) {
+        return planes[NUMBERS * wall + axis];
+    }
+
+    /** Whether two planes meet at an edge rather than lie almost in each other: corners of one wall are never quite flat. */
+    boolean meet(int some, int other) {
+        int a = NUMBERS * some;
+        int b = NUMBERS * other;
+        double cosine = planes[a] * planes[b] + planes[a + 1] * planes[b + 1] + planes[a + 2] * planes[b + 2];
+        return Math.abs(cosine) < ALMOST_PARALLEL;
+    }
+
+    /** Mirrors a point in a plane: three numbers of one array into three of another. */
+    void mirror(int wall, double[] points, int from, double[] images, int to) {
+        int at = NUMBERS * wall;
+        double twice = 2.0 * height(wall, points[from], points[from + 1], points[from + 2]);
+        images[to] = points[from] - twice * planes[at];
+        images[to + 1] = points[from + 1] - twice * planes[at + 1];
+        images[to + 2] = points[from + 2] - twice * planes[at + 2];
+    }
+
+    /** Whether a point of a plane lies in the box around all triangles in it: if not, nothing is reflected there. */
     boolean mayContain(int wall, double x, double y, double z) {
-        return walls.get(wall).boxContains(x, y, z);
+        int at = BOUNDS * wall;
+        return x >= bounds[at]
+                && x <= bounds[at + 3]
+                && y >= bounds[at + 1]
+                && y <= bounds[at + 4]
+                && z >= bounds[at + 2]
+                && z <= bounds[at + 5];
     }
 
-    /** All triangles in one plane. */
-    private static final class Wall {
-        private static final double MARGIN = 1e-3;
+    /** Counts triangles to planes, one after another. */
+    private final class Grouping {
+        private final TriangleMesh mesh;
+        private final double[] normal = new double[3];
+        private final List<double[]> found = new ArrayList<>();
+        private final List<Integer> largest = new ArrayList<>();
+        private final Map<Integer, List<Integer>> byNormal = new HashMap<>();
 
-        private final List<Integer> triangles = new ArrayList<>();
-        private final double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
-        private final double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
-        private int triangle;
-        private double area;
-        private double largest;
-
-        void add(TriangleMesh mesh, int added, double itsArea) {
-            // The largest triangle has the most exact plane.
-            if (triangles.isEmpty() || itsArea > largest) {
-                triangle = added;
-                largest = itsArea;
-            }
-            triangles.add(added);
-            area += itsArea;
-            for (int axis = 0; axis < 3; axis++) {
-                for (int corner = 0; corner < 3; corner++) {
-                    double at = mesh.coordinate(added, corner, axis);
-                    low[axis] = Math.min(low[axis], at - MARGIN);
-                    high[axis] = Math.max(high[axis], at + MARGIN);
-                }
-            }
+        Grouping(TriangleMesh mesh) {
+            this.mesh = mesh;
         }
 
-        boolean boxContains(double x, double y, double z) {
-            return x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1] && z >= low[2] && z <= high[2];
+        double area(int triangle) {
+            mesh.normal(triangle, normal);
+            return 0.5 * length();
+        }
+
+        private double length() {
+            return Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+        }
+
+        void add(int triangle) {
+            mesh.normal(triangle, normal);
+            double length = length();
+            for (int axis = 0; axis < 3; axis++) {
+                normal[axis] /= length;
+            }
+            int wall = find(triangle, 1.0);
+            wall = wall == NONE ? find(triangle, -1.0) : wall;
+            wallOf[triangle] = wall == NONE ? open(triangle) : wall;
+        }
+
+        private int open(int triangle) {
+            double offset = normal[0] * mesh.coordinate(triangle, 0, 0)
+                    + normal[1] * mesh.coordinate(triangle, 0, 1)
+                    + normal[2] * mesh.coordinate(triangle, 0, 2);
+            found.add(new double[] {normal[0], normal[1], normal[2], offset});
+            largest.add(triangle);
+            int cell = key(cell(normal[0]), cell(normal[1]), cell(normal[2]));
+            byNormal.computeIfAbsent(cell, key -> new ArrayList<>()).add(found.size() - 1);
+            return found.size() - 1;
+        }
+
+        private int find(int triangle, double sign) {
+            int x = cell(sign * normal[0]);
+            int y = cell(sign * normal[1]);
+            int z = cell(sign * normal[2]);
+            for (int i = -1; i <= 1; i++) {
+                for (int j = -1; j <= 1; j++) {
+                    for (int k = -1; k <= 1; k++) {
+                        int cell = key(x + i, y + j, z + k);
+                        for (int wall : byNormal.getOrDefault(cell, List.of())) {
+                            if (contains(found.get(wall), triangle)) {
+                                return wall;
+                            }
+                        }
+                    }
+                }
+            }
+            return NONE;
+        }
+
+        private boolean contains(double[] plane, int triangle) {
+            for (int corner = 0; corner < 3; corner++) {
+                double height = plane[0] * mesh.coordinate(triangle, corner, 0)
+                        + plane[1] * mesh.coordinate(triangle, corner, 1)
+                        + plane[2] * mesh.coordinate(triangle, corner, 2)
+                        - plane[3];
+                if (Math.abs(height) > tolerance) {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        private static int cell(double coordinate) {
+            return (int) Math.round(coordinate / NORMAL_CELL);
+        }
+
+        /** Cells are numbered from -100 to 100 along each axis. */
+        private static int key(int x, int y, int z) {
+            return x << 2 * Byte.SIZE ^ (y & 0xFF) << Byte.SIZE ^ z & 0xFF;
+        }
+
+        double[] planes() {
+            return found.stream().flatMapToDouble(Arrays::stream).toArray();
+        }
+
+        int[] triangles() {
+            return largest.stream().mapToInt(Integer::intValue).toArray();
         }
     }
 }

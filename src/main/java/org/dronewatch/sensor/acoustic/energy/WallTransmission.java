@@ -22,7 +22,7 @@ final class WallTransmission {
 
     WallTransmission(World world, BandSurfaces surfaces) {
         this.mesh = world.mesh();
-        this.visibility = Visibility.ofUnrelatedSegments(world);
+        this.visibility = Visibility.ofClearPoints(world);
         this.surfaces = surfaces;
     }
 

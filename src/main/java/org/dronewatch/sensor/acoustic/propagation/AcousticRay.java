@@ -8,6 +8,8 @@ public final class AcousticRay {
     /** The medium of rays in the open. */
     public static final int AIR = -1;
 
+    private static final double STAND_OFF = 1e-9;
+
     /** Where it begins, m. */
     public double originX;
 
@@ -40,4 +42,32 @@ public final class AcousticRay {
 
     /** Number of the material that it propagates in, or {@link #AIR}. */
     public int medium;
+
+    /** Moves its origin along its direction, m. */
+    public void advance(double distance) {
+        originX += distance * directionX;
+        originY += distance * directionY;
+        originZ += distance * directionZ;
+    }
+
+    /**
+     * Moves its origin off a surface, by more than the rounding of its coordinates.
+     *
+     * @param normal of the surface, a unit vector
+     * @param side 1 for the side of the normal, -1 for the other one
+     */
+    public void standOff(double[] normal, double side) {
+        double step = side * STAND_OFF * (1.0 + Math.abs(originX) + Math.abs(originY) + Math.abs(originZ));
+        originX += step * normal[0];
+        originY += step * normal[1];
+        originZ += step * normal[2];
+    }
+
+    /** Reflects it specularly; its origin stays. */
+    public void reflect(double[] normal) {
+        double twice = 2.0 * (directionX * normal[0] + directionY * normal[1] + directionZ * normal[2]);
+        directionX -= twice * normal[0];
+        directionY -= twice * normal[1];
+        directionZ -= twice * normal[2];
+    }
 }

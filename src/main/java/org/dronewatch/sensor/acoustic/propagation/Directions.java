@@ -2,9 +2,20 @@ package org.dronewatch.sensor.acoustic.propagation;
 
 import java.util.random.RandomGenerator;
 
-/** Random directions. */
+/** Directions of rays. */
 public final class Directions {
+    private static final double GOLDEN_ANGLE = Math.PI * (3.0 - Math.sqrt(5.0));
+
     private Directions() {}
+
+    /** Gives a ray one of a number of directions that are spread evenly over the sphere (Fibonacci lattice). */
+    public static void ofLattice(int number, int count, AcousticRay ray) {
+        double z = 1.0 - (2.0 * number + 1.0) / count;
+        double radius = Math.sqrt(Math.max(0.0, 1.0 - z * z));
+        ray.directionX = radius * Math.cos(GOLDEN_ANGLE * number);
+        ray.directionY = radius * Math.sin(GOLDEN_ANGLE * number);
+        ray.directionZ = z;
+    }
 
     /** Gives a ray a direction drawn uniformly from the sphere (Archimedes: the height is uniform). */
     public static void draw(RandomGenerator random, AcousticRay ray) {

@@ -1,0 +1,154 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+
+/**
+ * How a ray from the sensor came to the surface that it meets: its legs from scattering to scattering, straight, over
+ * walls or through them. One per thread.
+ */
+final class Arrival {
+    private final MirrorRun run = new MirrorRun();
+
+    private static final int LEGS = Connections.FROM_SOURCE + 1;
+
+    /** The reluctances of the last legs, the one that ends here first. */
+    private final double[] reluctances = new double[LEGS];
+
+    /** Whether each of these legs went through a wall. */
+    private final boolean[] throughWalls = new boolean[LEGS];
+
+    /** Whether rays from the source are not connected at these legs, but may pass the sensor. */
+    private final boolean[] isPassing = new boolean[LEGS];
+
+    /** How many surfaces the ray had met where each of these legs ends, that one included. */
+    private final int[] orders = new int[LEGS];
+
+    private boolean isFromSensor;
+    private double leaving;
+    private Ends ends;
+    private ReceiverSphere receiver;
+
+    /**
+     * A new ray.
+     *
+     * @param ofSensor the sphere in which rays from the source are counted that pass the sensor
+     */
+    void start(Ends both, ReceiverSphere ofSensor, AcousticRay ray) {
+        ends = both;
+        receiver = ofSensor;
+        isFromSensor = true;
+        Arrays.fill(reluctances, Connections.NEVER);
+        Arrays.fill(throughWalls, false);
+        run.begin(ray);
+    }
+
+    /**
+     * The ray was scattered where it begins.
+     *
+     * @param cosine of the angle between the new direction and the surface's normal
+     */
+    void scatter(AcousticRay ray, double cosine) {
+        isFromSensor = false;
+        leaving = cosine;
+        for (int leg = reluctances.length - 1; leg > 0; leg--) {
+            reluctances[leg] = reluctances[leg - 1];
+            throughWalls[leg] = throughWalls[leg - 1];
+            orders[leg] = orders[leg - 1];
+            isPassing[leg] = isPassing[leg - 1];
+        }
+        run.begin(ray);
+    }
+
+    /**
+     * The ray met a surface.
+     *
+     * @param distance how far it flew to it, m
+     * @param arriving cosine of the angle between the ray and the surface's normal
+     * @param order how many surfaces it has met, this one included
+     */
+    void meet(double distance, double arriving, int order) {
+        run.fly(distance);
+        orders[0] = order;
+        throughWalls[0] = run.isThroughWalls();
+        reluctances[0] = reluctance(arriving);
+    }
+
+    private double reluctance(double arriving) {
+        boolean isOverChain = isFromSensor ? run.isChainFrom(ends.ofSensor()) : run.isChainTo(ends.ofSource());
+        isPassing[0] = run.order() > 0 && !isOverChain;
+        if (isPassing[0]) {
+            return isFromSensor && ends.isOpen() && !run.isThroughWalls()
+                    ? receiver.reluctance(run.length())
+                    : Connections.NEVER;
+        }
+        double inAir = isFromSensor
+                ? Connections.fromPoint(arriving, run.length())
+                : Connections.betweenSurfaces(leaving, arriving, run.length());
+        return run.isThroughWalls() ? Connections.throughWalls(inAir) : inAir;
+    }
+
+    /** The ray was reflected specularly. */
+    void reflect(int wall) {
+        run.reflect(wall);
+    }
+
+    /** The ray went through a wall. */
+    void passThrough() {
+        run.passThrough();
+    }
+
+    /** The leg since the ray left the sensor or was scattered last. */
+    MirrorRun run() {
+        return run;
+    }
+
+    /** Whether what comes straight on from the source is computed exactly, or was connected already. */
+    boolean isExact() {
+        if (!isFromSensor) {
+            return run.isChainTo(ends.ofSource());
+        }
+        return !run.isThroughWalls()
+                && (run.order() == 1
+                        || run.isChainFrom(ends.pureOfSensor())
+                        || run.isChainTo(ends.pureOfSource())
+                        || run.isChainTo(ends.exactly()));
+    }
+
+    /**
+     * The sum of the reluctances of the legs so far at which the same path could be connected, too, if rays from the
+     * source came all the way to them.
+     *
+     * @param scatterings how many times the rest of the path is scattered before it comes here
+     * @param surfaces how many surfaces the rest of the path meets
+     */
+    double reluctance(int scatterings, int surfaces) {
+        return sum(0, ends.scatterings() - scatterings, surfaces);
+    }
+
+    /**
+     * The sum of the reluctances of the legs before the ray was scattered last: where it passes the source after specular
+     * reflections, rays from there can be connected at these. None if they cannot come so far.
+     */
+    double reluctanceBefore() {
+        return run.isThroughWalls() ? Connections.NEVER : sum(1, LEGS, 0);
+    }
+
+    private double sum(int first, int end, int surfaces) {
+        double sum = 0.0;
+        for (int leg = first; leg < end; leg++) {
+            if (surfaces + orders[0] - orders[leg] + 1 > ScatteredSound.MOST) {
+                return sum;
+            }
+            // To pass the sensor a ray from the source must go on from the last surface.
+            if (!isPassing[leg] || leg < end - 1 && surfaces + orders[0] < ScatteredSound.MOST) {
+                sum += reluctances[leg];
+            }
+            if (throughWalls[leg]) {
+                // Rays from the source end at walls.
+                return sum;
+            }
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,145 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.Directions;
+import org.dronewatch.sensor.acoustic.propagation.Normals;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.World;
+
+/**
+ * Finds the chains of walls that matter to a point: those over which evenly spread rays from it are reflected (M.
+ * Vorlaender, JASA 86, 172, 1989, for finding image sources by rays). A chain that is seen under a smaller solid angle
+ * than that of one ray may be missed. The same point has the same chains. One per thread.
+ */
+final class ChainSearch {
+    /** A ray that has less than this fraction of its energy left after reflections is given up. */
+    private static final double FAINT = 1e-3;
+
+    /** How many times rays look more closely about those that have found something alone. */
+    private static final int DEEPEST = 3;
+
+    /** How many rays look about one of them. */
+    private static final int AROUND = 8;
+
+    /** How much nearer to each other they are each time: so many rays share a disc. */
+    private static final double FINER = 1.0 / Math.sqrt(AROUND);
+
+    /** Chains that keep less of a ray's energy are not looked for more closely. */
+    private static final double WORTH_A_LOOK = 0.03;
+
+    /** A chain found by so few rays has neighbours that were missed. */
+    private static final double FEW = 2.0;
+
+    private final TriangleMesh mesh;
+    private final RayTracer tracer;
+    private final WallPlanes planes;
+    private final double[] mirrored;
+    private final AcousticRay ray = new AcousticRay();
+    private final double[] normal = new double[3];
+
+    ChainSearch(World world, WallPlanes planes, BandSurfaces surfaces) {
+        this.mesh = world.mesh();
+        this.tracer = world.newIncoherentRayTracer();
+        this.planes = planes;
+        this.mirrored = new double[world.surfaces().size()];
+        for (int material = 0; material < mirrored.length; material++) {
+            for (int band = 0; band < OctaveBands.COUNT; band++) {
+                mirrored[material] += surfaces.mirrored(material, band) / OctaveBands.COUNT;
+            }
+        }
+    }
+
+    /**
+     * The chains of a point. Where a ray has found a chain of several walls that few others have, more rays look about
+     * it.
+     *
+     * @param from the point, m
+     * @param rays how many rays are spread over all directions
+     * @param maxOrder the most walls of one chain
+     */
+    ChainTree from(Position from, int rays, int maxOrder) {
+        ChainTree tree = new ChainTree();
+        List<double[]> lonely = new ArrayList<>();
+        for (int i = 0; i < rays; i++) {
+            Directions.ofLattice(i, rays, ray);
+            follow(tree, from, maxOrder, lonely);
+        }
+        // The lattice's points are about so far from each other.
+        double spacing = Math.sqrt(4.0 * Math.PI / rays);
+        int left = rays;
+        for (int depth = 0; depth < DEEPEST && !lonely.isEmpty(); depth++) {
+            List<double[]> next = new ArrayList<>();
+            for (int i = 0; i < lonely.size() && left > 0; i++) {
+                for (int k = 0; k < AROUND; k++, left--) {
+                    turn(lonely.get(i), spacing, k);
+                    follow(tree, from, maxOrder, next);
+                }
+            }
+            lonely = next;
+            spacing *= FINER;
+        }
+        return tree;
+    }
+
+    /** Gives the ray one of several directions about another one, evenly spread over a disc (a sunflower's seeds). */
+    private void turn(double[] about, double radius, int number) {
+        double[] across = Math.abs(about[2]) < 0.9
+                ? new double[] {about[1], -about[0], 0.0}
+                : new double[] {0.0, about[2], -about[1]};
+        double length = Math.sqrt(across[0] * across[0] + across[1] * across[1] + across[2] * across[2]);
+        double angle = Math.PI * (3.0 - Math.sqrt(5.0)) * number;
+        double off = radius * Math.sqrt((number + 0.5) / AROUND);
+        double u = off * Math.cos(angle) / length;
+        double v = off * Math.sin(angle) / length;
+        double x = about[0] + u * across[0] + v * (about[1] * across[2] - about[2] * across[1]);
+        double y = about[1] + u * across[1] + v * (about[2] * across[0] - about[0] * across[2]);
+        double z = about[2] + u * across[2] + v * (about[0] * across[1] - about[1] * across[0]);
+        double whole = Math.sqrt(x * x + y * y + z * z);
+        ray.directionX = x / whole;
+        ray.directionY = y / whole;
+        ray.directionZ = z / whole;
+    }
+
+    /** Follows the ray in its direction; keeps that if the ray has found a chain that few others have. */
+    private void follow(ChainTree tree, Position from, int maxOrder, List<double[]> lonely) {
+        double[] direction = {ray.directionX, ray.directionY, ray.directionZ};
+        ray.originX = from.x();
+        ray.originY = from.y();
+        ray.originZ = from.z();
+        int chain = MirrorChains.EMPTY;
+        double left = 1.0;
+        boolean isLonely = false;
+        for (int order = 0; order < maxOrder; order++) {
+            if (!tracer.closestHit(
+                    ray.originX,
+                    ray.originY,
+                    ray.originZ,
+                    ray.directionX,
+                    ray.directionY,
+                    ray.directionZ,
+                    0.0,
+                    Double.POSITIVE_INFINITY)) {
+                break;
+            }
+            int triangle = tracer.triangle();
+            left *= mirrored[mesh.material(triangle)];
+            if (left < FAINT) {
+                break;
+            }
+            Normals.facing(mesh, triangle, ray, normal);
+            ray.advance(tracer.distance());
+            ray.standOff(normal, 1.0);
+            ray.reflect(normal);
+            chain = tree.add(chain, planes.wallOf(triangle), left);
+            isLonely |= order > 0 && left > WORTH_A_LOOK && tree.worth(chain) <= FEW * left;
+        }
+        if (isLonely) {
+            lonely.add(direction);
+        }
+    }
+}

@@ -1,0 +1,226 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.energy.ScatterSamples.Sample;
+import org.dronewatch.sensor.acoustic.energy.ScatterSamples.Samples;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
+
+/**
+ * Finds the chains of walls that matter between a sensor and a source. Rays from either end find chains, over which pure
+ * mirror paths are looked for. In the open, where few rays pass an end, those few are kept, too, over which most of what is
+ * scattered near one end is heard at the other. One per thread.
+ */
+final class EndSearch {
+    private static final int RAYS_OF_SENSOR = 4000;
+    private static final int RAYS_OF_SOURCE = 1000;
+
+    /** The most chains over which pure mirror paths are looked for. */
+    private static final int MOST_PURE = 8000;
+
+    /** The most walls of each end that exact paths are tried to meet, too. */
+    private static final int MOST_EXTRA = 6;
+
+    /** The most chains among which those are chosen over which scattered sound is joined to an end. */
+    private static final int MOST_CANDIDATES = 200;
+
+    /** The most chains over which scattered sound is joined to an end. */
+    private static final int MOST_JOINED = 64;
+
+    /**
+     * Chains are left to the rays that happen to pass the source if those make the variance of a reading, relative to its
+     * square, greater by less than this.
+     */
+    private static final double NEGLIGIBLE = 3e-3;
+
+    /** The same for a single chain over which a pure mirror path may lead: there may be thousands. */
+    private static final double HARDLY_ANYTHING = 1e-6;
+
+    /** Nearer to an end than this a sample says nothing of others, m. */
+    private static final double NEAREST = 1.0;
+
+    /** Where less than this fraction of rays leaves the site, sound comes from all sides. */
+    private static final double OPEN = 0.1;
+
+    private static final int SAMPLES_OF_SENSOR = 64;
+    private static final int SAMPLES_OF_SOURCE = 64;
+    private static final int SCATTERINGS = 3;
+
+    private final int maxOrder;
+    private final double ofOneRay;
+    private final Position sensor;
+    private final WallPlanes planes;
+    private final ChainSearch search;
+    private final ScatterSamples samples;
+    private final MirrorPath path;
+    private final Visibility visibility;
+    private final MirrorChains pureOfSensor;
+    private final double[] mirrored;
+    private final MirrorChains candidatesOfSensor;
+    private final int[] wallsOfSensor;
+    private final Samples heardFrom;
+
+    EndSearch(
+            EnergyModel model, Position sensor, double radius, World world, WallPlanes planes, BandSurfaces surfaces) {
+        this.maxOrder = model.imageSourceOrder();
+        this.ofOneRay = 1.0 / (model.rays() * Math.PI * radius * radius);
+        this.sensor = sensor;
+        this.planes = planes;
+        this.search = new ChainSearch(world, planes, surfaces);
+        this.samples = new ScatterSamples(world, surfaces);
+        this.path = new MirrorPath(world, planes, surfaces);
+        this.visibility = Visibility.ofClearPoints(world);
+        ChainTree found = search.from(sensor, RAYS_OF_SENSOR, maxOrder);
+        this.pureOfSensor = found.best(MOST_PURE, 0.0);
+        this.candidatesOfSensor = found.best(MOST_CANDIDATES, 0.0);
+        this.wallsOfSensor = found.firstWalls(MOST_EXTRA);
+        this.heardFrom = samples.from(sensor, SAMPLES_OF_SENSOR, SCATTERINGS);
+        this.mirrored = new double[planes.count()];
+        for (int wall = 0; wall < mirrored.length; wall++) {
+            for (int band = 0; band < OctaveBands.COUNT; band++) {
+                mirrored[wall] +=
+                        surfaces.mirrored(world.mesh().material(planes.triangleOf(wall)), band) / OctaveBands.COUNT;
+            }
+        }
+    }
+
+    /** Finds the chains of one look, and with them the exact paths. */
+    Ends find(SoundSource source, ExactPaths exact) {
+        Position drone = source.position();
+        double scattered = scattered(drone, heardFrom);
+        double guess = scattered + straight(drone);
+        MirrorChains fromSensor = worthwhile(pureOfSensor, sensor, drone, guess);
+        if (heardFrom.escaped() <= OPEN) {
+            exact.find(source, sensor, fromSensor, MirrorChains.NONE, new int[0]);
+            MirrorChains none = MirrorChains.NONE;
+            return new Ends(source, sensor, none, none, none, fromSensor, none, guess, false);
+        }
+        ChainTree found = search.from(drone, RAYS_OF_SOURCE, maxOrder);
+        MirrorChains fromSource = worthwhile(found.best(MOST_PURE, 0.0), drone, sensor, guess);
+        int[] extra = IntStream.concat(Arrays.stream(wallsOfSensor), Arrays.stream(found.firstWalls(MOST_EXTRA)))
+                .distinct()
+                .toArray();
+        exact.find(source, sensor, fromSensor, fromSource, extra);
+        ChainTree pure = new ChainTree();
+        ChainTree near = new ChainTree();
+        ChainTree far = new ChainTree();
+        // What is reflected towards one end after the other is reflected back in the reverse order.
+        MirrorChains candidatesOfSource = found.best(MOST_CANDIDATES, 0.0);
+        addAll(candidatesOfSource, near, far);
+        addAll(candidatesOfSensor, far, near);
+        for (int[] chain : exact.mirrorChains()) {
+            pure.add(chain, 0.0);
+            near.add(chain, 0.0);
+            far.add(SpecularPaths.reversed(chain), 0.0);
+        }
+        double known = scattered;
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            known += exact.heard(band);
+        }
+        Samples firstScattered = samples.from(drone, SAMPLES_OF_SOURCE, 1);
+        double first = scattered(sensor, firstScattered) / RAYS_OF_SOURCE;
+        MirrorChains ofSource = chosen(near, drone, heardFrom, known, chain -> first * found.worth(chain));
+        MirrorChains ofSensor = chosen(far, sensor, firstScattered, known, chain -> 0.0);
+        MirrorChains exactly = pure.best(Integer.MAX_VALUE, 0.0);
+        return new Ends(source, sensor, ofSource, ofSensor, fromSource, fromSensor, exactly, known, true);
+    }
+
+    /**
+     * The chains over which pure mirror paths are worth looking for.
+     *
+     * @param from where they were found
+     * @param to where they may lead
+     * @param known what is heard without them
+     */
+    private MirrorChains worthwhile(MirrorChains chains, Position from, Position to, double known) {
+        double[] images = new double[3 * chains.count()];
+        chains.images(from.x(), from.y(), from.z(), planes, images);
+        double[] left = new double[chains.count()];
+        left[MirrorChains.EMPTY] = 1.0;
+        boolean[] isWorthwhile = new boolean[chains.count()];
+        for (int chain = 1; chain < left.length; chain++) {
+            left[chain] = left[chains.parent(chain)] * mirrored[chains.wall(chain)];
+            double x = images[3 * chain] - to.x();
+            double y = images[3 * chain + 1] - to.y();
+            double z = images[3 * chain + 2] - to.z();
+            double heard = left[chain] / (4.0 * Math.PI * (x * x + y * y + z * z));
+            isWorthwhile[chain] = heard * left[chain] * ofOneRay >= HARDLY_ANYTHING * known * known;
+        }
+        return chains.kept(isWorthwhile);
+    }
+
+    /** What is heard straight, 1/m2. */
+    private double straight(Position drone) {
+        double distance = Math.max(NEAREST, drone.distance(sensor));
+        return visibility.isFree(drone, sensor) ? 1.0 / (4.0 * Math.PI * distance * distance) : 0.0;
+    }
+
+    /** A rough idea of what is scattered straight from some points to an end, 1/m2. */
+    private double scattered(Position end, Samples near) {
+        double sum = 0.0;
+        for (Sample point : near.points()) {
+            Position to = end.minus(point.at());
+            double distance = Math.max(NEAREST, to.length());
+            double cosine =
+                    (to.x() * point.normal()[0] + to.y() * point.normal()[1] + to.z() * point.normal()[2]) / distance;
+            if (cosine > 0.0 && visibility.isFree(point.at(), end)) {
+                sum += point.energy() * cosine / (Math.PI * distance * distance);
+            }
+        }
+        return sum / near.rays();
+    }
+
+    private static void addAll(MirrorChains chains, ChainTree same, ChainTree reverse) {
+        for (int chain = 1; chain < chains.count(); chain++) {
+            same.add(chains.walls(chain), 0.0);
+            reverse.add(SpecularPaths.reversed(chains.walls(chain)), 0.0);
+        }
+    }
+
+    /**
+     * The chains over which most of what is scattered at some points is heard at an end.
+     *
+     * @param known what is heard without them
+     * @param first what is heard over a chain that comes before all scattering
+     */
+    private MirrorChains chosen(
+            ChainTree candidates, Position end, Samples near, double known, ToDoubleFunction<int[]> first) {
+        MirrorChains tried = candidates.best(Integer.MAX_VALUE, 0.0);
+        double[] images = new double[3 * tried.count()];
+        tried.images(end.x(), end.y(), end.z(), planes, images);
+        ChainTree worthy = new ChainTree();
+        double all = known;
+        for (int chain = 1; chain < tried.count(); chain++) {
+            double worth = first.applyAsDouble(tried.walls(chain));
+            for (Sample point : near.points()) {
+                if (path.follow(
+                        tried,
+                        images,
+                        chain,
+                        point.at().x(),
+                        point.at().y(),
+                        point.at().z())) {
+                    worth += heard(point) / near.rays();
+                }
+            }
+            if (worth > 0.0) {
+                worthy.add(tried.walls(chain), worth);
+                all += worth;
+            }
+        }
+        return worthy.best(MOST_JOINED, NEGLIGIBLE * all * all / ofOneRay);
+    }
+
+    private double heard(Sample point) {
+        double reflected = 0.0;
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            reflected += path.reflected(band) / OctaveBands.COUNT;
+        }
+        double cosine = Math.max(0.0, path.cosineAtBeginning(point.normal()));
+        return point.energy() * reflected * cosine / (Math.PI * path.length() * path.length());
+    }
+}

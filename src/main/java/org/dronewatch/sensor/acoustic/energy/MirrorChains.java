@@ -1,0 +1,161 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+
+/**
+ * Sequences of walls over which sound that leaves a point is reflected specularly, one after another. They form a tree:
+ * a chain is its parent and one more wall; chain 0 is empty, and parents come before their children. Immutable.
+ */
+final class MirrorChains {
+    /** The chain without walls. */
+    static final int EMPTY = 0;
+
+    /** No chain but the empty one. */
+    static final MirrorChains NONE = new MirrorChains(new int[1], new int[1]);
+
+    private static final long STEP = 0x9E3779B97F4A7C15L;
+
+    private final int[] parents;
+    private final int[] walls;
+    private final int[] orders;
+    private final long[] keys;
+
+    /**
+     * Chains.
+     *
+     * @param parents of each chain; of the first, which is empty, any
+     * @param walls the last wall of each chain; of the first, any
+     */
+    MirrorChains(int[] parents, int[] walls) {
+        this.parents = parents.clone();
+        this.walls = walls.clone();
+        this.orders = new int[parents.length];
+        long[] found = new long[parents.length];
+        for (int chain = 1; chain < parents.length; chain++) {
+            orders[chain] = orders[parents[chain]] + 1;
+            found[chain] = appended(found[parents[chain]], walls[chain]);
+        }
+        this.keys = Arrays.copyOfRange(found, 1, found.length);
+        Arrays.sort(keys);
+    }
+
+    /** A sequence of walls, the first one first, and all that it begins with. */
+    static MirrorChains of(int... sequence) {
+        int[] itsParents = new int[sequence.length + 1];
+        int[] itsWalls = new int[sequence.length + 1];
+        for (int i = 1; i < itsWalls.length; i++) {
+            itsParents[i] = i - 1;
+            itsWalls[i] = sequence[i - 1];
+        }
+        return new MirrorChains(itsParents, itsWalls);
+    }
+
+    /**
+     * Some of these chains, and all that they begin with.
+     *
+     * @param isKept for each chain whether it is
+     */
+    MirrorChains kept(boolean[] isKept) {
+        boolean[] needed = isKept.clone();
+        needed[EMPTY] = true;
+        int count = 1;
+        for (int chain = parents.length - 1; chain > 0; chain--) {
+            if (needed[chain]) {
+                needed[parents[chain]] = true;
+                count++;
+            }
+        }
+        int[] numbers = new int[parents.length];
+        int[] itsParents = new int[count];
+        int[] itsWalls = new int[count];
+        int next = 1;
+        for (int chain = 1; chain < parents.length; chain++) {
+            if (needed[chain]) {
+                itsParents[next] = numbers[parents[chain]];
+                itsWalls[next] = walls[chain];
+                numbers[chain] = next++;
+            }
+        }
+        return new MirrorChains(itsParents, itsWalls);
+    }
+
+    /** The number of chains, the empty one included. */
+    int count() {
+        return parents.length;
+    }
+
+    /** The chain without its last wall. */
+    int parent(int chain) {
+        return parents[chain];
+    }
+
+    /** The last wall of a chain. */
+    int wall(int chain) {
+        return walls[chain];
+    }
+
+    /** How many walls a chain has. */
+    int order(int chain) {
+        return orders[chain];
+    }
+
+    /** A chain's walls, the first one first. */
+    int[] walls(int chain) {
+        int[] sequence = new int[orders[chain]];
+        for (int rest = chain; rest != EMPTY; rest = parents[rest]) {
+            sequence[orders[rest] - 1] = walls[rest];
+        }
+        return sequence;
+    }
+
+    /** The key of a chain's walls in the reverse order. */
+    long keyOfReverse(int chain) {
+        long key = 0L;
+        for (int rest = chain; rest != EMPTY; rest = parents[rest]) {
+            key = appended(key, walls[rest]);
+        }
+        return key;
+    }
+
+    /** Whether a sequence of one wall or more, known by its key, is one of these chains. */
+    boolean contains(long key) {
+        return Arrays.binarySearch(keys, key) >= 0;
+    }
+
+    /** The key of a sequence with one more wall at its end; that of the empty one is 0. */
+    static long appended(long key, int wall) {
+        return key * STEP + mixed(wall);
+    }
+
+    /**
+     * The key of a sequence with one more wall before its first: so a sequence is known by the key of its reverse.
+     *
+     * @param weight of a sequence of this length: 1 for the empty one, {@link #weightOfNext} for each wall
+     */
+    static long prepended(long key, int wall, long weight) {
+        return key + mixed(wall) * weight;
+    }
+
+    /** See {@link #prepended}. */
+    static long weightOfNext(long weight) {
+        return weight * STEP;
+    }
+
+    /** The finalizer of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): different walls have unrelated numbers. */
+    private static long mixed(int wall) {
+        long z = (wall + 1L) * STEP;
+        z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
+        z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
+        return z ^ (z >>> 31);
+    }
+
+    /** The image of a point in each chain, three coordinates each: the point mirrored in the first wall, then in the next. */
+    void images(double x, double y, double z, WallPlanes planes, double[] images) {
+        images[0] = x;
+        images[1] = y;
+        images[2] = z;
+        for (int chain = 1; chain < parents.length; chain++) {
+            planes.mirror(walls[chain], images, 3 * parents[chain], images, 3 * chain);
+        }
+    }
+}

@@ -1,0 +1,236 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
+
+/**
+ * The path from one point over a chain of walls to another, by its images: it must meet every wall where it should, with
+ * nothing between (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). One per thread.
+ */
+final class MirrorPath {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    /** How far beside the edge of two walls it is looked for each of them, as a multiple of the planes' tolerance. */
+    private static final double BESIDE = 30.0;
+
+    private final TriangleMesh mesh;
+    private final WallPlanes planes;
+    private final BandSurfaces surfaces;
+    private final Visibility visibility;
+    private final double[] reflected = new double[BANDS];
+    private double length;
+    /** Where the last leg began. */
+    private final double[] before = new double[3];
+
+    private final double[] metFirst = new double[3];
+    private final double[] first = new double[3];
+    private final double[] last = new double[3];
+
+    MirrorPath(World world, WallPlanes planes, BandSurfaces surfaces) {
+        this.mesh = world.mesh();
+        this.planes = planes;
+        this.surfaces = surfaces;
+        this.visibility = Visibility.ofClearPoints(world);
+    }
+
+    /**
+     * Follows the path from a point to that of the images, over the chain's last wall first.
+     *
+     * @param images of the other point in each chain: {@link MirrorChains#images}
+     * @return whether there is a path; the figures of this object are then those of it
+     */
+    boolean follow(MirrorChains chains, double[] images, int chain, double fromX, double fromY, double fromZ) {
+        double x = fromX;
+        double y = fromY;
+        double z = fromZ;
+        int wall = WallPlanes.NONE;
+        int corner = chain;
+        set(before, fromX, fromY, fromZ);
+        Arrays.fill(reflected, 1.0);
+        for (int rest = chain; rest != MirrorChains.EMPTY; rest = chains.parent(rest)) {
+            int next = chains.wall(rest);
+            double here = planes.height(next, x, y, z);
+            double dx = images[3 * rest] - x;
+            double dy = images[3 * rest + 1] - y;
+            double dz = images[3 * rest + 2] - z;
+            double there = planes.height(next, images[3 * rest], images[3 * rest + 1], images[3 * rest + 2]);
+            // In the edge of two walls a path meets both at once.
+            boolean isThere = wall != WallPlanes.NONE && planes.meet(wall, next) && Math.abs(here) < planes.tolerance();
+            double fraction = isThere ? 0.0 : here / (here - there);
+            corner = isThere ? corner : rest;
+            if (isMetTwice(chains, corner, rest)
+                    || !isThere && !(here * there < 0.0)
+                    || !planes.mayContain(next, x + fraction * dx, y + fraction * dy, z + fraction * dz)) {
+                return false;
+            }
+            int triangle = isThere
+                    ? besideEdge(wall, next, x, y, z, before[0], before[1], before[2])
+                    : met(x, y, z, dx, dy, dz, fraction, wall, next);
+            if (triangle < 0) {
+                return false;
+            }
+            double whole = Math.sqrt(dx * dx + dy * dy + dz * dz);
+            if (rest == chain) {
+                length = whole;
+                set(first, dx / whole, dy / whole, dz / whole);
+            }
+            int material = mesh.material(triangle);
+            double cosine = Math.abs(here - there) / whole;
+            for (int band = 0; band < BANDS; band++) {
+                reflected[band] *= surfaces.mirrored(material, band, cosine);
+            }
+            if (!isThere) {
+                set(before, x, y, z);
+            }
+            x += fraction * dx;
+            y += fraction * dy;
+            z += fraction * dz;
+            if (rest == chain) {
+                set(metFirst, x, y, z);
+            }
+            wall = next;
+        }
+        return isFreeToTheEnd(x, y, z, images, wall);
+    }
+
+    /**
+     * Whether a path would meet a wall twice in one corner.
+     *
+     * @param corner the chain whose last wall is met first in the corner
+     */
+    private static boolean isMetTwice(MirrorChains chains, int corner, int chain) {
+        for (int met = corner; met != chain; met = chains.parent(met)) {
+            if (chains.wall(met) == chains.wall(chain)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static void set(double[] vector, double x, double y, double z) {
+        vector[0] = x;
+        vector[1] = y;
+        vector[2] = z;
+    }
+
+    private boolean isFreeToTheEnd(double x, double y, double z, double[] images, int wall) {
+        double dx = images[0] - x;
+        double dy = images[1] - y;
+        double dz = images[2] - z;
+        double leg = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        set(last, dx / leg, dy / leg, dz / leg);
+        return !findFirst(x, y, z, dx, dy, dz, 1.0, wall);
+    }
+
+    /**
+     * The triangle in which a leg of a path meets a wall.
+     *
+     * @param fraction of the vector at which it should
+     * @return its number; negative if something else is met before
+     */
+    private int met(double x, double y, double z, double dx, double dy, double dz, double fraction, int from, int to) {
+        if (!findFirst(x, y, z, dx, dy, dz, Double.POSITIVE_INFINITY, from)) {
+            return -1;
+        }
+        int triangle = visibility.triangle();
+        int met = planes.wallOf(triangle);
+        if (met == to) {
+            return triangle;
+        }
+        if (met == WallPlanes.NONE || !planes.meet(met, to)) {
+            return -1;
+        }
+        // In the edge of two walls rounding decides which of them is met first.
+        double off = Math.abs(visibility.distance() - fraction) * Math.sqrt(dx * dx + dy * dy + dz * dz);
+        return off < planes.tolerance()
+                ? besideEdge(met, to, x + fraction * dx, y + fraction * dy, z + fraction * dz, x, y, z)
+                : -1;
+    }
+
+    /**
+     * The triangle of a wall beside its edge with another one.
+     *
+     * @param other the other wall
+     * @param wall the wall
+     * @param x of a point in the edge, m
+     * @param seenX of a point on that side of both walls from which they are seen, m
+     * @return its number; negative if the wall is not there
+     */
+    private int besideEdge(
+            int other, int wall, double x, double y, double z, double seenX, double seenY, double seenZ) {
+        double step = BESIDE * planes.tolerance();
+        double up = Math.copySign(step, planes.height(other, seenX, seenY, seenZ));
+        double off = Math.copySign(step, planes.height(wall, seenX, seenY, seenZ));
+        double startX = x + up * planes.normal(other, 0) + off * planes.normal(wall, 0);
+        double startY = y + up * planes.normal(other, 1) + off * planes.normal(wall, 1);
+        double startZ = z + up * planes.normal(other, 2) + off * planes.normal(wall, 2);
+        boolean found = visibility.findFirstAlong(
+                startX,
+                startY,
+                startZ,
+                -2.0 * off * planes.normal(wall, 0),
+                -2.0 * off * planes.normal(wall, 1),
+                -2.0 * off * planes.normal(wall, 2),
+                1.0);
+        return found && planes.wallOf(visibility.triangle()) == wall ? visibility.triangle() : -1;
+    }
+
+    /**
+     * Finds what a leg of a path hits first. The wall that it comes from is flat and hides nothing of what lies
+     * before it, though rounding may have put the leg's beginning behind one of its triangles.
+     */
+    private boolean findFirst(double x, double y, double z, double dx, double dy, double dz, double end, int wall) {
+        boolean found = visibility.findFirstAlong(x, y, z, dx, dy, dz, end);
+        while (found && wall != WallPlanes.NONE && planes.wallOf(visibility.triangle()) == wall) {
+            found = visibility.findNext();
+        }
+        return found;
+    }
+
+    /** The fraction of a band's energy that all walls together reflect along the path. */
+    double reflected(int band) {
+        return reflected[band];
+    }
+
+    /** A coordinate of the point where the path is reflected first, m. */
+    double metFirst(int axis) {
+        return metFirst[axis];
+    }
+
+    /** The length of the whole path, m. */
+    double length() {
+        return length;
+    }
+
+    /** Cosine of the angle between a unit vector and the direction in which the path leaves its beginning. */
+    double cosineAtBeginning(double[] unit) {
+        return first[0] * unit[0] + first[1] * unit[1] + first[2] * unit[2];
+    }
+
+    /** Cosine of the angle between a unit vector and the direction in which the path, backward, leaves its end. */
+    double cosineAtEnd(double x, double y, double z) {
+        return -(last[0] * x + last[1] * y + last[2] * z);
+    }
+
+    /** Sine of the elevation at which sound leaves the path's beginning. */
+    double riseFromBeginning() {
+        return first[2];
+    }
+
+    /** Sine of the elevation at which sound leaves the path's end, backward. */
+    double riseFromEnd() {
+        return -last[2];
+    }
+
+    /**
+     * A coordinate of the direction in which the path leaves one of its ends.
+     *
+     * @param side positive for the beginning, negative for the end
+     */
+    double leaving(double side, int axis) {
+        return side > 0.0 ? first[axis] : -last[axis];
+    }
+}

@@ -1,0 +1,104 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+
+/**
+ * The leg of a ray since it left the sensor or the source or was scattered last: its specular reflections one after
+ * another, and whether sets of chains contain them. One per thread.
+ */
+final class MirrorRun {
+    private int[] walls = new int[16];
+    private long key;
+    private long reverse;
+    private long weight;
+    private int order;
+    private boolean isThroughWalls;
+    private double length;
+    private double fromX;
+    private double fromY;
+    private double fromZ;
+
+    /** A leg begins where a ray is. */
+    void begin(AcousticRay ray) {
+        fromX = ray.originX;
+        fromY = ray.originY;
+        fromZ = ray.originZ;
+        length = 0.0;
+        key = 0L;
+        reverse = 0L;
+        weight = 1L;
+        order = 0;
+        isThroughWalls = false;
+    }
+
+    /** The ray flew on, m. */
+    void fly(double distance) {
+        length += distance;
+    }
+
+    /** One more reflection. */
+    void reflect(int wall) {
+        key = MirrorChains.appended(key, wall);
+        reverse = MirrorChains.prepended(reverse, wall, weight);
+        weight = MirrorChains.weightOfNext(weight);
+        if (order == walls.length) {
+            walls = Arrays.copyOf(walls, 2 * order);
+        }
+        walls[order] = wall;
+        order++;
+    }
+
+    /** One more wall through which the ray went. */
+    void passThrough() {
+        isThroughWalls = true;
+    }
+
+    /** How far the ray has flown, m. */
+    double length() {
+        return length;
+    }
+
+    /** How many reflections. */
+    int order() {
+        return order;
+    }
+
+    /** Whether a path over the same walls leads to a point, and not only past it. Not known of rays through walls. */
+    boolean leadsTo(Position point, MirrorPath path, WallPlanes planes) {
+        MirrorChains backward = backward();
+        double[] images = new double[3 * backward.count()];
+        backward.images(point.x(), point.y(), point.z(), planes, images);
+        return path.follow(backward, images, order, fromX, fromY, fromZ);
+    }
+
+    /** The walls in the order in which sound from the point where the ray ends would meet them. */
+    private MirrorChains backward() {
+        int[] sequence = new int[order];
+        for (int i = 0; i < order; i++) {
+            sequence[i] = walls[order - 1 - i];
+        }
+        return MirrorChains.of(sequence);
+    }
+
+    /** Whether the ray went through a wall on the way. */
+    boolean isThroughWalls() {
+        return isThroughWalls;
+    }
+
+    /** Whether the ray went straight on, through air alone. */
+    boolean isStraight() {
+        return order == 0 && !isThroughWalls;
+    }
+
+    /** Whether it is one of the chains of the point where the ray began. */
+    boolean isChainFrom(MirrorChains chains) {
+        return !isThroughWalls && order > 0 && chains.contains(key);
+    }
+
+    /** Whether it is, backward, one of the chains of a point where the ray ends. */
+    boolean isChainTo(MirrorChains chains) {
+        return !isThroughWalls && order > 0 && chains.contains(reverse);
+    }
+}

@@ -1,0 +1,117 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.Directions;
+import org.dronewatch.sensor.acoustic.propagation.Normals;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.World;
+
+/** Where a few rays from a point are scattered: a rough picture of from where sound is scattered to it. One per thread. */
+final class ScatterSamples {
+    /** The same point has the same samples: they choose what is computed how, and not what is computed. */
+    private static final long SEED = 20181126;
+
+    private static final double FAINT = 1e-3;
+
+    private final TriangleMesh mesh;
+    private final RayTracer tracer;
+    private final double[] reflected;
+    private final double[] scattered;
+    private final AcousticRay ray = new AcousticRay();
+    private final double[] normal = new double[3];
+
+    ScatterSamples(World world, BandSurfaces surfaces) {
+        this.mesh = world.mesh();
+        this.tracer = world.newIncoherentRayTracer();
+        int materials = world.surfaces().size();
+        this.reflected = new double[materials];
+        this.scattered = new double[materials];
+        for (int material = 0; material < materials; material++) {
+            for (int band = 0; band < OctaveBands.COUNT; band++) {
+                reflected[material] += surfaces.reflected(material, band) / OctaveBands.COUNT;
+                scattered[material] += surfaces.scattered(material, band) / OctaveBands.COUNT;
+            }
+        }
+    }
+
+    /**
+     * A point of a surface where sound was scattered.
+     *
+     * @param at where, m
+     * @param normal unit normal of the surface on the side of the sound
+     * @param energy the fraction of a ray's energy that is scattered there, mean of all bands
+     */
+    record Sample(Position at, double[] normal, double energy) {}
+
+    /**
+     * All samples of a point.
+     *
+     * @param points where its rays were scattered
+     * @param rays how many rays left it
+     * @param escaped the fraction of them that left the site
+     */
+    record Samples(List<Sample> points, int rays, double escaped) {}
+
+    /**
+     * Samples of a point.
+     *
+     * @param rays how many rays leave it
+     * @param most how many surfaces each of them meets
+     */
+    Samples from(Position point, int rays, int most) {
+        SplittableRandom random = new SplittableRandom(SEED);
+        List<Sample> samples = new ArrayList<>();
+        int escaped = 0;
+        for (int i = 0; i < rays; i++) {
+            Directions.ofLattice(i, rays, ray);
+            ray.originX = point.x();
+            ray.originY = point.y();
+            ray.originZ = point.z();
+            escaped += follow(random, most, samples) ? 1 : 0;
+        }
+        return new Samples(List.copyOf(samples), rays, (double) escaped / rays);
+    }
+
+    /** Follows the ray; whether it left the site. */
+    private boolean follow(SplittableRandom random, int most, List<Sample> samples) {
+        double left = 1.0;
+        int times = 0;
+        while (times < most && left > FAINT) {
+            if (!tracer.closestHit(
+                    ray.originX,
+                    ray.originY,
+                    ray.originZ,
+                    ray.directionX,
+                    ray.directionY,
+                    ray.directionZ,
+                    0.0,
+                    Double.POSITIVE_INFINITY)) {
+                return true;
+            }
+            int material = mesh.material(tracer.triangle());
+            Normals.facing(mesh, tracer.triangle(), ray, normal);
+            ray.advance(tracer.distance());
+            ray.standOff(normal, 1.0);
+            left *= reflected[material];
+            if (scattered[material] > 0.0) {
+                samples.add(new Sample(
+                        new Position(ray.originX, ray.originY, ray.originZ),
+                        normal.clone(),
+                        left * scattered[material]));
+            }
+            if (random.nextDouble() < scattered[material]) {
+                Directions.drawLambert(random, normal, ray);
+            } else {
+                ray.reflect(normal);
+            }
+            times++;
+        }
+        return false;
+    }
+}

@@ -1,0 +1,231 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.random.RandomGenerator;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.Directions;
+import org.dronewatch.sensor.acoustic.propagation.Normals;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.World;
+
+/**
+ * Where one ray from the source is scattered. Each such point is a source for rays from the sensor: those rays alone
+ * almost never meet what is near the source, where a drone flies low or lies on the ground. One per thread.
+ */
+final class ScatteredSound {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    /** The most surfaces that a ray meets. */
+    static final int MOST = 6;
+
+    private final TriangleMesh mesh;
+    private final RayTracer tracer;
+    private final WallPlanes planes;
+    private final BandSurfaces surfaces;
+    private final ReceiverSphere ofSource;
+    private final ReceiverSphere ofSensor;
+    private final Air air;
+    private final AcousticRay ray = new AcousticRay();
+    private final MirrorRun run = new MirrorRun();
+    private final double[] energy = new double[BANDS];
+    private final double[] normal = new double[3];
+    private final Point[] points = new Point[MOST];
+    private final double[] sent = new double[BANDS];
+    private Ends ends;
+    private int count;
+
+    ScatteredSound(
+            World world,
+            WallPlanes planes,
+            BandSurfaces surfaces,
+            ReceiverSphere ofSource,
+            ReceiverSphere ofSensor,
+            Air air) {
+        this.mesh = world.mesh();
+        this.tracer = world.newIncoherentRayTracer();
+        this.planes = planes;
+        this.surfaces = surfaces;
+        this.ofSource = ofSource;
+        this.ofSensor = ofSensor;
+        this.air = air;
+        for (int i = 0; i < MOST; i++) {
+            points[i] = new Point();
+        }
+    }
+
+    /** A point of a surface that scatters what comes from the source. */
+    static final class Point {
+        /** Unit normal of the surface, on the side of the sound. */
+        final double[] normal = new double[3];
+
+        /** What it scatters, by band: of a source of one watt, all of which had come here, W. */
+        final double[] energy = new double[BANDS];
+
+        /** Images of this point in the chains of the source. */
+        double[] images = new double[3];
+
+        /** Number of the surface's material. */
+        int material;
+
+        /** Where it is, m. */
+        double x;
+
+        double y;
+        double z;
+
+        /** Length of the path from the source, m. */
+        double distance;
+
+        /** How many surfaces the sound has met, this one included. */
+        int order;
+
+        /** How many times the sound is scattered, here included. */
+        int scatterings;
+
+        /** The sum of the reluctances of all legs from the source to here. */
+        double reluctance;
+    }
+
+    /** Number of points. */
+    int count() {
+        return count;
+    }
+
+    /** A point of the last ray. */
+    Point point(int number) {
+        return points[number];
+    }
+
+    /**
+     * Follows one ray from the source.
+     *
+     * @return the number of segments traced
+     */
+    int follow(Ends both, int maxOrder, RandomGenerator random) {
+        ends = both;
+        SoundSource source = ends.source();
+        Position position = source.position();
+        ray.originX = position.x();
+        ray.originY = position.y();
+        ray.originZ = position.z();
+        Directions.draw(random, ray);
+        ray.travelled = 0.0;
+        for (int band = 0; band < BANDS; band++) {
+            energy[band] = source.factor(band, ray.directionZ);
+        }
+        count = 0;
+        run.begin(ray);
+        int scatterings = 0;
+        double leaving = 0.0;
+        double before = 0.0;
+        for (int order = 1; order <= Math.min(MOST, maxOrder + 1); order++) {
+            boolean hit = tracer.closestHit(
+                    ray.originX,
+                    ray.originY,
+                    ray.originZ,
+                    ray.directionX,
+                    ray.directionY,
+                    ray.directionZ,
+                    0.0,
+                    Double.POSITIVE_INFINITY);
+            if (ends.isOpen() && scatterings > 0 && run.order() > 0 && !run.isChainTo(ends.ofSensor())) {
+                countPassing(hit ? tracer.distance() : Double.POSITIVE_INFINITY, before, random);
+            }
+            if (!hit || order > maxOrder) {
+                return order;
+            }
+            int triangle = tracer.triangle();
+            int material = mesh.material(triangle);
+            double flown = tracer.distance();
+            Normals.facing(mesh, triangle, ray, normal);
+            ray.advance(flown);
+            ray.standOff(normal, 1.0);
+            ray.travelled += flown;
+            run.fly(flown);
+            double arriving = -along();
+            for (int band = 0; band < BANDS; band++) {
+                energy[band] *= air.left(band, flown) * surfaces.reflected(material, band, arriving);
+            }
+            boolean isOverChain = run.order() == 0 || run.isChainFrom(ends.ofSource());
+            double reluctance = before;
+            if (isOverChain) {
+                reluctance += scatterings == 0
+                        ? Connections.fromPoint(arriving, run.length())
+                        : Connections.betweenSurfaces(leaving, arriving, run.length());
+            } else if (scatterings == 0 && ends.isOpen()) {
+                // Rays from the sensor may pass the source.
+                reluctance = ofSource.reluctance(run.length());
+            } else if (scatterings == 0) {
+                // Indoors, enough of them do.
+                return order;
+            }
+            boolean isScattered = false;
+            if (surfaces.scatters(material)) {
+                add(material, order, scatterings + 1, reluctance, ends.ofSource());
+                double chance = surfaces.chanceOfScattering(material, energy);
+                isScattered = random.nextDouble() < chance;
+                for (int band = 0; band < BANDS; band++) {
+                    double fraction = surfaces.scattered(material, band);
+                    energy[band] *= isScattered ? fraction / chance : (1.0 - fraction) / (1.0 - chance);
+                }
+            }
+            if (isScattered) {
+                scatterings++;
+                if (scatterings == ends.scatterings()) {
+                    return order;
+                }
+                Directions.drawLambert(random, normal, ray);
+                leaving = along();
+                for (int band = 0; band < BANDS; band++) {
+                    energy[band] *= surfaces.scatteredTo(material, band, leaving);
+                }
+                before = reluctance;
+                run.begin(ray);
+            } else if (surfaces.mirrors(material)) {
+                ray.reflect(normal);
+                run.reflect(planes.wallOf(triangle));
+            } else {
+                return order;
+            }
+        }
+        return Math.min(MOST, maxOrder);
+    }
+
+    /** Counts the ray in the sphere about the sensor. */
+    private void countPassing(double end, double reluctance, RandomGenerator random) {
+        if (!ofSensor.isCrossed(ray, run, end, random)) {
+            return;
+        }
+        for (int band = 0; band < BANDS; band++) {
+            sent[band] = energy[band] * ends.source().fraction(band);
+        }
+        ofSensor.count(ray, sent, reluctance);
+    }
+
+    /** The part of the ray's direction along the normal. */
+    private double along() {
+        return ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2];
+    }
+
+    private void add(int material, int order, int scatterings, double reluctance, MirrorChains chains) {
+        Point point = points[count++];
+        System.arraycopy(normal, 0, point.normal, 0, normal.length);
+        point.x = ray.originX;
+        point.y = ray.originY;
+        point.z = ray.originZ;
+        point.distance = ray.travelled;
+        point.order = order;
+        point.scatterings = scatterings;
+        point.reluctance = reluctance;
+        point.material = material;
+        for (int band = 0; band < BANDS; band++) {
+            point.energy[band] = energy[band] * surfaces.scattered(material, band);
+        }
+        if (point.images.length < 3 * chains.count()) {
+            point.images = new double[3 * chains.count()];
+        }
+        chains.images(point.x, point.y, point.z, planes, point.images);
+    }
+}

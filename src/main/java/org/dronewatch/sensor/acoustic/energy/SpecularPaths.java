@@ -1,0 +1,196 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.World;
+
+/**
+ * Paths over specular reflections alone, exact: one in every wall, and several along the chains of walls that rays from
+ * the sensor or from the source have found. One per thread.
+ */
+final class SpecularPaths {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    /** Images nearer to each other than so many tolerances of the planes are one. */
+    private static final double ALIKE = 100.0;
+
+    /** With so many paths no neighbours are looked for. */
+    private static final int MOST_NEIGHBOURS = 64;
+
+    private final WallPlanes planes;
+    private final Air air;
+    private final CoherentGround ground;
+    private final MirrorPath path;
+    private final MirrorChains singles;
+    private final double[] imagesInSingles;
+    private final double[] heard = new double[BANDS];
+    private final List<int[]> found = new ArrayList<>();
+    private double[] imagesInChains = new double[0];
+    private double[] images = new double[3 * 16];
+
+    SpecularPaths(World world, WallPlanes planes, BandSurfaces surfaces, Air air, CoherentGround ground) {
+        this.planes = planes;
+        this.air = air;
+        this.ground = ground;
+        this.path = new MirrorPath(world, planes, surfaces);
+        int[] parents = new int[planes.count() + 1];
+        int[] walls = new int[planes.count() + 1];
+        for (int chain = 1; chain < walls.length; chain++) {
+            walls[chain] = chain - 1;
+        }
+        this.singles = new MirrorChains(parents, walls);
+        this.imagesInSingles = new double[3 * walls.length];
+    }
+
+    /**
+     * Adds all paths from the source to the sensor.
+     *
+     * @param ofSensor chains of walls that are seen from the sensor
+     * @param ofSource chains of walls that are seen from the source
+     */
+    void addTo(FoundPaths paths, SoundSource source, Position sensor, MirrorChains ofSensor, MirrorChains ofSource) {
+        found.clear();
+        Position drone = source.position();
+        singles.images(sensor.x(), sensor.y(), sensor.z(), planes, imagesInSingles);
+        for (int chain = 1; chain < singles.count(); chain++) {
+            if (path.follow(singles, imagesInSingles, chain, drone.x(), drone.y(), drone.z())) {
+                FoundPaths itsPlace = ground.among(paths, path.metFirst(0), path.metFirst(1), path.metFirst(2));
+                add(itsPlace, source, path.riseFromBeginning());
+            }
+        }
+        imagesOf(sensor, ofSensor);
+        for (int chain = 1; chain < ofSensor.count(); chain++) {
+            if (ofSensor.order(chain) > 1
+                    && path.follow(ofSensor, imagesInChains, chain, drone.x(), drone.y(), drone.z())
+                    && keepIfNew(reversed(ofSensor.walls(chain)), 1.0)) {
+                add(paths, source, path.riseFromBeginning());
+            }
+        }
+        imagesOf(drone, ofSource);
+        for (int chain = 1; chain < ofSource.count(); chain++) {
+            if (ofSource.order(chain) > 1
+                    && !ofSensor.contains(ofSource.keyOfReverse(chain))
+                    && path.follow(ofSource, imagesInChains, chain, sensor.x(), sensor.y(), sensor.z())
+                    && keepIfNew(ofSource.walls(chain), -1.0)) {
+                add(paths, source, path.riseFromEnd());
+            }
+        }
+    }
+
+    /**
+     * Adds paths that have one wall more than those added last, or one less: near a wall, a path that meets it, too, is seen
+     * from there in so narrow a range of directions that rays may miss it.
+     *
+     * @param extra the walls that may be met, too
+     * @param maxOrder the most walls of a path
+     */
+    void addNeighbours(FoundPaths paths, SoundSource source, Position sensor, int[] extra, int maxOrder) {
+        for (int i = 0; i < found.size() && found.size() < MOST_NEIGHBOURS; i++) {
+            int[] walls = found.get(i);
+            for (int place = 0; place < walls.length && walls.length > 2; place++) {
+                addOver(without(walls, place), paths, source, sensor);
+            }
+            for (int place = 0; place <= walls.length && walls.length < maxOrder; place++) {
+                for (int wall : extra) {
+                    addOver(with(walls, place, wall), paths, source, sensor);
+                }
+            }
+        }
+    }
+
+    private void addOver(int[] walls, FoundPaths paths, SoundSource source, Position sensor) {
+        if (isTwiceInTurn(walls) || found.stream().anyMatch(known -> Arrays.equals(known, walls))) {
+            return;
+        }
+        Position drone = source.position();
+        MirrorChains chains = MirrorChains.of(walls);
+        imagesOf(drone, chains);
+        if (path.follow(chains, imagesInChains, walls.length, sensor.x(), sensor.y(), sensor.z())
+                && keepIfNew(walls, -1.0)) {
+            add(paths, source, path.riseFromEnd());
+        }
+    }
+
+    private static boolean isTwiceInTurn(int[] walls) {
+        return IntStream.range(1, walls.length).anyMatch(i -> walls[i] == walls[i - 1]);
+    }
+
+    private static int[] with(int[] walls, int place, int wall) {
+        int[] more = Arrays.copyOf(walls, walls.length + 1);
+        System.arraycopy(walls, place, more, place + 1, walls.length - place);
+        more[place] = wall;
+        return more;
+    }
+
+    private static int[] without(int[] walls, int place) {
+        int[] less = Arrays.copyOf(walls, walls.length - 1);
+        System.arraycopy(walls, place + 1, less, place, less.length - place);
+        return less;
+    }
+
+    /** The walls of all paths over several of them that were added last, from the source on. */
+    List<int[]> found() {
+        return List.copyOf(found);
+    }
+
+    /** A sequence backward. */
+    static int[] reversed(int[] walls) {
+        return IntStream.range(0, walls.length)
+                .map(i -> walls[walls.length - 1 - i])
+                .toArray();
+    }
+
+    private void imagesOf(Position point, MirrorChains chains) {
+        if (imagesInChains.length < 3 * chains.count()) {
+            imagesInChains = new double[3 * chains.count()];
+        }
+        chains.images(point.x(), point.y(), point.z(), planes, imagesInChains);
+    }
+
+    /**
+     * Over the edge of two walls at a right angle, both orders of the walls give the same path.
+     *
+     * @param walls from the source on
+     * @param side positive where the path was followed from the source, negative where from the sensor
+     */
+    private boolean keepIfNew(int[] walls, double side) {
+        double x = path.length() * path.leaving(side, 0);
+        double y = path.length() * path.leaving(side, 1);
+        double z = path.length() * path.leaving(side, 2);
+        for (int i = 0; i < found.size(); i++) {
+            double away =
+                    Math.abs(images[3 * i] - x) + Math.abs(images[3 * i + 1] - y) + Math.abs(images[3 * i + 2] - z);
+            if (away < ALIKE * planes.tolerance() && isPermutation(found.get(i), walls)) {
+                return false;
+            }
+        }
+        if (3 * found.size() == images.length) {
+            images = Arrays.copyOf(images, 2 * images.length);
+        }
+        images[3 * found.size()] = x;
+        images[3 * found.size() + 1] = y;
+        images[3 * found.size() + 2] = z;
+        found.add(walls);
+        return true;
+    }
+
+    private static boolean isPermutation(int[] some, int[] others) {
+        int[] a = some.clone();
+        int[] b = others.clone();
+        Arrays.sort(a);
+        Arrays.sort(b);
+        return Arrays.equals(a, b);
+    }
+
+    private void add(FoundPaths paths, SoundSource source, double rise) {
+        double length = path.length();
+        for (int band = 0; band < BANDS; band++) {
+            heard[band] = path.reflected(band) * source.spread(air, band, rise, length);
+        }
+        paths.add(length, heard);
+    }
+}
