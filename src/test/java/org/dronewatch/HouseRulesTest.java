@@ -155,7 +155,7 @@ class HouseRulesTest {
                             "render\\.SitePainter",
                             "render\\.photo\\.Shading",
                             "report\\.ReliefShade",
-                            "sensor\\.acoustic\\.energy\\.(BackwardRay|FirstScattering|ReceiverSphere)",
+                            "sensor\\.acoustic\\.energy\\.(BackwardRay|ChainSearch|ReceiverSphere|Scatter\\w+)",
                             "sensor\\.acoustic\\.level\\.RayChunk",
                             "sensor\\.optics\\.VisibleArea",
                             "sensor\\.rf\\.RadioPath",

@@ -69,7 +69,7 @@ class VisibilityBruteForceTest {
 
     private void compare(Supplier<Position> froms, Supplier<Position> tos) {
         Visibility visibility = new Visibility(world);
-        Visibility unrelated = Visibility.ofUnrelatedSegments(world);
+        Visibility unrelated = Visibility.ofClearPoints(world);
         for (int i = 0; i < SEGMENTS; i++) {
             Position from = froms.get();
             Position to = tos.get();

@@ -127,7 +127,7 @@ class AngularSurfaceTest {
         double direct = 1 / (4 * Math.PI * Math.pow(source.distance(sensor), 2));
         for (Position[] ends : new Position[][] {{source, sensor}, {sensor, source}}) {
             EnergyReading reading =
-                    Sites.read(ALL_RAYS.withRays(100_000), world, Sites.sound(ends[0], LOWEST), ends[1], 3);
+                    Sites.read(ALL_RAYS.withRays(400_000), world, Sites.sound(ends[0], LOWEST), ends[1], 3);
             double scattered = reading.reverberant().get(LOWEST);
             assertThat(scattered / reading.direct().get(LOWEST))
                     .as("standard error %f dB, seed 3", reading.standardError())

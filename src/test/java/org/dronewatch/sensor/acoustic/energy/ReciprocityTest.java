@@ -1,0 +1,125 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.sensor.RayRecorder;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Sound takes every path both ways (Helmholtz): a drone that sounds alike in all directions and a microphone may change
+ * places. Random places in six sites; among them drones that have landed and microphones on walls.
+ */
+class ReciprocityTest {
+    private static final long SEED = 20261123;
+
+    /** How far off the ground a landed drone sounds, and off the wall a microphone is mounted, m. */
+    private static final double LANDED = 0.1;
+
+    /** What two exact readings may differ by, dB: coordinates of single precision. */
+    private static final double EXACT = 0.02;
+
+    private final SplittableRandom random = new SplittableRandom(SEED);
+    private final List<Double> differences = new ArrayList<>();
+    private final List<String> outliers = new ArrayList<>();
+    private int pairs;
+    private int unconverged;
+
+    @Test
+    void droneAndMicrophoneMayChangePlaces() {
+        compare("hill", SoundSites.hill(), 45, new double[] {-40, -40, 125}, new double[] {40, 40, 160});
+        compare("canyon", SoundSites.canyon(), 45, new double[] {-60, -40, 0}, new double[] {60, 40, 25});
+        compare("sealed", SoundSites.sealed(), 20, new double[] {0, 0, 0}, new double[] {10, 8, 4});
+        compare("church", SoundSites.church(), 10, new double[] {-8, -20, 0}, new double[] {8, 20, 12});
+        compare("room", SoundSites.room(), 40, new double[] {0, 0, 0}, new double[] {10, 8, 4});
+        compare("waves", SoundSites.waves(), 40, new double[] {-80, -80, -2}, new double[] {80, 80, 20});
+
+        assertThat(pairs).isEqualTo(200);
+        assertThat(unconverged).as("readings on few rays, seed %d", SEED).isLessThanOrEqualTo(4);
+        assertThat(outliers)
+                .as("pairs beyond three stated errors, seed %d", SEED)
+                .hasSizeLessThanOrEqualTo(4);
+        double squares = differences.stream().mapToDouble(d -> d * d).sum();
+        assertThat(Math.sqrt(squares / differences.size()))
+                .as("differences over their stated errors, seed %d", SEED)
+                .isBetween(0.8, 1.25);
+    }
+
+    private void compare(String name, SoundSites site, int count, double[] low, double[] high) {
+        boolean isOutside = low[0] < -10;
+        for (int i = 0; i < count; i++, pairs++) {
+            Position one = place(site, low, high, isOutside, i % 3 == 0);
+            Position other = place(site, low, high, isOutside, i % 3 == 1);
+            EnergyReading there = read(site, one, other);
+            EnergyReading back = read(site, other, one);
+            String what = "%s from %s to %s: %.3f and %.3f dB, stated %.3f and %.3f"
+                    .formatted(
+                            name,
+                            one,
+                            other,
+                            there.aWeightedLevel(),
+                            back.aWeightedLevel(),
+                            there.standardError(),
+                            back.standardError());
+
+            if (there.isConverged() && back.isConverged()) {
+                judge(what, there, back);
+            } else {
+                unconverged++;
+            }
+        }
+    }
+
+    private void judge(String what, EnergyReading there, EnergyReading back) {
+        if (there.aWeightedLevel() == back.aWeightedLevel()) {
+            return; // silence both ways, or exact
+        }
+        double difference = there.aWeightedLevel() - back.aWeightedLevel();
+        double stated = Math.hypot(there.standardError(), back.standardError());
+        if (stated > EXACT) {
+            differences.add(difference / stated);
+        }
+        if (Math.abs(difference) > 3 * stated + EXACT) {
+            outliers.add(what);
+        }
+    }
+
+    private EnergyReading read(SoundSites site, Position drone, Position microphone) {
+        return site.microphone(microphone)
+                .trace(site.drone(drone), new SplittableRandom(random.nextLong()), RayRecorder.NONE);
+    }
+
+    /** A random place in the air, or just off the surface below or beside it. */
+    private Position place(SoundSites site, double[] low, double[] high, boolean isOutside, boolean isOnSurface) {
+        RayTracer tracer = site.world().newRayTracer();
+        while (true) {
+            double[] at = new double[3];
+            for (int axis = 0; axis < 3; axis++) {
+                at[axis] = random.nextDouble(low[axis], high[axis]);
+            }
+            Position place = new Position(at[0], at[1], at[2]);
+            if (isOutside && site.world().isInsideWall(place) || isUnderGround(tracer, at)) {
+                continue;
+            }
+            if (!isOnSurface) {
+                return place;
+            }
+            double azimuth = random.nextDouble(2 * Math.PI);
+            double[] to = random.nextBoolean()
+                    ? new double[] {0, 0, -1}
+                    : new double[] {Math.cos(azimuth), Math.sin(azimuth), 0};
+            if (tracer.closestHit(at[0], at[1], at[2], to[0], to[1], to[2], 0, 100) && tracer.distance() > LANDED) {
+                double fly = tracer.distance() - LANDED;
+                return new Position(at[0] + fly * to[0], at[1] + fly * to[1], at[2] + fly * to[2]);
+            }
+        }
+    }
+
+    private static boolean isUnderGround(RayTracer tracer, double[] at) {
+        return !tracer.closestHit(at[0], at[1], at[2], 0, 0, -1, 0, 1000);
+    }
+}
