@@ -1,13 +1,25 @@
 package org.dronewatch.sound;
 
 /**
- * The attenuation of sound by a single edge. The path difference is the path from the source over the edge to the
- * receiver less the straight path, m: positive where the edge hides the source, 0 at the shadow's border, negative
+ * The attenuation of sound by the edges of an obstacle. The path difference is the path from the source over the edges to
+ * the receiver less the straight path, m: positive where the obstacle hides the source, 0 at the shadow's border, negative
  * where the source is seen above the edge.
  */
 public final class Barrier {
     /** Upper limit of the attenuation by a single edge in ISO 9613-2, dB. */
     public static final double ISO_SINGLE_EDGE_LIMIT = 20.0;
+
+    /** Upper limit of the attenuation by several edges in ISO 9613-2, and by any in the other methods, dB. */
+    public static final double LIMIT = 25.0;
+
+    /** Distance from the first edge to the last, m, up to which CNOSSOS-EU, section 2.5.6, counts several as one. */
+    public static final double SINGLE_EDGE_SPAN = 0.3;
+
+    /** Path difference in wavelengths, below 0, at which an edge takes nothing: N = -0.1. */
+    public static final double MAEKAWA_REACH = 0.05;
+
+    /** The same in ISO 9613-2: N = -0.2. */
+    public static final double ISO_REACH = 0.1;
 
     private static final double AT_THE_BORDER = 3.0;
     private static final double SLOPE = 20.0;
@@ -26,27 +38,58 @@ public final class Barrier {
 
     /**
      * Attenuation by a thin half-plane, {@code 10 lg(3 + 20 N)}: the curve through Maekawa's measurements (Applied
-     * Acoustics 1, 157, 1968) for a point source. Nothing below N = -0.1, where the formula reaches 0.
+     * Acoustics 1, 157, 1968) for a point source. Nothing below N = -0.1, where the formula reaches 0; at most {@value
+     * #LIMIT} dB, the limit of the standards, since scattering and turbulence fill deeper shadows.
      *
      * @param pathDifference m
      * @param wavelength above 0, m
-     * @return 0 or more, dB
+     * @return 0 to 25 dB
      */
     public static double maekawa(double pathDifference, double wavelength) {
-        return attenuation(SLOPE * fresnelNumber(pathDifference, wavelength));
+        return Math.min(LIMIT, attenuation(SLOPE * fresnelNumber(pathDifference, wavelength)));
     }
 
     /**
-     * Attenuation by a single edge after ISO 9613-2:1996, equation (14), with C2 = 20 (reflections from the ground
-     * included), C3 = 1 (one edge) and Kmet = 1 (no bending by wind or temperature), at most
-     * {@value #ISO_SINGLE_EDGE_LIMIT} dB.
+     * Attenuation after ISO 9613-2:1996, equation (14), with C2 = 20 (reflections from the ground included) and Kmet = 1
+     * (no bending by wind or temperature); C3 is 1 for one edge and that of equation (15) for several. At most {@value
+     * #ISO_SINGLE_EDGE_LIMIT} dB by one edge, and {@value #LIMIT} dB by several.
      *
      * @param pathDifference m
+     * @param span distance from the first edge to the last along the path, 0 for one edge, m
      * @param wavelength above 0, m
-     * @return 0 to 20 dB
+     * @return 0 to 25 dB
      */
-    public static double iso9613(double pathDifference, double wavelength) {
-        return Math.min(ISO_SINGLE_EDGE_LIMIT, attenuation(SLOPE * pathDifference / wavelength));
+    public static double iso9613(double pathDifference, double span, double wavelength) {
+        double limit = span > 0.0 ? LIMIT : ISO_SINGLE_EDGE_LIMIT;
+        return Math.min(limit, attenuation(SLOPE * ofSeveralEdges(span, wavelength) * pathDifference / wavelength));
+    }
+
+    /**
+     * Attenuation after CNOSSOS-EU (Directive (EU) 2015/996, section 2.5.6), {@code 10 lg(3 + 40 C'' delta / lambda)}, in
+     * still air (homogeneous conditions): for one edge Maekawa's curve. C'' is 1 for a span of up to {@value
+     * #SINGLE_EDGE_SPAN} m. At most {@value #LIMIT} dB.
+     *
+     * @param pathDifference m
+     * @param span distance from the first edge to the last along the path, 0 for one edge, m
+     * @param wavelength above 0, m
+     * @return 0 to 25 dB
+     */
+    public static double cnossos(double pathDifference, double span, double wavelength) {
+        double several = span > SINGLE_EDGE_SPAN ? ofSeveralEdges(span, wavelength) : 1.0;
+        return Math.min(LIMIT, attenuation(SLOPE * several * fresnelNumber(pathDifference, wavelength)));
+    }
+
+    /**
+     * The factor for several edges, C3 of ISO 9613-2 and C'' of CNOSSOS-EU: from 1 for edges close together to 3 for edges
+     * many wavelengths apart.
+     */
+    private static double ofSeveralEdges(double span, double wavelength) {
+        if (!(span > 0.0)) {
+            return 1.0;
+        }
+        double square = 25.0 * wavelength * wavelength / (span * span);
+        // Close together, the square may be infinite.
+        return Double.isInfinite(square) ? 1.0 : (1.0 + square) / (1.0 / 3.0 + square);
     }
 
     private static double attenuation(double beyondTheBorder) {

@@ -7,7 +7,7 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * The deterministic paths: straight from source to sensor, through walls that transmit sound; round the nearest edge of
+ * The deterministic paths: straight from source to sensor, through walls that transmit sound; round the edges of
  * what obstructs the source; and over specular reflections. One per thread.
  */
 final class ExactPaths {
@@ -17,7 +17,7 @@ final class ExactPaths {
     private final EnergyModel model;
     private final Air air;
     private final WallTransmission walls;
-    private final EdgePath edges;
+    private final EdgeLoss edges;
     private final SpecularPaths specular;
     private final CoherentGround ground;
 
@@ -26,11 +26,14 @@ final class ExactPaths {
     private final FoundPaths mirrored = new FoundPaths();
     private final double[] heard = new double[BANDS];
 
+    /** Whether any sound comes straight. */
+    private boolean isThrough;
+
     ExactPaths(EnergyModel model, World world, WallPlanes planes, BandSurfaces surfaces, Air air) {
         this.model = model;
         this.air = air;
         this.walls = new WallTransmission(world, surfaces);
-        this.edges = new EdgePath(world);
+        this.edges = new EdgeLoss(model.diffraction(), world, surfaces, air);
         this.ground = new CoherentGround(model, world, surfaces, air);
         this.specular = new SpecularPaths(world, planes, surfaces, air, ground);
     }
@@ -83,16 +86,27 @@ final class ExactPaths {
 
     private void addDirect(SoundSource source, Position sensor) {
         Position position = source.position();
-        if (!walls.trace(
-                position.x(), position.y(), position.z(), sensor.x(), sensor.y(), sensor.z(), AcousticRay.AIR)) {
+        isThrough = walls.trace(
+                position.x(), position.y(), position.z(), sensor.x(), sensor.y(), sensor.z(), AcousticRay.AIR);
+        if (!isThrough) {
             return;
         }
         double length = Math.max(position.distance(sensor), OWN);
         double rise = (sensor.z() - position.z()) / length;
+        boolean seen = walls.isFree();
+        if (seen) {
+            edges.findNear(position, sensor);
+        }
         for (int band = 0; band < BANDS; band++) {
-            heard[band] = walls.passed(band) * source.spread(air, band, rise, length);
+            double passed = seen ? edges.past(band) : walls.passed(band);
+            heard[band] = passed * source.spread(air, band, rise, length);
         }
         direct.add(length, heard);
+    }
+
+    /** What walls on the straight line let through. */
+    private double passed(int band) {
+        return isThrough ? walls.passed(band) : 0.0;
     }
 
     /** What would arrive directly in each band without obstructions. */
@@ -108,19 +122,19 @@ final class ExactPaths {
 
     private void addDiffracted(SoundSource source, Position sensor) {
         Position position = source.position();
-        if (!edges.find(position, sensor)) {
+        if (!edges.findPath(position, sensor)) {
             return;
         }
         double straight = Math.max(position.distance(sensor), OWN);
-        double length = straight + edges.pathDifference();
+        double length = straight + edges.path().pathDifference();
         for (int band = 0; band < BANDS; band++) {
-            double wavelength = air.soundSpeed() / OctaveBands.midband(band);
-            double loss = model.diffraction().attenuation(edges.pathDifference(), wavelength);
-            // The edge's loss is relative to what would arrive by the straight path; only the air attenuates over the
-            // longer one.
-            heard[band] = Math.pow(10.0, -0.1 * loss)
+            // The edges' loss is relative to what would arrive by the straight path; only the air attenuates over the
+            // longer one. What walls let through is no longer there to go round: both together never exceed the sound in
+            // the open.
+            heard[band] = (1.0 - passed(band))
+                    * edges.round(band)
                     * source.fraction(band)
-                    * source.factor(band, edges.sinElevation())
+                    * source.factor(band, edges.path().sinElevation())
                     * air.left(band, length)
                     / (4.0 * Math.PI * straight * straight);
         }

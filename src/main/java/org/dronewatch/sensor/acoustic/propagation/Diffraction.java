@@ -3,38 +3,75 @@ package org.dronewatch.sensor.acoustic.propagation;
 import org.dronewatch.sound.Barrier;
 
 /**
- * How sound bends round an edge into a shadow. Both are approximations for a single edge, applied in the shadow only:
- * at its border they step from 0 to 5 dB.
+ * How sound bends round edges into a shadow. All are approximations; none has a step at the shadow's border, where they
+ * take 4.77 dB: they fade to nothing where the source is seen above the edge, within {@link #reach}.
  */
 public enum Diffraction {
     /** No diffraction: only transmission through walls reaches the shadow zone. */
     OFF {
         @Override
-        public double attenuation(double pathDifference, double wavelength) {
-            return Double.POSITIVE_INFINITY;
+        public double attenuation(double pathDifference, double span, double wavelength) {
+            return pathDifference < 0.0 ? 0.0 : Double.POSITIVE_INFINITY;
+        }
+
+        @Override
+        public double reach(double wavelength) {
+            return 0.0;
         }
     },
-    /** The curve through Maekawa's measurements: {@link Barrier#maekawa}. */
+    /** The curve through Maekawa's measurements, over the whole detour where there are several edges: {@link Barrier#maekawa}. */
     MAEKAWA {
         @Override
-        public double attenuation(double pathDifference, double wavelength) {
+        public double attenuation(double pathDifference, double span, double wavelength) {
             return Barrier.maekawa(pathDifference, wavelength);
         }
+
+        @Override
+        public double reach(double wavelength) {
+            return Barrier.MAEKAWA_REACH * wavelength;
+        }
     },
-    /** The engineering method of ISO 9613-2, at most 20 dB: {@link Barrier#iso9613}. */
+    /** The engineering method of ISO 9613-2, at most 20 dB at one edge and 25 dB at several: {@link Barrier#iso9613}. */
     ISO9613 {
         @Override
-        public double attenuation(double pathDifference, double wavelength) {
-            return Barrier.iso9613(pathDifference, wavelength);
+        public double attenuation(double pathDifference, double span, double wavelength) {
+            return Barrier.iso9613(pathDifference, span, wavelength);
+        }
+
+        @Override
+        public double reach(double wavelength) {
+            return Barrier.ISO_REACH * wavelength;
+        }
+    },
+    /** The method of the European Union for noise maps (CNOSSOS-EU), at most 25 dB: {@link Barrier#cnossos}. */
+    CNOSSOS {
+        @Override
+        public double attenuation(double pathDifference, double span, double wavelength) {
+            return Barrier.cnossos(pathDifference, span, wavelength);
+        }
+
+        @Override
+        public double reach(double wavelength) {
+            return Barrier.MAEKAWA_REACH * wavelength;
         }
     };
 
     /**
-     * The attenuation by the edge of the sound that would arrive without the obstacle.
+     * The attenuation by edges of the sound that would arrive without the obstacle.
      *
-     * @param pathDifference how much longer the path over the edge is than the straight one, 0 or more, m
+     * @param pathDifference how much longer the path over the edges is than the straight one, m; negative where the
+     *     source is seen
+     * @param span how long that path is from the first edge to the last, m; 0 for one edge
      * @param wavelength above 0, m
-     * @return dB
+     * @return 0 or more, dB
      */
-    public abstract double attenuation(double pathDifference, double wavelength);
+    public abstract double attenuation(double pathDifference, double span, double wavelength);
+
+    /**
+     * How far above the edge a line of sight is free of it.
+     *
+     * @param wavelength above 0, m
+     * @return how much longer the path that touches the edge then is than the line, m
+     */
+    public abstract double reach(double wavelength);
 }

@@ -1,0 +1,292 @@
+package org.dronewatch.sensor.acoustic.edge;
+
+import java.util.Arrays;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.EllipsoidQuery;
+import org.dronewatch.world.World;
+
+/**
+ * The shortest way round what stands between two points, over any number of edges: a rubber band in the plane through
+ * both in which it is shortest. {@value #PLANES} planes are tried, more where no way is found, and the best ones turned
+ * until the way gets no shorter. For one straight edge that is the way of all ways; over several it is what standards
+ * compute, who divide propagation into planes. A way through an opening that none of the planes meets is not found.
+ *
+ * <p>Short detours are looked for first, so that only what is near the straight line is examined where that is enough.
+ * Exchanging the points gives the same way. One per thread.
+ */
+public final class EdgePath {
+    private static final int PLANES = 12;
+
+    /** Where no plane has a way, planes between them are tried up to this number. */
+    private static final int MOST_PLANES = 48;
+
+    /** The first detour that is looked for, m, and by which factor it grows. */
+    private static final double FIRST_DETOUR = 0.5;
+
+    private static final double LONGER = 8.0;
+
+    /** Other planes are turned, too, if their detour is at most this much longer than the shortest. */
+    private static final double NEARLY_AS_SHORT = 1.15;
+
+    /** No way is longer than this multiple of one to the farthest place of the world. */
+    private static final double TO_AND_FRO = 4.0;
+
+    private static final double GOLDEN = 0.5 * (Math.sqrt(5.0) - 1.0);
+    private static final int TURNS = 16;
+
+    private final World world;
+    private final TriangleMesh mesh;
+    private final PlaneCut cut;
+    private final RubberBand band = new RubberBand();
+    private final double[] detours = new double[PLANES];
+
+    private Position from;
+    private Position to;
+    private Position ahead;
+    private Position across;
+    private Position up;
+    private double straight;
+
+    private double pathDifference;
+    private int edges;
+    private double bend;
+    private double[] along = new double[8];
+    private double[] turned = new double[8];
+    private double firstRise;
+    private double lastRise;
+    private boolean exchanged;
+
+    /** Ways in a world. */
+    public EdgePath(World world) {
+        this.world = world;
+        this.mesh = world.mesh();
+        this.cut = new PlaneCut(mesh, new EllipsoidQuery(world.tree()));
+    }
+
+    /**
+     * Looks for the shortest way round between two points that do not see each other.
+     *
+     * @return false where none was found
+     */
+    public boolean find(Position source, Position sensor) {
+        // The same numbers whichever is the source.
+        exchanged = isAfter(source, sensor);
+        from = exchanged ? sensor : source;
+        to = exchanged ? source : sensor;
+        Position vector = to.minus(from);
+        straight = vector.length();
+        pathDifference = Double.POSITIVE_INFINITY;
+        if (!(straight > 0.0) || mesh.triangleCount() == 0) {
+            return false;
+        }
+        ahead = vector.times(1.0 / straight);
+        across = across(ahead);
+        up = across.cross(ahead);
+        double farthest = farthest();
+        double detour = FIRST_DETOUR;
+        double limit;
+        do {
+            limit = straight + detour;
+            if (limit >= farthest) {
+                // A taut string stays within the hull of the world and its ends, but may go to and fro in it.
+                limit = TO_AND_FRO * farthest;
+            }
+            search(limit);
+            detour *= LONGER;
+        } while (!isFound() && limit < farthest);
+        for (int planes = 2 * PLANES; !isFound() && planes <= MOST_PLANES; planes *= 2) {
+            searchBetween(planes, limit);
+        }
+        return isFound();
+    }
+
+    /** How much longer the way found last is than the straight one, 0 or more, m. */
+    public double pathDifference() {
+        return pathDifference;
+    }
+
+    /** How many edges it goes round. */
+    public int edges() {
+        return edges;
+    }
+
+    /** How far along it an edge is from the beginning, m; either end of it may be the source. */
+    public double along(int edge) {
+        return along[edge];
+    }
+
+    /** By how much it turns at the edges up to one, that one included, rad. */
+    public double turnUpTo(int edge) {
+        return turned[edge];
+    }
+
+    /** By how much it turns at the edges from one on, that one included, rad. */
+    public double turnFrom(int edge) {
+        return turned[edges - 1] - (edge > 0 ? turned[edge - 1] : 0.0);
+    }
+
+    /** By how much the outline of the obstacle bends at the sharpest of its edges, rad: pi for the end of a sheet. */
+    public double bend() {
+        return bend;
+    }
+
+    /** Sine of the elevation at which it leaves the source. */
+    public double sinElevation() {
+        return exchanged ? lastRise : firstRise;
+    }
+
+    private boolean isFound() {
+        return Double.isFinite(pathDifference);
+    }
+
+    /** Tries all planes, and turns those that are best. */
+    private void search(double limit) {
+        double step = Math.PI / PLANES;
+        for (int i = 0; i < PLANES; i++) {
+            detours[i] = detour(i * step, bound(limit));
+        }
+        double best = pathDifference;
+        if (!isFound()) {
+            return;
+        }
+        double[] sampled = detours;
+        for (int i = 0; i < PLANES; i++) {
+            double here = sampled[i];
+            if (here <= NEARLY_AS_SHORT * best + 1e-6
+                    && here <= sampled[(i + PLANES - 1) % PLANES]
+                    && here <= sampled[(i + 1) % PLANES]) {
+                turn(i * step, step);
+            }
+        }
+    }
+
+    /** Tries the planes that lie between those tried before. */
+    private void searchBetween(int planes, double limit) {
+        double step = Math.PI / planes;
+        Arrays.fill(detours, Double.POSITIVE_INFINITY);
+        double bestAngle = 0.0;
+        for (int i = 1; i < planes; i += 2) {
+            double before = pathDifference;
+            detour(i * step, bound(limit));
+            if (pathDifference < before) {
+                bestAngle = i * step;
+            }
+        }
+        if (isFound()) {
+            turn(bestAngle, step);
+        }
+    }
+
+    /** Turns a plane by up to a step to either side to where its way is shortest, by golden section. */
+    private void turn(double angle, double step) {
+        double limit = bound(Double.POSITIVE_INFINITY);
+        double low = angle - step;
+        double high = angle + step;
+        double left = high - GOLDEN * (high - low);
+        double right = low + GOLDEN * (high - low);
+        double ofLeft = detour(left, limit);
+        double ofRight = detour(right, limit);
+        for (int i = 0; i < TURNS; i++) {
+            boolean toTheLeft = ofLeft == ofRight ? angle < 0.5 * (left + right) : ofLeft < ofRight;
+            if (toTheLeft) {
+                high = right;
+                right = left;
+                ofRight = ofLeft;
+                left = high - GOLDEN * (high - low);
+                ofLeft = detour(left, limit);
+            } else {
+                low = left;
+                left = right;
+                ofLeft = ofRight;
+                right = low + GOLDEN * (high - low);
+                ofRight = detour(right, limit);
+            }
+        }
+    }
+
+    /** What need not be looked at once a way is known: planes with a much longer one. */
+    private double bound(double limit) {
+        return isFound() ? Math.min(limit, straight + 2.0 * pathDifference + 1e-3) : limit;
+    }
+
+    /** How much longer the shortest way in a plane is; kept if none was shorter. Infinity where it is beyond the limit. */
+    private double detour(double angle, double limit) {
+        Position side = up.times(Math.cos(angle)).plus(across.times(Math.sin(angle)));
+        cut.cut(from, to, ahead, side, limit);
+        if (!band.find(cut, straight, limit)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double detour = Math.max(0.0, band.length() - straight);
+        if (detour < pathDifference) {
+            keep(detour, side);
+        }
+        return detour;
+    }
+
+    private void keep(double detour, Position side) {
+        pathDifference = detour;
+        edges = band.corners();
+        if (along.length < edges) {
+            along = new double[2 * edges];
+            turned = new double[2 * edges];
+        }
+        bend = 0.0;
+        double u = 0.0;
+        double v = 0.0;
+        double way = 0.0;
+        double turning = 0.0;
+        double direction = 0.0;
+        for (int i = 0; i <= edges; i++) {
+            double du = (i < edges ? band.u(i) : straight) - u;
+            double dv = (i < edges ? band.v(i) : 0.0) - v;
+            double leg = Math.hypot(du, dv);
+            double next = Math.atan2(dv, du);
+            double rise = (du * ahead.z() + dv * side.z()) / leg;
+            if (i == 0) {
+                firstRise = rise;
+            } else {
+                turning += Math.abs(Math.IEEEremainder(next - direction, 2.0 * Math.PI));
+                turned[i - 1] = turning;
+            }
+            lastRise = -rise;
+            way += leg;
+            if (i < edges) {
+                along[i] = way;
+                bend = Math.max(bend, band.bend(i));
+            }
+            direction = next;
+            u += du;
+            v += dv;
+        }
+    }
+
+    /** The sum of distances beyond which nothing of the world is left out. */
+    private double farthest() {
+        AABB box = world.bounds();
+        double farthest = straight;
+        for (int i = 0; i < 8; i++) {
+            Position corner = new Position(
+                    (i & 1) == 0 ? box.minX() : box.maxX(),
+                    (i & 2) == 0 ? box.minY() : box.maxY(),
+                    (i & 4) == 0 ? box.minZ() : box.maxZ());
+            farthest = Math.max(farthest, from.distance(corner) + corner.distance(to));
+        }
+        return farthest;
+    }
+
+    private static boolean isAfter(Position one, Position other) {
+        if (one.x() != other.x()) {
+            return one.x() > other.x();
+        }
+        return one.y() != other.y() ? one.y() > other.y() : one.z() > other.z();
+    }
+
+    /** A horizontal direction across, so that the first plane is vertical; any for a vertical line. */
+    private static Position across(Position ahead) {
+        Position across = new Position(ahead.y(), -ahead.x(), 0.0);
+        double length = across.length();
+        return length < 1e-9 ? new Position(1.0, 0.0, 0.0) : across.times(1.0 / length);
+    }
+}

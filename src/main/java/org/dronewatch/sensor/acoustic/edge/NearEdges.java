@@ -1,0 +1,211 @@
+package org.dronewatch.sensor.acoustic.edge;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.EllipsoidQuery;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
+
+/**
+ * The edges that a free line of sight passes closely, and that would obstruct it if it passed on their other side. Only
+ * where the outline of an obstacle bends is an edge: seams of flat surfaces and valleys are none. One per thread.
+ */
+public final class NearEdges {
+    /**
+     * An edge near a line of sight.
+     *
+     * @param detour how much longer the way that touches it is than the line, 0 or more, m
+     * @param bend by how much the outline of the obstacle bends there, rad; pi for the end of a sheet
+     * @param material number of the material of a triangle at the edge
+     */
+    public record NearEdge(double detour, double bend, int material) {}
+
+    private record Key(float x, float y, float z, float toX, float toY, float toZ) {}
+
+    /** An obstacle may rise over the way that touches its edge by this angle, rad. */
+    private static final double TOUCHING = 1e-3;
+
+    /** How far from the edge the way along which it must be seen passes it, m. */
+    private static final double PASSING = 1e-4;
+
+    private static final double NOTHING = 1e-9;
+
+    private final TriangleMesh mesh;
+    private final EllipsoidQuery query;
+    private final Visibility visibility;
+    private final Cone cone = new Cone();
+    private final double[] normal = new double[3];
+
+    /** Edges of a world. */
+    public NearEdges(World world) {
+        this.mesh = world.mesh();
+        this.query = new EllipsoidQuery(world.tree());
+        this.visibility = new Visibility(world);
+    }
+
+    /**
+     * Finds the edges near the line between two points that see each other.
+     *
+     * @param longest detours longer than this do not count, above 0, m
+     */
+    public List<NearEdge> find(Position source, Position sensor, double longest) {
+        double straight = source.distance(sensor);
+        if (!(straight > 0.0) || mesh.triangleCount() == 0) {
+            return List.of();
+        }
+        query.find(source, sensor, straight + longest);
+        if (query.count() == 0) {
+            return List.of();
+        }
+        Map<Key, List<Integer>> trianglesOfEdges = new LinkedHashMap<>();
+        for (int i = 0; i < query.count(); i++) {
+            int triangle = query.triangle(i);
+            for (int k = 0; k < 3; k++) {
+                Position one = corner(triangle, k);
+                Position other = corner(triangle, (k + 1) % 3);
+                if (detour(source, sensor, nearest(source, sensor, one, other), straight) < longest) {
+                    trianglesOfEdges
+                            .computeIfAbsent(key(triangle, k), unseen -> new ArrayList<>(2))
+                            .add(triangle);
+                }
+            }
+        }
+        Position ahead = sensor.minus(source).times(1.0 / straight);
+        List<NearEdge> edges = new ArrayList<>();
+        trianglesOfEdges.forEach((key, triangles) -> {
+            Position one = new Position(key.x(), key.y(), key.z());
+            Position other = new Position(key.toX(), key.toY(), key.toZ());
+            Position at = nearest(source, sensor, one, other);
+            double bend = bend(source, ahead, straight, at, other.minus(one), triangles);
+            if (bend > 0.0 && isSeen(source, sensor, ahead, at)) {
+                edges.add(new NearEdge(detour(source, sensor, at, straight), bend, mesh.material(triangles.get(0))));
+            }
+        });
+        return edges;
+    }
+
+    private static double detour(Position source, Position sensor, Position at, double straight) {
+        return Math.max(0.0, source.distance(at) + at.distance(sensor) - straight);
+    }
+
+    /** The point of an edge over which the way is shortest: where it is straight once both legs are turned into a plane. */
+    private static Position nearest(Position source, Position sensor, Position one, Position other) {
+        Position edge = other.minus(one);
+        double square = edge.dot(edge);
+        if (!(square > 0.0)) {
+            return one;
+        }
+        double ofSource = source.minus(one).dot(edge) / square;
+        double ofSensor = sensor.minus(one).dot(edge) / square;
+        double fromSource = source.distance(one.plus(edge.times(ofSource)));
+        double fromSensor = sensor.distance(one.plus(edge.times(ofSensor)));
+        double both = fromSource + fromSensor;
+        double at = both > 0.0 ? (ofSource * fromSensor + ofSensor * fromSource) / both : ofSource;
+        return one.plus(edge.times(Math.max(0.0, Math.min(1.0, at))));
+    }
+
+    /**
+     * By how much the triangles of an edge bend in the plane through both ends of the line and a point of the edge; 0 where
+     * they would not obstruct a line on the other side of it.
+     */
+    private double bend(
+            Position source, Position ahead, double straight, Position at, Position edge, List<Integer> triangles) {
+        Position vector = at.minus(source);
+        double u = vector.dot(ahead);
+        Position beside = vector.minus(ahead.times(u));
+        double v = beside.length();
+        if (v < NOTHING) {
+            // The line touches the edge: the obstacle is on the side on which its triangles are.
+            beside = new Position(0.0, 0.0, 0.0);
+            for (int triangle : triangles) {
+                Position inward = inward(triangle, at, edge);
+                beside = beside.plus(inward.minus(ahead.times(inward.dot(ahead))));
+            }
+        }
+        if (!(beside.length() > NOTHING * NOTHING)) {
+            return 0.0;
+        }
+        Position side = beside.unit();
+        Position plane = ahead.cross(side);
+        cone.clear();
+        double fold = Math.PI;
+        for (int triangle : triangles) {
+            mesh.normal(triangle, normal);
+            Position along = new Position(normal[0], normal[1], normal[2]).cross(plane);
+            Position inward = inward(triangle, at, edge);
+            for (int other : triangles) {
+                fold = other == triangle ? fold : Math.min(fold, Math.PI - inward.angle(inward(other, at, edge)));
+            }
+            double into = along.dot(inward);
+            double length = along.length();
+            if (Math.abs(into) <= NOTHING * length * inward.length()) {
+                // The edge lies in the plane, in which it has no outline.
+                return 0.0;
+            }
+            double sign = Math.copySign(1.0 / length, into);
+            cone.add(sign * along.dot(ahead), sign * along.dot(side));
+        }
+        if (!cone.isCorner()
+                || isOnNearSide(cone.firstU(), cone.firstV(), u, v, straight)
+                || isOnNearSide(cone.lastU(), cone.lastV(), u, v, straight)
+                || isOnNearSide(cone.middleU(), cone.middleV(), u, v, straight)) {
+            return 0.0;
+        }
+        // A plane that nearly is a surface's own shows bends in it that are due to the rounding of coordinates.
+        return Math.min(fold, cone.bend());
+    }
+
+    /** From an edge into a triangle, perpendicular to the edge. */
+    private Position inward(int triangle, Position at, Position edge) {
+        Position centre = corner(triangle, 0)
+                .plus(corner(triangle, 1))
+                .plus(corner(triangle, 2))
+                .times(1.0 / 3.0);
+        Position inward = centre.minus(at);
+        return inward.minus(edge.times(inward.dot(edge) / edge.dot(edge)));
+    }
+
+    /** Whether a direction from the edge at (u, v) leads between the legs to both ends, to the side of the line. */
+    private static boolean isOnNearSide(double du, double dv, double u, double v, double straight) {
+        double toSource = -u * dv + v * du;
+        double toSensor = -dv * (straight - u) - du * v;
+        return toSource > TOUCHING * Math.hypot(u, v) && toSensor > TOUCHING * Math.hypot(straight - u, v);
+    }
+
+    /** Whether nothing hides an edge: it may lie inside a building or under the ground. */
+    private boolean isSeen(Position source, Position sensor, Position ahead, Position at) {
+        Position vector = at.minus(source);
+        Position beside = vector.minus(ahead.times(vector.dot(ahead)));
+        double distance = beside.length();
+        if (distance < PASSING) {
+            return true;
+        }
+        Position passing = at.minus(beside.times(PASSING / distance));
+        return visibility.isFree(source, passing) && visibility.isFree(passing, sensor);
+    }
+
+    private Position corner(int triangle, int corner) {
+        return new Position(
+                mesh.coordinate(triangle, corner, 0),
+                mesh.coordinate(triangle, corner, 1),
+                mesh.coordinate(triangle, corner, 2));
+    }
+
+    /** The corners of an edge, in the same order for all triangles of the edge. */
+    private Key key(int triangle, int k) {
+        int next = (k + 1) % 3;
+        // Zeros of both signs are one coordinate.
+        float x = 0.0f + mesh.coordinate(triangle, k, 0);
+        float y = 0.0f + mesh.coordinate(triangle, k, 1);
+        float z = 0.0f + mesh.coordinate(triangle, k, 2);
+        float toX = 0.0f + mesh.coordinate(triangle, next, 0);
+        float toY = 0.0f + mesh.coordinate(triangle, next, 1);
+        float toZ = 0.0f + mesh.coordinate(triangle, next, 2);
+        boolean swap = x != toX ? x > toX : y != toY ? y > toY : z > toZ;
+        return swap ? new Key(toX, toY, toZ, x, y, z) : new Key(x, y, z, toX, toY, toZ);
+    }
+}

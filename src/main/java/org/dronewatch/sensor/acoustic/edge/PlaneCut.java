@@ -1,0 +1,204 @@
+package org.dronewatch.sensor.acoustic.edge;
+
+import java.util.Arrays;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.EllipsoidQuery;
+
+/**
+ * The outline of a world in a plane through two points, near those points: the straight pieces in which the plane cuts
+ * triangles, in coordinates u along the line from the first point to the second and v across it. Pieces that share a
+ * corner or an edge of the mesh, by its coordinates, share an end. A plane that runs through corners is taken for one an
+ * infinitesimal distance beside it, so that each triangle is cut in one piece or not at all. One per thread.
+ */
+final class PlaneCut {
+    /** Corners nearer to the plane than this lie on it, m: shorter pieces would have no direction that means anything. */
+    private static final double ON_PLANE = 1e-7;
+
+    private final TriangleMesh mesh;
+    private final EllipsoidQuery query;
+
+    private double[] u = new double[256];
+    private double[] v = new double[256];
+    private Cone[] cones = new Cone[0];
+    private int points;
+    private int[] ends = new int[512];
+    private int pieces;
+
+    /** Open addressing: one more than the number of a point, 0 for none. */
+    private int[] table = new int[1024];
+
+    private Position origin;
+    private Position ahead;
+    private Position side;
+
+    /** Corners of the triangle at hand, relative to the origin, with their heights over the plane. */
+    private final double[][] corner = new double[3][3];
+
+    private final double[] height = new double[3];
+    private final double[] crossing = new double[3];
+
+    PlaneCut(TriangleMesh mesh, EllipsoidQuery query) {
+        this.mesh = mesh;
+        this.query = query;
+    }
+
+    /**
+     * Cuts what reaches into an ellipsoid about two points.
+     *
+     * @param from the first point
+     * @param to the second
+     * @param ahead from the first to the second, of length 1
+     * @param side in the plane, perpendicular to that, of length 1
+     * @param sum of the distances from both points of a point on the ellipsoid, m
+     */
+    void cut(Position from, Position to, Position ahead, Position side, double sum) {
+        this.origin = from;
+        this.ahead = ahead;
+        this.side = side;
+        Position normal = ahead.cross(side);
+        query.findAtPlane(from, to, sum, normal, ON_PLANE);
+        points = 0;
+        pieces = 0;
+        reserve(query.count());
+        for (int i = 0; i < query.count(); i++) {
+            cut(query.triangle(i), normal);
+        }
+        for (int i = 0; i < points; i++) {
+            cones[i].clear();
+        }
+        for (int i = 0; i < pieces; i++) {
+            int a = ends[2 * i];
+            int b = ends[2 * i + 1];
+            double du = u[b] - u[a];
+            double dv = v[b] - v[a];
+            double length = Math.sqrt(du * du + dv * dv);
+            cones[a].add(du / length, dv / length);
+            cones[b].add(-du / length, -dv / length);
+        }
+    }
+
+    /** How many ends of pieces there are. */
+    int points() {
+        return points;
+    }
+
+    double u(int point) {
+        return u[point];
+    }
+
+    double v(int point) {
+        return v[point];
+    }
+
+    /** The directions of the pieces that meet at a point. */
+    Cone cone(int point) {
+        return cones[point];
+    }
+
+    /** How many pieces there are. */
+    int pieces() {
+        return pieces;
+    }
+
+    /** The point at which a piece begins. */
+    int start(int piece) {
+        return ends[2 * piece];
+    }
+
+    /** The point at which a piece ends. */
+    int end(int piece) {
+        return ends[2 * piece + 1];
+    }
+
+    private void cut(int triangle, Position normal) {
+        int above = 0;
+        for (int k = 0; k < 3; k++) {
+            double[] c = corner[k];
+            c[0] = mesh.coordinate(triangle, k, 0) - origin.x();
+            c[1] = mesh.coordinate(triangle, k, 1) - origin.y();
+            c[2] = mesh.coordinate(triangle, k, 2) - origin.z();
+            double over = c[0] * normal.x() + c[1] * normal.y() + c[2] * normal.z();
+            height[k] = Math.abs(over) < ON_PLANE ? 0.0 : over;
+            above += height[k] >= 0.0 ? 1 : 0;
+        }
+        if (above == 0 || above == 3) {
+            return;
+        }
+        int alone = 0;
+        while (height[alone] >= 0.0 != (above == 1)) {
+            alone++;
+        }
+        int first = crossing(alone, (alone + 1) % 3);
+        int second = crossing(alone, (alone + 2) % 3);
+        if (first != second) {
+            ends[2 * pieces] = first;
+            ends[2 * pieces + 1] = second;
+            pieces++;
+        }
+    }
+
+    /** The point at which the plane cuts a side, the same from either end and for either triangle of the side. */
+    private int crossing(int one, int other) {
+        double[] p = corner[one];
+        double[] q = corner[other];
+        if (height[one] == 0.0) {
+            return point(p);
+        }
+        if (height[other] == 0.0) {
+            return point(q);
+        }
+        boolean swap = Arrays.compare(p, q) > 0;
+        double[] from = swap ? q : p;
+        double[] to = swap ? p : q;
+        double ofFrom = height[swap ? other : one];
+        double ofTo = height[swap ? one : other];
+        double fraction = ofFrom / (ofFrom - ofTo);
+        for (int axis = 0; axis < 3; axis++) {
+            crossing[axis] = from[axis] + fraction * (to[axis] - from[axis]);
+        }
+        return point(crossing);
+    }
+
+    private int point(double[] at) {
+        double pu = at[0] * ahead.x() + at[1] * ahead.y() + at[2] * ahead.z();
+        double pv = at[0] * side.x() + at[1] * side.y() + at[2] * side.z();
+        long bits = Double.doubleToLongBits(pu) * 0x9E3779B97F4A7C15L + Double.doubleToLongBits(pv);
+        bits *= 0xC2B2AE3D27D4EB4FL;
+        int slot = (int) (bits >>> 32) & (table.length - 1);
+        while (table[slot] != 0) {
+            int known = table[slot] - 1;
+            if (u[known] == pu && v[known] == pv) {
+                return known;
+            }
+            slot = (slot + 1) & (table.length - 1);
+        }
+        table[slot] = points + 1;
+        u[points] = pu;
+        v[points] = pv;
+        return points++;
+    }
+
+    /** Room for the pieces of so many triangles: at most two points each. */
+    private void reserve(int triangles) {
+        int most = 2 * triangles;
+        if (u.length < most) {
+            u = new double[2 * most];
+            v = new double[2 * most];
+            ends = new int[2 * most];
+        }
+        int known = cones.length;
+        if (known < most) {
+            cones = Arrays.copyOf(cones, 2 * most);
+            for (int i = known; i < cones.length; i++) {
+                cones[i] = new Cone();
+            }
+        }
+        int slots = Math.max(16, Integer.highestOneBit(Math.max(1, most)) * 4);
+        if (table.length != slots) {
+            table = new int[slots];
+        } else {
+            Arrays.fill(table, 0);
+        }
+    }
+}

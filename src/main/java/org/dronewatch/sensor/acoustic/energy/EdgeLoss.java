@@ -1,0 +1,134 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.edge.EdgePath;
+import org.dronewatch.sensor.acoustic.edge.NearEdges;
+import org.dronewatch.sensor.acoustic.edge.NearEdges.NearEdge;
+import org.dronewatch.sensor.acoustic.propagation.Diffraction;
+import org.dronewatch.sound.Barrier;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.World;
+
+/**
+ * What the edges of obstacles leave of the sound between two points: of that which goes round them, where they hide the
+ * source, and of the direct sound that passes them closely.
+ *
+ * <p>An edge at which the outline bends by less than {@value #FULL_BEND} degrees counts in proportion, up to N = {@value
+ * #FULL_SHADOW} in its shadow, from where it counts in full: flat ground has no edges, and ground of many slight bends takes
+ * little as long as it hides nothing. Several edges count as one until the path turns at the first and the last by {@value
+ * #FULL_TURN} degrees, so that an edge which the path just begins to touch makes no step. One per thread.
+ */
+final class EdgeLoss {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    /** Degrees by which the outline must bend for an edge to count in full at the shadow's border. */
+    private static final double FULL_BEND = 5.0;
+
+    /** Fresnel number from which every edge counts in full. */
+    private static final double FULL_SHADOW = 0.1;
+
+    /** Degrees by which a path must turn at an edge for it to be the first or the last of several. */
+    private static final double FULL_TURN = 0.5;
+
+    /** Up to so many degrees, a surface is flat: coordinates of single precision are not exactly in a plane. */
+    private static final double FLAT = 0.1;
+
+    private final Diffraction diffraction;
+    private final BandSurfaces surfaces;
+    private final Air air;
+    private final EdgePath path;
+    private final NearEdges near;
+    private final double[] losses = new double[BANDS];
+    private final double[] past = new double[BANDS];
+
+    EdgeLoss(Diffraction diffraction, World world, BandSurfaces surfaces, Air air) {
+        this.diffraction = diffraction;
+        this.surfaces = surfaces;
+        this.air = air;
+        this.path = new EdgePath(world);
+        this.near = new NearEdges(world);
+    }
+
+    /** Looks for the path round what hides a source; false where there is none, or no diffraction. */
+    boolean findPath(Position source, Position sensor) {
+        if (diffraction == Diffraction.OFF || !path.find(source, sensor)) {
+            return false;
+        }
+        double ofBend = path.edges() == 0 ? 1.0 : weight(path.bend());
+        for (int band = 0; band < BANDS; band++) {
+            double wavelength = wavelength(band);
+            double depth = Barrier.fresnelNumber(path.pathDifference(), wavelength) / FULL_SHADOW;
+            losses[band] = Math.min(1.0, ofBend + depth) * loss(wavelength);
+        }
+        return true;
+    }
+
+    /** The path found last. */
+    EdgePath path() {
+        return path;
+    }
+
+    /** The fraction of the energy that went round the edges of the path found last. */
+    double round(int band) {
+        return Math.pow(10.0, -0.1 * losses[band]);
+    }
+
+    /**
+     * Looks for edges that the line between two points that see each other passes closely. Of several, that counts which
+     * takes most.
+     */
+    void findNear(Position source, Position sensor) {
+        Arrays.fill(past, 1.0);
+        double farthest = diffraction.reach(wavelength(0));
+        if (!(farthest > 0.0)) {
+            return;
+        }
+        for (NearEdge edge : near.find(source, sensor, farthest)) {
+            double weight = weight(edge.bend());
+            for (int band = 0; band < BANDS; band++) {
+                double loss = weight * diffraction.attenuation(-edge.detour(), 0.0, wavelength(band));
+                double left = Math.pow(10.0, -0.1 * loss);
+                // The obstacle lets through its share of what its edge takes, as it does in its shadow.
+                double through = surfaces.transmitted(edge.material(), band);
+                past[band] = Math.min(past[band], left + (1.0 - left) * through);
+            }
+        }
+    }
+
+    /** The fraction of the energy that the edges found last leave of the direct sound; 1 where none is near. */
+    double past(int band) {
+        return past[band];
+    }
+
+    /** What the edges of the path take, dB: of all pairs of a first and a last edge, that counts which takes most. */
+    private double loss(double wavelength) {
+        double ofOne = diffraction.attenuation(path.pathDifference(), 0.0, wavelength);
+        double most = ofOne;
+        for (int last = path.edges() - 1; last > 0; last--) {
+            double turnsLast = path.turnFrom(last);
+            for (int first = 0; first < last; first++) {
+                double turnsFirst = path.turnUpTo(first);
+                double share = Math.min(1.0, Math.toDegrees(Math.min(turnsFirst, turnsLast)) / FULL_TURN);
+                double span = path.along(last) - path.along(first);
+                double ofSeveral = diffraction.attenuation(path.pathDifference(), span, wavelength);
+                most = Math.max(most, ofOne + share * (ofSeveral - ofOne));
+                if (Math.toDegrees(turnsFirst) >= FULL_TURN) {
+                    break; // Those further on are closer to the last.
+                }
+            }
+            if (Math.toDegrees(turnsLast) >= FULL_TURN) {
+                break; // Those before it are closer to the first.
+            }
+        }
+        return most;
+    }
+
+    private double wavelength(int band) {
+        return air.soundSpeed() / OctaveBands.midband(band);
+    }
+
+    private static double weight(double bend) {
+        return Math.max(0.0, Math.min(1.0, (Math.toDegrees(bend) - FLAT) / (FULL_BEND - FLAT)));
+    }
+}
