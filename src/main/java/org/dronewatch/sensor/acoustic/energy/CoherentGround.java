@@ -52,6 +52,11 @@ final class CoherentGround {
         isFound = isOn && isFree && plane.find(source.position(), sensor, air.soundSpeed() / ZONE_FREQUENCY);
     }
 
+    /** Whether there is ground that interferes: its bumps are no edges then, but a part of what it reflects. */
+    boolean isFound() {
+        return isFound;
+    }
+
     /** Where a first-order reflection at a point belongs: among those that interfere or among the others. */
     FoundPaths among(FoundPaths others, double x, double y, double z) {
         return isFound && plane.covers(x, y, z) ? replaced : others;

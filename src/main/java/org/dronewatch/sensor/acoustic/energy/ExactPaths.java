@@ -49,11 +49,16 @@ final class ExactPaths {
         direct.clear();
         diffracted.clear();
         mirrored.clear();
-        addDirect(source, sensor);
+        Position position = source.position();
+        isThrough = walls.trace(
+                position.x(), position.y(), position.z(), sensor.x(), sensor.y(), sensor.z(), AcousticRay.AIR);
+        ground.find(source, sensor, walls.isFree());
+        if (isThrough) {
+            addDirect(source, sensor);
+        }
         if (!walls.isFree()) {
             addDiffracted(source, sensor);
         }
-        ground.find(source, sensor, walls.isFree());
         specular.addTo(mirrored, source, sensor, ofSensor, ofSource);
         specular.addNeighbours(mirrored, source, sensor, extra, model.imageSourceOrder());
         ground.addTo(direct, mirrored, source, sensor);
@@ -86,14 +91,9 @@ final class ExactPaths {
 
     private void addDirect(SoundSource source, Position sensor) {
         Position position = source.position();
-        isThrough = walls.trace(
-                position.x(), position.y(), position.z(), sensor.x(), sensor.y(), sensor.z(), AcousticRay.AIR);
-        if (!isThrough) {
-            return;
-        }
         double length = Math.max(position.distance(sensor), OWN);
         double rise = (sensor.z() - position.z()) / length;
-        boolean seen = walls.isFree();
+        boolean seen = walls.isFree() && !ground.isFound();
         if (seen) {
             edges.findNear(position, sensor);
         }
