@@ -65,7 +65,7 @@ public final class EnergyTracer {
      */
     public EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {
         BandSurfaces surfaces = new BandSurfaces(world.surfaces());
-        WallPlanes planes = new WallPlanes(world.mesh(), surfaces);
+        WallPlanes planes = WallPlanes.of(world);
         this.model = model;
         this.background = world.backgroundNoise().spectrum();
         this.clearance = new Clearance(world);

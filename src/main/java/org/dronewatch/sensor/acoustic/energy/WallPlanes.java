@@ -2,12 +2,14 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.WeakHashMap;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.world.World;
 
 /**
  * The planes in which a mesh reflects specularly: all triangles that lie in one plane, of whatever material and winding,
@@ -30,6 +32,15 @@ final class WallPlanes {
 
     private static final double ALMOST_PARALLEL = 0.99;
 
+    /** The normal of a plane is the one on this side, whatever the winding of its triangles; any direction would do. */
+    private static final double[] SIDE = {0.6, 0.48, 0.64};
+
+    /** Normals that are at a right angle to it may have been counted to either side. */
+    private static final double EITHER_SIDE = 0.05;
+
+    /** The planes of worlds in use: many sensors share one world. */
+    private static final Map<World, WallPlanes> KNOWN = Collections.synchronizedMap(new WeakHashMap<>());
+
     private static final int NUMBERS = 4;
     private static final int BOUNDS = 6;
 
@@ -39,21 +50,26 @@ final class WallPlanes {
     private final int[] wallOf;
     private final double tolerance;
 
+    /** The planes of a world, found once. */
+    static WallPlanes of(World world) {
+        return KNOWN.computeIfAbsent(
+                world, unknown -> new WallPlanes(unknown.mesh(), new BandSurfaces(unknown.surfaces())));
+    }
+
     WallPlanes(TriangleMesh mesh, BandSurfaces surfaces) {
         this.tolerance = Math.max(LEAST_TOLERANCE, RELATIVE_TOLERANCE * size(mesh));
         this.wallOf = new int[mesh.triangleCount()];
         Arrays.fill(wallOf, NONE);
         Grouping grouping = new Grouping(mesh);
-        double[] areas = new double[wallOf.length];
-        for (int triangle = 0; triangle < wallOf.length; triangle++) {
-            areas[triangle] = surfaces.mirrors(mesh.material(triangle)) ? grouping.area(triangle) : 0.0;
+        // The largest triangle has the most exact plane, so it comes first: by its area, then by its number.
+        long[] order = IntStream.range(0, wallOf.length)
+                .filter(triangle -> surfaces.mirrors(mesh.material(triangle)) && grouping.area(triangle) > 0.0f)
+                .mapToLong(triangle -> (long) -Float.floatToIntBits(grouping.area(triangle)) << Integer.SIZE | triangle)
+                .sorted()
+                .toArray();
+        for (long triangle : order) {
+            grouping.add((int) triangle);
         }
-        // The largest triangle has the most exact plane.
-        IntStream.range(0, wallOf.length)
-                .filter(triangle -> areas[triangle] > 0.0)
-                .boxed()
-                .sorted(Comparator.comparingDouble(triangle -> -areas[triangle]))
-                .forEach(grouping::add);
         this.planes = grouping.planes();
         this.triangleOf = grouping.triangles();
         this.bounds = bounds(mesh);
@@ -160,9 +176,9 @@ final class WallPlanes {
             this.mesh = mesh;
         }
 
-        double area(int triangle) {
+        float area(int triangle) {
             mesh.normal(triangle, normal);
-            return 0.5 * length();
+            return (float) (0.5 * length());
         }
 
         private double length() {
@@ -175,8 +191,15 @@ final class WallPlanes {
             for (int axis = 0; axis < 3; axis++) {
                 normal[axis] /= length;
             }
+            double side = normal[0] * SIDE[0] + normal[1] * SIDE[1] + normal[2] * SIDE[2];
+            double sign = side < 0.0 ? -1.0 : 1.0;
+            for (int axis = 0; axis < 3; axis++) {
+                normal[axis] *= sign;
+            }
             int wall = find(triangle, 1.0);
-            wall = wall == NONE ? find(triangle, -1.0) : wall;
+            if (wall == NONE && Math.abs(side) < EITHER_SIDE) {
+                wall = find(triangle, -1.0);
+            }
             wallOf[triangle] = wall == NONE ? open(triangle) : wall;
         }
 

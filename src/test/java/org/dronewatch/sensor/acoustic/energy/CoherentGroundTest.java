@@ -12,6 +12,7 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel.Ground;
 import org.dronewatch.sensor.acoustic.propagation.GroundPlane;
+import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.BandFractions;
@@ -49,7 +50,7 @@ class CoherentGroundTest {
     private static double[] gains(EnergyModel model, World world, Position source, Position sensor) {
         EnergyTracer tracer = new EnergyTracer(model, sensor, 0.4, world);
         SoundSource sound = Sites.broadband(source);
-        EnergyReading heard = Sites.read(model, world, sound, sensor, 1);
+        EnergyReading heard = tracer.trace(sound, new SplittableRandom(1), RayRecorder.NONE);
         EnergyReading open = tracer.inTheOpen(sound);
         double[] gains = new double[OctaveBands.COUNT];
         for (int band = 0; band < gains.length; band++) {
