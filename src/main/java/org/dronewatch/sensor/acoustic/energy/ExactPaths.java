@@ -129,7 +129,8 @@ final class ExactPaths {
         double length = straight + edges.path().pathDifference();
         for (int band = 0; band < BANDS; band++) {
             // The edges' loss is relative to what would arrive by the straight path; only the air attenuates over the
-            // longer one. What walls let through is no longer there to go round: both together never exceed the sound in
+            // longer one. What walls let through is no longer there to go round: both together never exceed the sound
+            // in
             // the open.
             heard[band] = (1.0 - passed(band))
                     * edges.round(band)
