@@ -51,6 +51,26 @@ class CanyonTest {
         assertThat(there.isConverged()).isTrue();
     }
 
+    /**
+     * An independent simulation followed 2.5 billion rays from the drone through the same street, each scattered with
+     * probability 0.15 at each surface, and counted those that had been scattered in a ball of 1.4 m about the
+     * microphone: 22.95 dB(A), standard error 0.04 dB.
+     */
+    @Test
+    void whatIsScatteredAgreesWithAnIndependentSimulation() {
+        SoundSites site = SoundSites.canyon();
+        EnergyTracer microphone = site.microphone(new Position(MICROPHONE[0], MICROPHONE[1], MICROPHONE[2]));
+        SoundSource drone = site.drone(new Position(DRONE[0], DRONE[1], DRONE[2]));
+        int readings = 40;
+        double sum = 0;
+        for (int seed = 0; seed < readings; seed++) {
+            EnergyReading reading = microphone.trace(drone, new SplittableRandom(seed), RayRecorder.NONE);
+            sum += Levels.toRatio(level(reading.reverberant())) / readings;
+        }
+        // 0.1 dB of the whole reading is 0.4 dB of this part, and 40 readings are averaged.
+        assertThat(Levels.ofRatio(sum)).isCloseTo(22.95, within(0.2));
+    }
+
     private static EnergyReading read(SoundSites site, double[] microphone, double[] drone) {
         return site.microphone(new Position(microphone[0], microphone[1], microphone[2]))
                 .trace(
