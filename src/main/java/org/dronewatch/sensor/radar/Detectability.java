@@ -136,6 +136,10 @@ public final class Detectability {
             below += term;
             sum += weight * below;
             weights += weight;
+            // From here on each weight is smaller than the one before: none can change the sum any more.
+            if (k > ratio && sum + 2.0 * weight <= sum) {
+                break;
+            }
         }
         return Math.min(1.0, sum);
     }
