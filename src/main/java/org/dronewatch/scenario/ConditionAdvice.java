@@ -58,8 +58,9 @@ public final class ConditionAdvice {
 
     private List<String> lines() {
         List<String> lines = new ArrayList<>();
-        sensors.forEach((concern, ids) -> lines.add(written.get(concern.condition()) + " has no effect on "
-                + named(concern.kind(), List.copyOf(ids)) + ": " + concern.instead()));
+        sensors.forEach(
+                (concern, ids) -> lines.add(written.get(concern.condition()) + " does not change what is detected by "
+                        + named(concern.kind(), List.copyOf(ids)) + ": " + concern.instead()));
         return lines;
     }
 

@@ -52,17 +52,19 @@ class ConditionAdviceTest {
 
         assertThat(advice(NIGHT, counting, counting, counting, counting))
                 .containsExactly(
-                        "world.light.visibility 200 m has no effect on camera sensors 's0', 's1' and 2 more: cameras with"
+                        "world.light.visibility 200 m does not change what is detected by camera sensors 's0', 's1' and 2 more: cameras with"
                                 + " 'detection: {kind: target-task}' take it into account",
-                        "world.light.illuminance 0.001 lx has no effect on camera sensors 's0', 's1' and 2 more: cameras"
+                        "world.light.illuminance 0.001 lx does not change what is detected by camera sensors 's0', 's1' and 2 more: cameras"
                                 + " with 'detection: {kind: target-task}' take it into account");
         assertThat(advice(HILL.withLight(Light.DAY.withSun(new Light.Sun(1, 1))), counting))
-                .containsExactly("world.light.sun has no effect on camera sensor 's0': cameras with 'detection: {kind:"
-                        + " target-task}' take it into account");
+                .containsExactly(
+                        "world.light.sun does not change what is detected by camera sensor 's0': cameras with 'detection: {kind:"
+                                + " target-task}' take it into account");
         assertThat(advice(HILL.withLight(Light.DAY.withContrastAtVisibility(0.02)), counting, counting))
                 .singleElement()
                 .asString()
-                .startsWith("world.light.contrastAtVisibility 0.02 has no effect on camera sensors 's0' and 's1': ");
+                .startsWith(
+                        "world.light.contrastAtVisibility 0.02 does not change what is detected by camera sensors 's0' and 's1': ");
     }
 
     @Test
@@ -85,13 +87,13 @@ class ConditionAdviceTest {
 
         assertThat(advice(HILL.withRain(10), level, CameraSettings.at(HERE).withDetection(TargetTask.DEFAULT)))
                 .containsExactly(
-                        "world.rain 10 mm/h has no effect on acoustic sensor 's0': raise world.backgroundNoise by the noise of"
+                        "world.rain 10 mm/h does not change what is detected by acoustic sensor 's0': raise world.backgroundNoise by the noise of"
                                 + " the rain",
-                        "world.rain 10 mm/h has no effect on camera sensor 's1': lower world.light.visibility for the rain");
+                        "world.rain 10 mm/h does not change what is detected by camera sensor 's1': lower world.light.visibility for the rain");
         WorldSettings cold = HILL.withAtmosphere(Atmosphere.STANDARD.withTemperature(263.15));
         assertThat(advice(cold, level, energy))
                 .containsExactly(
-                        "world.atmosphere has no effect on acoustic sensor 's0': 'propagation: energy-model' takes it"
+                        "world.atmosphere does not change what is detected by acoustic sensor 's0': 'propagation: energy-model' takes it"
                                 + " into account");
         assertThat(advice(cold.withRain(1).withLight(NIGHT.light()), ThermalSettings.at(HERE)))
                 .hasSize(3)
@@ -125,9 +127,9 @@ class ConditionAdviceTest {
         runner.stage(runner.settingsOfRuns().get(0));
         runner.run();
 
-        assertThat(notes.stream().filter(note -> note.contains("has no effect")))
+        assertThat(notes.stream().filter(note -> note.contains("does not change what is detected")))
                 .containsExactly(
-                        "warning: world.light.illuminance 0.01 lx has no effect on camera sensor 'camera': cameras"
+                        "warning: world.light.illuminance 0.01 lx does not change what is detected by camera sensor 'camera': cameras"
                                 + " with 'detection: {kind: target-task}' take it into account");
     }
 

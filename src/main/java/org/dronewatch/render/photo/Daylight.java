@@ -83,6 +83,11 @@ final class Daylight {
         return 1.0 / (Math.sin(above) + 0.50572 * Math.pow(Math.toDegrees(above) + 6.07995, -1.6364));
     }
 
+    /** Optical depth of the clear air for light from the zenith. */
+    static double depth(int channel) {
+        return AIR[channel];
+    }
+
     /** What is left of a channel after an air mass. */
     static double left(int channel, double mass) {
         return Math.exp(-AIR[channel] * mass);

@@ -3,7 +3,7 @@ package org.dronewatch.render.photo;
 /**
  * From light to the numbers of a picture. The logarithmic mean of what is seen becomes a middle tone, as by a camera's
  * automatic exposure (Reinhard et al., "Photographic tone reproduction for digital images", SIGGRAPH 2002), but in poor
- * light a darker one. What is too bright fades to white instead of being cut off: {@code 1 - exp(-k x)}, and then the
+ * light a darker one. What is too bright fades to white instead of being cut off: brightness is {@code 1 - exp(-k x)}, and then comes the
  * transfer function of sRGB (IEC 61966-2-1). Immutable.
  */
 final class Exposure {
@@ -20,6 +20,11 @@ final class Exposure {
 
     private static final double MOST = 6.0;
 
+    /** What red, green and blue contribute to brightness (ITU-R BT.709). */
+    private static final double[] BRIGHTNESS = {0.2126, 0.7152, 0.0722};
+
+    private static final int[][] BAYER = bayer();
+
     private final double gain;
 
     /**
@@ -33,13 +38,44 @@ final class Exposure {
         this.gain = Math.max(LEAST, Math.min(MOST, metered)) * Math.min(1.0, Math.pow(illuminance / AMPLE, DARKER));
     }
 
-    /** The pixel for a radiance of three channels: red, green and blue in the lowest 24 bits. */
-    int pixel(double red, double green, double blue) {
-        return level(red) << 16 | level(green) << 8 | level(blue);
+    /**
+     * The pixel for a radiance of three channels: red, green and blue in the lowest 24 bits. Hue is kept as it gets
+     * brighter, and fades to white where it would be brighter than a screen can show. What lies between two numbers is one
+     * or the other by a fixed pattern (Bayer, ICC 1973), so that an even sky shows no bands.
+     */
+    int pixel(double red, double green, double blue, int column, int row) {
+        double brightness = BRIGHTNESS[0] * red + BRIGHTNESS[1] * green + BRIGHTNESS[2] * blue;
+        if (!(brightness > 0.0)) {
+            return 0;
+        }
+        double shown = 1.0 - Math.exp(-gain * brightness);
+        double brightest = Math.max(red, Math.max(green, blue)) / brightness * shown;
+        double colourful = brightest > 1.0 ? (1.0 - shown) / (brightest - shown) : 1.0;
+        double threshold = (BAYER[row & 7][column & 7] + 0.5) / 64.0;
+        double factor = colourful * shown / brightness;
+        double white = (1.0 - colourful) * shown;
+        return level(white + factor * red, threshold) << 16
+                | level(white + factor * green, threshold) << 8
+                | level(white + factor * blue, threshold);
     }
 
-    private int level(double radiance) {
-        return (int) Math.round(255.0 * encoded(1.0 - Math.exp(-gain * Math.max(0.0, radiance))));
+    private static int level(double linear, double threshold) {
+        return (int) Math.min(255.0, Math.floor(255.0 * encoded(Math.max(0.0, linear)) + threshold));
+    }
+
+    /** The 8 x 8 matrix of all thresholds from 0 to 63, each as far as possible from those next in order. */
+    private static int[][] bayer() {
+        int[][] matrix = new int[8][8];
+        for (int row = 0; row < 8; row++) {
+            for (int column = 0; column < 8; column++) {
+                for (int bit = 0; bit < 3; bit++) {
+                    int across = column >> bit & 1;
+                    int down = row >> bit & 1;
+                    matrix[row][column] |= (2 * (across ^ down) + down) << 2 * (2 - bit);
+                }
+            }
+        }
+        return matrix;
     }
 
     private static double encoded(double linear) {

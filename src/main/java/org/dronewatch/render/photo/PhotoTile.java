@@ -68,7 +68,8 @@ final class PhotoTile {
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 mean(left, top, column, row, columns * samples, layers);
-                target[(top + row) * width + left + column] = exposure.pixel(sum[0], sum[1], sum[2]);
+                target[(top + row) * width + left + column] =
+                        exposure.pixel(sum[0], sum[1], sum[2], left + column, top + row);
             }
         }
     }

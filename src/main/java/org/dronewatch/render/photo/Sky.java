@@ -6,8 +6,8 @@ import org.dronewatch.geometry.Position;
  * How bright the sky is in each direction, relative to a white, matt, level surface. Its brightness is distributed as
  * that of the standard general skies of ISO 15469:2004 (CIE S 011): type 12, clear, where the sun is known, type 3,
  * overcast and moderately graded, where it is not; scaled so that all of it gives level ground the share of the light that {@link Daylight}
- * says. A clear sky is tinted as light that the air has scattered once: blue high up, white near the horizon, red where
- * the sun is low. Below the horizon it is what air without end would show. Immutable.
+ * says. A clear sky has the colours of {@link ScatteredLight}. Below the horizon it is what air without end would show.
+ * Immutable.
  */
 final class Sky {
     /** Half the angle that the sun fills, rad. */
@@ -16,26 +16,25 @@ final class Sky {
     /** Radiance of the sun's disc: far beyond what a picture can show. */
     private static final double SUN_DISC = 60.0;
 
-    /** Lowest elevation of a direction, as its sine, that is not the horizon itself. */
-    private static final double HORIZON = 0.01;
+    /** The sky changes smoothly into the horizon over elevations of about this sine, to what air without end shows. */
+    private static final double HORIZON = 0.02;
 
-    /** How far the light of a low sun reddens what it is scattered by: the air mass at which it ends. */
-    private static final double REDDEST = 22.0;
-
-    /** Light that was scattered more than once, which is white. */
-    private static final double WHITE = 0.06;
+    /** Light that was scattered by large particles, or many times, which is white. */
+    private static final double WHITE = 0.02;
 
     private static final double[] OVERCAST = {0.94, 1.0, 1.05};
 
     private final Daylight daylight;
     private final boolean clear;
     private final Position sun;
+    private final ScatteredLight scattered;
     private final double scale;
 
     Sky(Daylight daylight) {
         this.daylight = daylight;
         this.clear = daylight.toSun().isPresent();
         this.sun = daylight.toSun().orElse(new Position(0, 0, 1));
+        this.scattered = new ScatteredLight(daylight.elevation());
         this.scale = daylight.diffuse() / onLevelGround();
     }
 
@@ -58,8 +57,8 @@ final class Sky {
      * @param x of a unit vector
      */
     void radiance(double x, double y, double z, double[] rgb) {
-        // Of a direction below the horizon, the one above which it lies.
-        double up = Math.max(HORIZON, z);
+        // Of a direction below the horizon, one just above it.
+        double up = Math.min(1.0, 0.5 * (z + Math.sqrt(z * z + 4.0 * HORIZON * HORIZON)));
         double level = Math.sqrt(Math.max(0.0, 1.0 - up * up) / Math.max(Double.MIN_NORMAL, x * x + y * y));
         double east = level * x;
         double north = level * y;
@@ -92,22 +91,15 @@ final class Sky {
         double cos = Math.max(-1.0, Math.min(1.0, x * sun.x() + y * sun.y() + z * sun.z()));
         double angle = Math.acos(cos);
         double indicatrix = 1.0 + 10.0 * (Math.exp(-3.0 * angle) - Math.exp(-1.5 * Math.PI)) + 0.45 * cos * cos;
-        return gradation * indicatrix;
+        // At night no sun makes one part brighter than another.
+        return 1.0 + scattered.day() * (gradation * indicatrix - 1.0);
     }
 
-    /** The colour of scattered sunlight, of brightness 1. */
+    /** The colour of the clear sky, of brightness 1. */
     private void tint(double x, double y, double z, double[] rgb) {
-        double seen = Daylight.airMass(Math.asin(Math.min(1.0, z)));
         double level = Math.sqrt((x * x + y * y) * (sun.x() * sun.x() + sun.y() * sun.y()));
-        double ahead = level > 0.0 ? 0.5 + 0.5 * (x * sun.x() + y * sun.y()) / level : 0.5;
-        // High up, the light has come through thinner air; away from the sun, other light prevails.
-        double lit = (Math.min(REDDEST, Daylight.airMass(daylight.elevation())) - 1.0)
-                * Math.exp(-3.0 * z)
-                * (0.25 + 0.75 * ahead * ahead);
-        for (int i = 0; i < Daylight.CHANNELS; i++) {
-            rgb[i] = (1.0 - Daylight.left(i, seen)) * Daylight.left(i, lit);
-        }
-        Daylight.equallyBright(rgb);
+        double cosine = level > 0.0 ? (x * sun.x() + y * sun.y()) / level : 0.0;
+        scattered.colour(z, Math.acos(Math.max(-1.0, Math.min(1.0, cosine))), rgb);
         for (int i = 0; i < Daylight.CHANNELS; i++) {
             rgb[i] = (1.0 - WHITE) * rgb[i] + WHITE;
         }

@@ -162,7 +162,8 @@ class HtmlReportTest {
         Document document = parsed(page.toString(StandardCharsets.UTF_8));
 
         assertThat(texts(document, "p"))
-                .anyMatch(text -> text.startsWith("Warning: world.light.illuminance 0.01 lx has no effect on camera"));
+                .anyMatch(text -> text.startsWith(
+                        "Warning: world.light.illuminance 0.01 lx does not change what is detected by camera"));
         assertThat(texts(document, "h2")).endsWith("Limitations of the model", "Provenance");
         assertThat(texts(document, "td")).endsWith("program", "dronewatch <1>");
     }
