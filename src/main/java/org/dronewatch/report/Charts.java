@@ -22,6 +22,9 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** The common style of all plots. */
 final class Charts {
+    /** An axis in this unit is logarithmic: octaves are equally wide. */
+    private static final String FREQUENCY = "[Hz]";
+
     private static final int WIDTH = 1200;
     private static final int HEIGHT = 640;
     private static final int TITLE_SIZE = 18;
@@ -64,6 +67,9 @@ final class Charts {
                 .setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_SIZE))
                 .setYAxisMin(0.0)
                 .setLocale(Locale.ROOT);
+        if (xTitle.endsWith(FREQUENCY)) {
+            chart.getStyler().setXAxisLogarithmic(true).setXAxisDecimalPattern("0");
+        }
         return chart;
     }
 

@@ -25,6 +25,12 @@ public record Atmosphere(
     private static final double TRIPLE_POINT = 273.16;
     private static final double REFERENCE_PRESSURE = 101_325.0;
 
+    /** Gas constant of dry air, J/(kg K). */
+    private static final double DRY_AIR = 287.05;
+
+    /** One less the ratio of the molar masses of water and dry air. */
+    private static final double VAPOUR_IS_LIGHTER = 0.378;
+
     /**
      * Checks the limits.
      *
@@ -55,6 +61,21 @@ public record Atmosphere(
     }
 
     /**
+     * Characteristic impedance, Pa s/m: density times speed of sound, 413 at 20 degrees Celsius. The density is that of an
+     * ideal gas, of which vapour makes a part lighter: its partial pressure is that of ISO 9613-1, equations (B.1) to (B.3).
+     */
+    public double impedance() {
+        double lighter = 1.0 - VAPOUR_IS_LIGHTER * 0.01 * vapour();
+        return pressure * lighter / (DRY_AIR * temperature) * speedOfSound();
+    }
+
+    /** Molar concentration of water vapour, percent: ISO 9613-1, annex B. */
+    private double vapour() {
+        double saturation = Math.pow(10.0, -6.8346 * Math.pow(TRIPLE_POINT / temperature, 1.261) + 4.6151);
+        return 100.0 * humidity * saturation / (pressure / REFERENCE_PRESSURE);
+    }
+
+    /**
      * Loss of a pure tone by absorption in the air: ISO 9613-1, equations (3) to (5), (B.1) to (B.3).
      *
      * @param frequency Hz, above 0
@@ -63,8 +84,7 @@ public record Atmosphere(
     public double attenuation(double frequency) {
         double relativePressure = pressure / REFERENCE_PRESSURE;
         double relativeTemperature = temperature / REFERENCE_TEMPERATURE;
-        double saturation = Math.pow(10.0, -6.8346 * Math.pow(TRIPLE_POINT / temperature, 1.261) + 4.6151);
-        double vapour = 100.0 * humidity * saturation / relativePressure;
+        double vapour = vapour();
         double oxygen = relativePressure * (24.0 + 4.04e4 * vapour * (0.02 + vapour) / (0.391 + vapour));
         double nitrogen = relativePressure
                 / Math.sqrt(relativeTemperature)

@@ -3,58 +3,78 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.Arrays;
 import java.util.OptionalDouble;
 import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
 
 /**
- * How sound dies away at a sensor after the source stops: received energy by time of arrival, integrated backward
- * (Schroeder, "New method of measuring reverberation time", JASA 37, 1965).
+ * How sound dies away at a sensor after the source stops, in each octave band and in all of them: received energy by time of
+ * arrival, integrated backward (Schroeder, "New method of measuring reverberation time", JASA 37, 1965).
  */
 public final class DecayCurve {
     /** Width of a bin, s. */
     public static final double BIN = 2e-3;
 
+    private static final int BANDS = OctaveBands.COUNT;
     private static final int BINS = 8192;
     private static final double FROM = -5.0;
     private static final double SPAN = 30.0;
 
-    private final double[] received = new double[BINS];
+    /** By bin, and in it by band: one arrival is in all bands at once. */
+    private final double[] received = new double[BINS * BANDS];
 
-    /** Adds energy that arrives at a time, s; what comes after the last bin, 16 s, is left out. */
-    void add(double time, double energy) {
+    /** The bins from this one on are empty. */
+    private int used;
+
+    /** Adds energy in each band that arrives at a time, s; what comes after the last bin, 16 s, is left out. */
+    void add(double time, double[] inBand) {
         int bin = (int) (time / BIN);
         if (bin < BINS) {
-            received[bin] += energy;
+            used = Math.max(used, bin + 1);
+            for (int band = 0; band < BANDS; band++) {
+                received[bin * BANDS + band] += inBand[band];
+            }
         }
     }
 
     /** Adds all of another curve. */
     void add(DecayCurve other) {
-        for (int bin = 0; bin < BINS; bin++) {
-            received[bin] += other.received[bin];
+        add(other, 1.0);
+    }
+
+    /** Adds a multiple of another curve. */
+    void add(DecayCurve other, double factor) {
+        used = Math.max(used, other.used);
+        for (int i = 0; i < other.used * BANDS; i++) {
+            received[i] += factor * other.received[i];
         }
     }
 
     void clear() {
-        Arrays.fill(received, 0.0);
+        Arrays.fill(received, 0, used * BANDS, 0.0);
+        used = 0;
     }
 
     /** A new curve with all energies scaled by a factor. */
     DecayCurve scaled(double factor) {
         DecayCurve scaled = new DecayCurve();
-        for (int bin = 0; bin < BINS; bin++) {
-            scaled.received[bin] = factor * received[bin];
-        }
+        scaled.add(this, factor);
         return scaled;
     }
 
     /**
-     * Remaining (backward-integrated) energy at the start of each bin, dB re the total; minus infinity after the last
-     * arrival and for silence.
+     * Remaining (backward-integrated) energy of all bands at the start of each bin, dB re the total; minus infinity after
+     * the last arrival and for silence.
      */
     public double[] levels() {
+        return levels(0, BANDS);
+    }
+
+    private double[] levels(int firstBand, int endBand) {
         double[] levels = new double[BINS];
         double toCome = 0.0;
         for (int i = BINS - 1; i >= 0; i--) {
-            toCome += received[i];
+            for (int band = firstBand; band < endBand; band++) {
+                toCome += received[i * BANDS + band];
+            }
             levels[i] = toCome;
         }
         for (int i = 0; i < BINS; i++) {
@@ -64,11 +84,23 @@ public final class DecayCurve {
     }
 
     /**
-     * Reverberation time T30, s: twice the time that the regression line from -5 to -35 dB takes (ISO 3382-1); empty
-     * when the curve does not reach so far down.
+     * Reverberation time T30 of all bands, s: twice the time that the regression line from -5 to -35 dB takes (ISO 3382-1);
+     * empty when the curve does not reach so far down.
      */
     public OptionalDouble t30() {
-        double[] levels = levels();
+        return t30(levels());
+    }
+
+    /**
+     * Reverberation time T30 of an octave band, s.
+     *
+     * @param band from 0 for 63 Hz
+     */
+    public OptionalDouble t30(int band) {
+        return t30(levels(band, band + 1));
+    }
+
+    private static OptionalDouble t30(double[] levels) {
         double n = 0;
         double sumT = 0;
         double sumL = 0;

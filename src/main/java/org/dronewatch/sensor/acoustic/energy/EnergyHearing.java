@@ -16,6 +16,7 @@ import org.dronewatch.sensor.acoustic.propagation.Heard;
 import org.dronewatch.sensor.acoustic.propagation.Microphone;
 import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.sound.BandLevels;
+import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
@@ -24,12 +25,6 @@ import org.dronewatch.world.World;
  */
 public final class EnergyHearing implements SoundTracer {
     private static final String UNIT = "dB";
-
-    /** Fraction of its initial energy down to which every ray is followed when a decay curve is computed. */
-    private static final double PATIENCE = 1e-4;
-
-    /** As many rays as a decay curve needs: its reverberation time scatters by 2 % with them. */
-    private static final int DECAY_RAYS = 4_000;
 
     /** Where more than this fraction of the sound leaves the site, it has no appreciable reverberation. */
     private static final double OPEN = 0.5;
@@ -116,32 +111,51 @@ public final class EnergyHearing implements SoundTracer {
         read(drone, random, recorder);
     }
 
-    /** In a space that keeps at least half of the sound: how it dies away. */
+    /** In a space that keeps at least half of the sound: how it dies away, and how long that takes in each octave band. */
     @Override
     public List<Curve> curves(Drone drone, RandomGenerator random) {
-        // Late sound is faint: rays must be followed for longer than levels need.
-        EnergyModel patient = model.withRays(Math.min(model.rays(), DECAY_RAYS))
-                .withRoulette(Math.min(model.roulette(), PATIENCE))
-                .withAccuracy(0.0);
-        EnergyReading reading = new EnergyTracer(patient, microphone.position(), microphone.radius(), world)
-                .trace(sound(drone), random, RayRecorder.NONE);
-        DecayCurve decay = reading.decay();
-        if (reading.audit().escaped() > OPEN || decay.t30().isEmpty()) {
+        EnergyTracer patient =
+                new EnergyTracer(Reverberation.patient(model), microphone.position(), microphone.radius(), world);
+        Reverberation reverberation = Reverberation.measure(patient, sound(drone), random, OPEN);
+        Optional<Reverberation.Time> time = reverberation.time();
+        if (reverberation.escaped() > OPEN || time.isEmpty()) {
             return List.of();
         }
+        return List.of(decay(reverberation, time.get(), drone.id()), overFrequency(reverberation, drone.id()));
+    }
+
+    private static Curve decay(Reverberation reverberation, Reverberation.Time time, String drone) {
         List<Double> times = new ArrayList<>();
         List<Double> shown = new ArrayList<>();
-        double[] curve = decay.levels();
+        double[] curve = reverberation.decay().levels();
         for (int bin = 0; bin < curve.length && curve[bin] > LOWEST_DECAY; bin++) {
             times.add(bin * DecayCurve.BIN);
             shown.add(curve[bin]);
         }
         String title = String.format(
                 Locale.ROOT,
-                "sound of '%s' dying away, T30 = %.2f s",
-                drone.id(),
-                decay.t30().getAsDouble());
-        return List.of(new Curve("decay", title, "time [s]", "level of the remaining energy [dB]", times, shown));
+                "sound of '%s' dying away, T30 = %.2f s, standard error %.2f s",
+                drone,
+                time.seconds(),
+                time.error());
+        return new Curve("decay", title, "time [s]", "level of the remaining energy [dB]", times, shown);
+    }
+
+    private static Curve overFrequency(Reverberation reverberation, String drone) {
+        List<Double> frequencies = new ArrayList<>();
+        List<Double> times = new ArrayList<>();
+        double worst = 0.0;
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            Optional<Reverberation.Time> time = reverberation.time(band);
+            if (time.isPresent()) {
+                frequencies.add((double) OctaveBands.nominal(band));
+                times.add(time.get().seconds());
+                worst = Math.max(worst, time.get().error());
+            }
+        }
+        String title = String.format(
+                Locale.ROOT, "reverberation time of '%s' by octave band, standard error up to %.2f s", drone, worst);
+        return new Curve("t30", title, "midband frequency [Hz]", "T30 [s]", frequencies, times);
     }
 
     private static SoundSource sound(Drone drone) {

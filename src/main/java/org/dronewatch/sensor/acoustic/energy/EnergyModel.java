@@ -8,6 +8,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.sound.TurbulentCoherence;
@@ -32,6 +33,7 @@ import org.dronewatch.world.World;
  * @param turbulence with {@code ground: coherent}, the variance of the air's refractive index, 0 to 0.001: 0 in still
  *     air, about 1e-8 in calm, 1e-4 in very turbulent air
  * @param turbulenceScale with {@code ground: coherent}, the correlation length of the turbulence, above 0 to 1000 m
+ * @param pressure which sound pressure belongs to an intensity
  */
 public record EnergyModel(
         @In(value = Quantity.NUMBER, from = 1, to = 10_000_000) int rays,
@@ -42,8 +44,9 @@ public record EnergyModel(
         Diffraction diffraction,
         Criterion criterion,
         Ground ground,
-        @In(value = Quantity.NUMBER, from = 0, to = 1e-3) double turbulence,
-        @In(value = Quantity.LENGTH, above = 0, to = 1000) double turbulenceScale)
+        @Minor @In(value = Quantity.NUMBER, from = 0, to = 1e-3) double turbulence,
+        @Minor @In(value = Quantity.LENGTH, above = 0, to = 1000) double turbulenceScale,
+        @Minor Pressure pressure)
         implements Propagation {
 
     /**
@@ -62,7 +65,8 @@ public record EnergyModel(
             Criterion.A_WEIGHTED,
             Ground.INCOHERENT,
             TurbulentCoherence.MODERATE.strength(),
-            TurbulentCoherence.MODERATE.scale());
+            TurbulentCoherence.MODERATE.scale(),
+            Pressure.REFERENCE);
 
     /** What is compared with the background to decide whether a drone is heard. */
     public enum Criterion {
@@ -70,6 +74,14 @@ public record EnergyModel(
         A_WEIGHTED,
         /** The level in each band with that of the background; the best band decides. */
         BEST_BAND
+    }
+
+    /** Which sound pressure belongs to an intensity. */
+    public enum Pressure {
+        /** That in air of 400 Pa s/m, in which the levels of both are equal: as standards have it. */
+        REFERENCE,
+        /** That in the scene's air: 0.1 dB more at 20 degrees Celsius, less on a mountain. */
+        PHYSICAL
     }
 
     /** How direct sound and what the ground reflects of it add up. */
@@ -100,7 +112,8 @@ public record EnergyModel(
                 criterion,
                 ground,
                 turbulence,
-                turbulenceScale);
+                turbulenceScale,
+                pressure);
     }
 
     /** This model with another number of rays. */
@@ -146,6 +159,11 @@ public record EnergyModel(
     /** This model with another correlation length of the turbulence, m. */
     public EnergyModel withTurbulenceScale(double metres) {
         return SettingsForm.with(this, "turbulenceScale", metres);
+    }
+
+    /** This model with the sound pressure of the scene's air or of the reference. */
+    public EnergyModel withPressure(Pressure kind) {
+        return SettingsForm.with(this, "pressure", kind);
     }
 
     /** This model with another criterion. */

@@ -51,15 +51,13 @@ final class EnergyTally {
      * @param onward how far it still was from its last surface, m
      */
     void add(AcousticRay ray, double[] inBand, double onward) {
-        double brought = 0.0;
         double weighted = 0.0;
         for (int band = 0; band < BANDS; band++) {
             ofThisRay[band] += inBand[band];
-            brought += inBand[band];
             weighted += A_WEIGHTS[band] * inBand[band];
         }
         ofThisRay[A_WEIGHTED] += weighted;
-        decay.add((ray.travelled + onward) / air.soundSpeed(), brought);
+        decay.add((ray.travelled + onward) / air.soundSpeed(), inBand);
     }
 
     /** Adds the contributions of other rays, which have all ended. */

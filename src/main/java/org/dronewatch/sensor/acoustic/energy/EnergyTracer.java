@@ -43,12 +43,19 @@ public final class EnergyTracer {
     /** Fewer contributions than this do not show how much they scatter. */
     private static final double ENOUGH = 20.0;
 
+    /** Characteristic impedance at which levels of sound pressure and of intensity are equal, Pa s/m (ISO 1683). */
+    private static final double REFERENCE_IMPEDANCE = 400.0;
+
     private final EnergyModel model;
     private BandLevels background;
     private final Clearance clearance;
     private final Position sensor;
     private final EndSearch search;
     private final Air air;
+
+    /** Squared sound pressure over that in the reference air. */
+    private final double pressure;
+
     private final ExactPaths exact;
     private final EnergyTally tally;
     private final EnergyLedger ledger = new EnergyLedger();
@@ -72,6 +79,9 @@ public final class EnergyTracer {
         this.sensor = clearance.of(sensor);
         this.search = new EndSearch(model, this.sensor, radius, world, planes, surfaces);
         this.air = new Air(world.atmosphere());
+        this.pressure = model.pressure() == EnergyModel.Pressure.PHYSICAL
+                ? world.atmosphere().impedance() / REFERENCE_IMPEDANCE
+                : 1.0;
         this.exact = new ExactPaths(model, world, planes, surfaces, air);
         this.tally = new EnergyTally(air);
         this.batches = () -> new RayBatch(model, radius, world, planes, surfaces, air);
@@ -160,7 +170,7 @@ public final class EnergyTracer {
         int best = 0;
         double highest = Double.NEGATIVE_INFINITY;
         for (int band = 0; band < OctaveBands.COUNT; band++) {
-            double level = Levels.ofRatio(heard(band) * source.emitted()) - background.level(band);
+            double level = Levels.ofRatio(heard(band) * pressure * source.emitted()) - background.level(band);
             if (level > highest) {
                 best = band;
                 highest = level;
@@ -219,10 +229,10 @@ public final class EnergyTracer {
     }
 
     /** Energies over that of 20 uPa, from intensities over the source's power. */
-    private static List<Double> energies(SoundSource source, IntToDoubleFunction intensities) {
+    private List<Double> energies(SoundSource source, IntToDoubleFunction intensities) {
         List<Double> energies = new ArrayList<>(OctaveBands.COUNT);
         for (int band = 0; band < OctaveBands.COUNT; band++) {
-            energies.add(intensities.applyAsDouble(band) * source.emitted());
+            energies.add(intensities.applyAsDouble(band) * pressure * source.emitted());
         }
         return energies;
     }

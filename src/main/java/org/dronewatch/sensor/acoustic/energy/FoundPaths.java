@@ -9,7 +9,8 @@ final class FoundPaths {
 
     private final double[] heard = new double[BANDS];
     private double[] lengths = new double[16];
-    private double[] brought = new double[16];
+    private double[] brought = new double[16 * BANDS];
+    private final double[] arriving = new double[BANDS];
     private int count;
 
     void clear() {
@@ -24,31 +25,29 @@ final class FoundPaths {
      * @param inBand what is heard by it, by band
      */
     void add(double length, double[] inBand) {
-        double all = 0.0;
         for (int band = 0; band < BANDS; band++) {
             heard[band] += inBand[band];
-            all += inBand[band];
         }
-        append(length, all);
+        append(length, inBand, 0);
     }
 
     /** Adds all paths of others. */
     void add(FoundPaths others) {
         for (int i = 0; i < others.count; i++) {
-            append(others.lengths[i], others.brought[i]);
+            append(others.lengths[i], others.brought, i * BANDS);
         }
         for (int band = 0; band < BANDS; band++) {
             heard[band] += others.heard[band];
         }
     }
 
-    private void append(double length, double all) {
+    private void append(double length, double[] inBand, int from) {
         if (count == lengths.length) {
             lengths = Arrays.copyOf(lengths, 2 * count);
-            brought = Arrays.copyOf(brought, 2 * count);
+            brought = Arrays.copyOf(brought, 2 * count * BANDS);
         }
         lengths[count] = length;
-        brought[count] = all;
+        System.arraycopy(inBand, from, brought, count * BANDS, BANDS);
         count++;
     }
 
@@ -60,7 +59,8 @@ final class FoundPaths {
     /** Puts every path into a decay curve at its time of arrival. */
     void addTo(DecayCurve decay, double soundSpeed) {
         for (int i = 0; i < count; i++) {
-            decay.add(lengths[i] / soundSpeed, brought[i]);
+            System.arraycopy(brought, i * BANDS, arriving, 0, BANDS);
+            decay.add(lengths[i] / soundSpeed, arriving);
         }
     }
 }

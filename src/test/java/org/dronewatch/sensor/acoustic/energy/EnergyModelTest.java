@@ -13,10 +13,12 @@ import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.propagation.Diffraction;
 import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
@@ -54,6 +56,25 @@ class EnergyModelTest {
                         .isCloseTo(LW - 10.99 - 20 * Math.log10(r) - a * r, within(0.05));
             }
         }
+    }
+
+    /** By the scene's air: 413.2 Pa s/m at 20 degrees, dry; a mountain's are less than the reference. */
+    @ParameterizedTest
+    @CsvSource({"20, 101325, 0.141", "0, 60000, -1.981"})
+    void pressureMayFollowTheAir(double celsius, double pascal, double more) {
+        Atmosphere dry = new Atmosphere(celsius + 273.15, 0, pascal);
+        World air = new World(
+                KDTree.of(Sites.room(10, 8, 4)),
+                BackgroundNoise.of(20),
+                List.of(SurfaceMaterial.uniform("wall", 0.3, 0.2)),
+                dry);
+        EnergyModel physical = EnergyModel.DEFAULT.withPressure(EnergyModel.Pressure.PHYSICAL);
+        Position sensor = new Position(7, 5, 1.7);
+        double level = Sites.read(physical, air, Sites.sound(SOURCE, LOWEST), sensor, 3)
+                .totalLevel();
+        double reference = Sites.read(EnergyModel.DEFAULT, air, Sites.sound(SOURCE, LOWEST), sensor, 3)
+                .totalLevel();
+        assertThat(level - reference).isCloseTo(more, within(0.01));
     }
 
     /** Source 50 m, receiver 1.5 m over a rigid plane, 100 m apart: the mirror image adds 2.9585 dB (less its own air). */
