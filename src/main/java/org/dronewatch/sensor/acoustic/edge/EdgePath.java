@@ -34,7 +34,7 @@ public final class EdgePath {
     private static final double TO_AND_FRO = 4.0;
 
     private static final double GOLDEN = 0.5 * (Math.sqrt(5.0) - 1.0);
-    private static final int TURNS = 16;
+    private static final int TURNS = 11;
 
     private final World world;
     private final TriangleMesh mesh;
@@ -208,7 +208,7 @@ public final class EdgePath {
 
     /** What need not be looked at once a way is known: planes with a much longer one. */
     private double bound(double limit) {
-        return isFound() ? Math.min(limit, straight + 2.0 * pathDifference + 1e-3) : limit;
+        return isFound() ? Math.min(limit, straight + 1.2 * pathDifference + 1e-3) : limit;
     }
 
     /** How much longer the shortest way in a plane is; kept if none was shorter. Infinity where it is beyond the limit. */

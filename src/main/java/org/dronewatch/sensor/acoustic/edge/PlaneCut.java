@@ -148,7 +148,7 @@ final class PlaneCut {
         if (height[other] == 0.0) {
             return point(q);
         }
-        boolean swap = Arrays.compare(p, q) > 0;
+        boolean swap = isAfter(p, q);
         double[] from = swap ? q : p;
         double[] to = swap ? p : q;
         double ofFrom = height[swap ? other : one];
@@ -158,6 +158,10 @@ final class PlaneCut {
             crossing[axis] = from[axis] + fraction * (to[axis] - from[axis]);
         }
         return point(crossing);
+    }
+
+    private static boolean isAfter(double[] p, double[] q) {
+        return p[0] != q[0] ? p[0] > q[0] : p[1] != q[1] ? p[1] > q[1] : p[2] > q[2];
     }
 
     private int point(double[] at) {

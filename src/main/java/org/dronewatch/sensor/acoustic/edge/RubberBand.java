@@ -38,6 +38,9 @@ final class RubberBand {
 
     private PlaneCut cut;
 
+    /** Both ends of each piece, u and v: legs are compared with pieces most of the time. */
+    private double[] ends = new double[256];
+
     /** The pieces by the strips across the line that they reach into: the first entry of each strip, and the entries. */
     private int[] strips = new int[2];
 
@@ -192,12 +195,11 @@ final class RubberBand {
     }
 
     private boolean crosses(int piece, double u0, double v0, double u1, double v1) {
-        int a = cut.start(piece);
-        int b = cut.end(piece);
-        double au = cut.u(a) - u0;
-        double av = cut.v(a) - v0;
-        double bu = cut.u(b) - u0;
-        double bv = cut.v(b) - v0;
+        int at = 4 * piece;
+        double au = ends[at] - u0;
+        double av = ends[at + 1] - v0;
+        double bu = ends[at + 2] - u0;
+        double bv = ends[at + 3] - v0;
         double du = u1 - u0;
         double dv = v1 - v0;
         double ofA = du * av - dv * au;
@@ -218,6 +220,15 @@ final class RubberBand {
 
     private void sortPieces(double distance, double limit) {
         int pieces = cut.pieces();
+        if (ends.length < 4 * pieces) {
+            ends = new double[8 * pieces];
+        }
+        for (int i = 0; i < pieces; i++) {
+            ends[4 * i] = cut.u(cut.start(i));
+            ends[4 * i + 1] = cut.v(cut.start(i));
+            ends[4 * i + 2] = cut.u(cut.end(i));
+            ends[4 * i + 3] = cut.v(cut.end(i));
+        }
         lastBlocking = 0;
         comparisons = 0;
         stripCount = Math.max(1, Math.min(256, pieces / 4));
@@ -248,11 +259,11 @@ final class RubberBand {
     }
 
     private int firstStrip(int piece) {
-        return strip(Math.min(cut.u(cut.start(piece)), cut.u(cut.end(piece))));
+        return strip(Math.min(ends[4 * piece], ends[4 * piece + 2]));
     }
 
     private int lastStrip(int piece) {
-        return strip(Math.max(cut.u(cut.start(piece)), cut.u(cut.end(piece))));
+        return strip(Math.max(ends[4 * piece], ends[4 * piece + 2]));
     }
 
     private void remember(int end) {
