@@ -50,13 +50,27 @@ final class Exposure {
         }
         double shown = 1.0 - Math.exp(-gain * brightness);
         double brightest = Math.max(red, Math.max(green, blue)) / brightness * shown;
-        double colourful = brightest > 1.0 ? (1.0 - shown) / (brightest - shown) : 1.0;
+        double colourful = colourful(brightest - shown, 1.0 - shown);
         double threshold = (BAYER[row & 7][column & 7] + 0.5) / 64.0;
         double factor = colourful * shown / brightness;
         double white = (1.0 - colourful) * shown;
         return level(white + factor * red, threshold) << 16
                 | level(white + factor * green, threshold) << 8
                 | level(white + factor * blue, threshold);
+    }
+
+    /**
+     * The fraction of its colour that a pixel keeps, so that no channel is brighter than a screen can show, without a step
+     * where one would be.
+     *
+     * @param over by how much the brightest channel exceeds the pixel's brightness
+     * @param room by how much a screen's brightest exceeds it
+     */
+    private static double colourful(double over, double room) {
+        if (over <= 0.0) {
+            return 1.0;
+        }
+        return room > 0.0 ? -Math.expm1(-over / room) * room / over : 0.0;
     }
 
     private static int level(double linear, double threshold) {

@@ -27,7 +27,7 @@ final class ScatteredLight {
     private static final double OZONE_REACH = 15.0;
 
     /** Optical depth of haze for light from the zenith, and the part of what it takes that it scatters. */
-    private static final double HAZE = 0.05;
+    private static final double HAZE = 0.03;
 
     private static final double HAZE_SCATTERS = 0.9;
 

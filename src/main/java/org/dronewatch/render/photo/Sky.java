@@ -19,9 +19,6 @@ final class Sky {
     /** The sky changes smoothly into the horizon over elevations of about this sine, to what air without end shows. */
     private static final double HORIZON = 0.02;
 
-    /** Light that was scattered by large particles, or many times, which is white. */
-    private static final double WHITE = 0.02;
-
     private static final double[] OVERCAST = {0.94, 1.0, 1.05};
 
     private final Daylight daylight;
@@ -100,8 +97,5 @@ final class Sky {
         double level = Math.sqrt((x * x + y * y) * (sun.x() * sun.x() + sun.y() * sun.y()));
         double cosine = level > 0.0 ? (x * sun.x() + y * sun.y()) / level : 0.0;
         scattered.colour(z, Math.acos(Math.max(-1.0, Math.min(1.0, cosine))), rgb);
-        for (int i = 0; i < Daylight.CHANNELS; i++) {
-            rgb[i] = (1.0 - WHITE) * rgb[i] + WHITE;
-        }
     }
 }
