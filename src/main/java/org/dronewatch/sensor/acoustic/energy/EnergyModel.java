@@ -16,8 +16,8 @@ import org.dronewatch.world.World;
 
 /**
  * How the energy model propagates sound: levels in octave bands fall by spreading, in the air and at surfaces, as in
- * reality. The straight path, specular reflections of low order and the path round an edge are computed exactly; what
- * comes later is estimated by rays, with its standard error.
+ * reality. The straight path, specular reflections and the path round edges are computed exactly; what is scattered is
+ * estimated by rays, with its standard error.
  *
  * @param rays maximum number of rays that one look traces, 1 to 10,000,000
  * @param accuracy tracing stops once the standard error of the level is below this, 0 to 10 dB; with 0 all rays are

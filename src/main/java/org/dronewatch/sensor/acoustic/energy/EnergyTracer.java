@@ -20,8 +20,8 @@ import org.dronewatch.world.World;
 /**
  * The energy model. Deterministic paths come from {@link ExactPaths}. The rest is found by tracing rays backward from
  * the sensor: they reach what the sensor can hear, however far away the source is, and by reciprocity the fraction of
- * their energy that reaches the source is the fraction that the source would have sent to the sensor. Where sound is
- * scattered first is sampled from the source, too.
+ * their energy that reaches the source is the fraction that the source would have sent to the sensor. A few surfaces from
+ * the source on are sampled from there, too, and both are joined: see {@link Connections}.
  *
  * <p>Rays are traced in batches, on the calling {@link Workers}. Each batch has a separate random stream, and batches
  * count in their order up to the one that makes the reading accurate: the reading is the same for any number of
