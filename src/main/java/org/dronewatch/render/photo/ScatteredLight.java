@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * The colour of a clear sky: sunlight that the air of a round earth has scattered once (after Nishita, Sirai, Tadamura and
  * Nakamae, "Display of the earth taking into account atmospheric scattering", SIGGRAPH 1993), with what is scattered more
- * often as an even share of it, and the light of the night. So the sky is blue at noon, red where the sun sets, blue again
+ * often in the mean colour of it, less near the horizon, and the light of the night. So the sky is blue at noon, red where the sun sets, blue again
  * at dusk, where ozone takes the red and the yellow, and dark. By table. Immutable.
  */
 final class ScatteredLight {
@@ -75,12 +75,13 @@ final class ScatteredLight {
             double up = up(i);
             for (int k = 0; k < AZIMUTHS; k++) {
                 double azimuth = Math.PI * k / (AZIMUTHS - 1);
+                double weight = k == 0 || k == AZIMUTHS - 1 ? 0.5 : 1.0;
                 double level = Math.sqrt(1.0 - up * up);
                 scatter(level * Math.cos(azimuth), level * Math.sin(azimuth), up, sun, rgb);
                 for (int channel = 0; channel < CHANNELS; channel++) {
                     table[at(i, k) + channel] = (float) rgb[channel];
                     // The nodes are closer to each other at the horizon.
-                    mean[channel] += rgb[channel] * 2.0 * Math.sqrt(up) / (ELEVATIONS * AZIMUTHS);
+                    mean[channel] += rgb[channel] * weight * 2.0 * Math.sqrt(up) / (ELEVATIONS * (AZIMUTHS - 1));
                 }
             }
         }
@@ -215,7 +216,7 @@ final class ScatteredLight {
 
     /** A place on a line by a share from 0 to 1: most of them are near its lowest point. */
     private static double place(double share, double lowest, double end) {
-        double border = lowest / end < 0.5 ? Math.min(0.5, lowest / end) : 0.5;
+        double border = Math.min(0.5, lowest / end);
         if (share < border) {
             double back = 1.0 - share / border;
             return lowest * (1.0 - back * back);

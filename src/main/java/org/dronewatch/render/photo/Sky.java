@@ -1,5 +1,6 @@
 package org.dronewatch.render.photo;
 
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 
 /**
@@ -24,14 +25,16 @@ final class Sky {
     private final Daylight daylight;
     private final boolean clear;
     private final Position sun;
-    private final ScatteredLight scattered;
+    /** The colours of a clear sky. */
+    private final Optional<ScatteredLight> scattered;
+
     private final double scale;
 
     Sky(Daylight daylight) {
         this.daylight = daylight;
         this.clear = daylight.toSun().isPresent();
         this.sun = daylight.toSun().orElse(new Position(0, 0, 1));
-        this.scattered = new ScatteredLight(daylight.elevation());
+        this.scattered = clear ? Optional.of(new ScatteredLight(daylight.elevation())) : Optional.empty();
         this.scale = daylight.diffuse() / onLevelGround();
     }
 
@@ -89,13 +92,13 @@ final class Sky {
         double angle = Math.acos(cos);
         double indicatrix = 1.0 + 10.0 * (Math.exp(-3.0 * angle) - Math.exp(-1.5 * Math.PI)) + 0.45 * cos * cos;
         // At night no sun makes one part brighter than another.
-        return 1.0 + scattered.day() * (gradation * indicatrix - 1.0);
+        return 1.0 + scattered.orElseThrow().day() * (gradation * indicatrix - 1.0);
     }
 
     /** The colour of the clear sky, of brightness 1. */
     private void tint(double x, double y, double z, double[] rgb) {
         double level = Math.sqrt((x * x + y * y) * (sun.x() * sun.x() + sun.y() * sun.y()));
         double cosine = level > 0.0 ? (x * sun.x() + y * sun.y()) / level : 0.0;
-        scattered.colour(z, Math.acos(Math.max(-1.0, Math.min(1.0, cosine))), rgb);
+        scattered.orElseThrow().colour(z, Math.acos(Math.max(-1.0, Math.min(1.0, cosine))), rgb);
     }
 }

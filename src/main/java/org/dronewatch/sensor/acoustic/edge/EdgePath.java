@@ -151,12 +151,11 @@ public final class EdgePath {
         if (!isFound()) {
             return;
         }
-        double[] sampled = detours;
         for (int i = 0; i < PLANES; i++) {
-            double here = sampled[i];
+            double here = detours[i];
             if (here <= NEARLY_AS_SHORT * best + 1e-6
-                    && here <= sampled[(i + PLANES - 1) % PLANES]
-                    && here <= sampled[(i + 1) % PLANES]) {
+                    && here <= detours[(i + PLANES - 1) % PLANES]
+                    && here <= detours[(i + 1) % PLANES]) {
                 turn(i * step, step);
             }
         }

@@ -48,6 +48,16 @@ public final class DecayCurve {
         }
     }
 
+    /** This curve less another one that is a part of it. */
+    DecayCurve without(DecayCurve part) {
+        DecayCurve rest = scaled(1.0);
+        for (int i = 0; i < part.used * BANDS; i++) {
+            // Rounding must not leave less than nothing.
+            rest.received[i] = Math.max(0.0, rest.received[i] - part.received[i]);
+        }
+        return rest;
+    }
+
     void clear() {
         Arrays.fill(received, 0, used * BANDS, 0.0);
         used = 0;

@@ -100,9 +100,11 @@ final class Reverberation {
         double[] without = new double[count];
         double mean = 0.0;
         for (int i = 0; i < count; i++) {
-            DecayCurve rest = all.scaled(1.0);
-            rest.add(groups.get(i), -1.0);
-            without[i] = t30.apply(rest).orElse(whole.getAsDouble());
+            OptionalDouble rest = t30.apply(all.without(groups.get(i)));
+            if (rest.isEmpty()) {
+                return Optional.empty();
+            }
+            without[i] = rest.getAsDouble();
             mean += without[i] / count;
         }
         double squares = 0.0;
