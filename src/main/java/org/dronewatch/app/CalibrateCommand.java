@@ -30,9 +30,9 @@ import picocli.CommandLine.Spec;
         name = "calibrate",
         mixinStandardHelpOptions = true,
         description =
-                "Fits the threshold of a microphone or a radio receiver, or the pixel count of a camera, so that in"
-                        + " free sight a range is the greatest at which it detects a drone, and writes the sensor as a file that"
-                        + " scenes take by 'use'. Air, background noise, rain and light are those of the scene; its models and"
+                "Fits the threshold of a microphone or a radio receiver, or the pixel count of a camera, so that with a"
+                        + " clear line of sight a given range is the greatest at which it detects a drone, and writes the sensor"
+                        + " as a file that scenes refer to with 'use'. Air, background noise, rain and light are those of the scene; its models and"
                         + " noise sources are left out. The file states range and conditions.",
         footer = {
             "",
