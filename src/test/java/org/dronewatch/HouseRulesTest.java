@@ -155,8 +155,8 @@ class HouseRulesTest {
                             "render\\.SitePainter",
                             "render\\.photo\\.Shading",
                             "report\\.ReliefShade",
-                            "sensor\\.acoustic\\.energy\\.(BackwardRay|ChainSearch|ReceiverSphere|Scatter\\w+)",
-                            "sensor\\.acoustic\\.level\\.RayChunk",
+                            "sensor\\.acoustic\\.energy\\.ReceiverSphere",
+                            "sensor\\.acoustic\\.propagation\\.AcousticRay",
                             "sensor\\.optics\\.VisibleArea",
                             "sensor\\.rf\\.RadioPath",
                             "world\\.(Clearance|Surroundings|Visibility|World)")

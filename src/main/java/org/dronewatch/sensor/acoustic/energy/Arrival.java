@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
+import org.dronewatch.sensor.acoustic.mirror.MirrorRun;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**

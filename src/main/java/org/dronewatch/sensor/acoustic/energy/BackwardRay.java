@@ -5,7 +5,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.sound.Levels;
@@ -94,15 +96,7 @@ final class BackwardRay {
 
         start();
         while (true) {
-            boolean hit = traversal.closestHit(
-                    ray.originX,
-                    ray.originY,
-                    ray.originZ,
-                    ray.directionX,
-                    ray.directionY,
-                    ray.directionZ,
-                    0.0,
-                    Double.POSITIVE_INFINITY);
+            boolean hit = ray.meets(traversal);
             traced++;
             double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
             if (fromMirror && !arrival.isExact()) {

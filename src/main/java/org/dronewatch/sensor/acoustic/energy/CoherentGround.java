@@ -2,6 +2,7 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.GroundPlane;
 import org.dronewatch.sound.GroundImpedance;
 import org.dronewatch.sound.GroundInterference;

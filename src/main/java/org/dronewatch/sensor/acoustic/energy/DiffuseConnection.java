@@ -1,7 +1,10 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
+import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
@@ -16,22 +19,19 @@ final class DiffuseConnection {
     private final int maxOrder;
     private final BandSurfaces surfaces;
     private final Air air;
-    private final WallTransmission walls;
-    private final MirrorPath path;
+    private final ConnectingLeg leg;
     private final EnergyTally tally;
     private final double[] brought = new double[BANDS];
     private Ends ends;
     private double[] images = new double[3];
     private double[] imagesOfSensor = new double[3];
-    private int traced;
 
     DiffuseConnection(
             EnergyModel model, World world, WallPlanes planes, BandSurfaces surfaces, Air air, EnergyTally tally) {
         this.maxOrder = model.maxOrder();
         this.surfaces = surfaces;
         this.air = air;
-        this.walls = new WallTransmission(world, surfaces);
-        this.path = new MirrorPath(world, planes, surfaces);
+        this.leg = new ConnectingLeg(world, planes, surfaces);
         this.tally = tally;
     }
 
@@ -66,122 +66,55 @@ final class DiffuseConnection {
             double[] leaving,
             Arrival arrival,
             ScatteredSound scattered) {
-        traced = 0;
-        addStraight(ray, normal, material, leaving, arrival);
-        for (int chain = 1; chain < ends.ofSource().count(); chain++) {
+        for (int chain = MirrorChains.EMPTY; chain < ends.ofSource().count(); chain++) {
             if (ray.order + ends.ofSource().order(chain) <= maxOrder) {
-                addOver(chain, ray, normal, material, leaving, arrival);
+                addFromSource(chain, ray, normal, material, leaving, arrival);
             }
         }
         for (int i = 0; i < scattered.count(); i++) {
-            join(ray, normal, material, leaving, arrival, scattered.point(i));
+            ScatteredSound.Point point = scattered.point(i);
+            for (int chain = MirrorChains.EMPTY; chain < ends.ofSource().count(); chain++) {
+                if (ray.order + point.order + ends.ofSource().order(chain) <= maxOrder) {
+                    join(chain, ray, normal, material, leaving, arrival, point);
+                }
+            }
         }
-        return traced;
+        return leg.takeTraced();
     }
 
-    private void addStraight(AcousticRay ray, double[] normal, int material, double[] leaving, Arrival arrival) {
-        SoundSource source = ends.source();
-        Position position = source.position();
-        double x = position.x() - ray.originX;
-        double y = position.y() - ray.originY;
-        double z = position.z() - ray.originZ;
-        double distance = Math.sqrt(x * x + y * y + z * z);
-        double cosine = (x * normal[0] + y * normal[1] + z * normal[2]) / distance;
-        if (!(cosine > 0.0)) {
+    private void addFromSource(
+            int chain, AcousticRay ray, double[] normal, int material, double[] leaving, Arrival arrival) {
+        if (!leg.find(ends.ofSource(), images, chain, ray.originX, ray.originY, ray.originZ)) {
             return;
         }
-        traced++;
-        if (!walls.trace(ray.originX, ray.originY, ray.originZ, position.x(), position.y(), position.z(), ray.medium)) {
+        double cosine = leg.cosineAtBeginning(normal);
+        if (!(cosine > 0.0) || !isOpen(ray, images[0], images[1], images[2])) {
             return;
         }
+        double distance = leg.length();
         // Rays from the source end at walls.
-        double weight = walls.isFree()
-                ? Connections.weight(Connections.fromPoint(cosine, distance), arrival.reluctance(0, 0))
-                : 1.0;
+        double weight = leg.isThroughWalls()
+                ? 1.0
+                : Connections.weight(
+                        Connections.fromPoint(cosine, distance),
+                        arrival.reluctance(0, ends.ofSource().order(chain)));
         double geometry = weight * cosine / (Math.PI * distance * distance);
         for (int band = 0; band < BANDS; band++) {
             brought[band] = leaving[band]
                     * surfaces.scatteredTo(material, band, cosine)
                     * geometry
-                    * walls.passed(band)
-                    * source.factor(band, z / distance)
+                    * leg.passed(band)
+                    * ends.source().factor(band, leg.riseFromEnd())
                     * air.left(band, distance);
         }
         tally.add(ray, brought, distance);
     }
 
-    private void addOver(int chain, AcousticRay ray, double[] normal, int material, double[] leaving, Arrival arrival) {
-        SoundSource source = ends.source();
-        if (!path.follow(ends.ofSource(), images, chain, ray.originX, ray.originY, ray.originZ)) {
-            return;
-        }
-        traced += ends.ofSource().order(chain) + 1;
-        double cosine = path.cosineAtBeginning(normal);
-        if (!(cosine > 0.0)) {
-            return;
-        }
-        double distance = path.length();
-        double weight = Connections.weight(
-                Connections.fromPoint(cosine, distance),
-                arrival.reluctance(0, ends.ofSource().order(chain)));
-        double geometry = weight * cosine / (Math.PI * distance * distance);
-        for (int band = 0; band < BANDS; band++) {
-            brought[band] = leaving[band]
-                    * surfaces.scatteredTo(material, band, cosine)
-                    * geometry
-                    * path.reflected(band)
-                    * source.factor(band, path.riseFromEnd())
-                    * air.left(band, distance);
-        }
-        tally.add(ray, brought, distance);
+    private boolean isOpen(AcousticRay ray, double toX, double toY, double toZ) {
+        return leg.isOpen(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, ray.medium);
     }
 
     private void join(
-            AcousticRay ray,
-            double[] normal,
-            int material,
-            double[] leaving,
-            Arrival arrival,
-            ScatteredSound.Point point) {
-        if (ray.order + point.order > maxOrder) {
-            return;
-        }
-        double x = point.x - ray.originX;
-        double y = point.y - ray.originY;
-        double z = point.z - ray.originZ;
-        double distance = Math.sqrt(x * x + y * y + z * z);
-        double here = (x * normal[0] + y * normal[1] + z * normal[2]) / distance;
-        double there = -(x * point.normal[0] + y * point.normal[1] + z * point.normal[2]) / distance;
-        if (here > 0.0 && there > 0.0) {
-            traced++;
-            if (walls.trace(ray.originX, ray.originY, ray.originZ, point.x, point.y, point.z, ray.medium)) {
-                double leg = Connections.betweenSurfaces(here, there, distance);
-                double weight = walls.isFree()
-                        ? Connections.weight(leg, point.reluctance + arrival.reluctance(point.scatterings, point.order))
-                        : Connections.weight(Connections.throughWalls(leg), point.reluctance);
-                double geometry = weight * 4.0 * here * there / (Math.PI * distance * distance);
-                for (int band = 0; band < BANDS; band++) {
-                    brought[band] = leaving[band]
-                            * surfaces.scatteredTo(material, band, here)
-                            * point.energy[band]
-                            * surfaces.scatteredTo(point.material, band, there)
-                            * geometry
-                            * walls.passed(band)
-                            * air.left(band, distance);
-                }
-                tally.add(ray, brought, distance + point.distance);
-            }
-        }
-        MirrorChains chains = ends.ofSource();
-        for (int chain = 1; chain < chains.count(); chain++) {
-            if (ray.order + point.order + chains.order(chain) <= maxOrder
-                    && path.follow(chains, point.images, chain, ray.originX, ray.originY, ray.originZ)) {
-                joinOver(chain, ray, normal, material, leaving, arrival, point);
-            }
-        }
-    }
-
-    private void joinOver(
             int chain,
             AcousticRay ray,
             double[] normal,
@@ -189,18 +122,24 @@ final class DiffuseConnection {
             double[] leaving,
             Arrival arrival,
             ScatteredSound.Point point) {
-        traced += ends.ofSource().order(chain) + 1;
-        double here = path.cosineAtBeginning(normal);
-        double there = path.cosineAtEnd(point.normal[0], point.normal[1], point.normal[2]);
-        if (!(here > 0.0 && there > 0.0)) {
+        if (!leg.find(ends.ofSource(), point.images, chain, ray.originX, ray.originY, ray.originZ)) {
             return;
         }
-        double distance = path.length();
-        double weight = Connections.weight(
-                Connections.betweenSurfaces(here, there, distance),
-                point.reluctance
-                        + arrival.reluctance(
-                                point.scatterings, point.order + ends.ofSource().order(chain)));
+        double here = leg.cosineAtBeginning(normal);
+        double there = leg.cosineAtEnd(point.normal);
+        if (!(here > 0.0 && there > 0.0) || !isOpen(ray, point.x, point.y, point.z)) {
+            return;
+        }
+        double distance = leg.length();
+        double reluctance = Connections.betweenSurfaces(here, there, distance);
+        double weight = leg.isThroughWalls()
+                ? Connections.weight(Connections.throughWalls(reluctance), point.reluctance)
+                : Connections.weight(
+                        reluctance,
+                        point.reluctance
+                                + arrival.reluctance(
+                                        point.scatterings,
+                                        point.order + ends.ofSource().order(chain)));
         double geometry = weight * 4.0 * here * there / (Math.PI * distance * distance);
         for (int band = 0; band < BANDS; band++) {
             brought[band] = leaving[band]
@@ -208,7 +147,7 @@ final class DiffuseConnection {
                     * point.energy[band]
                     * surfaces.scatteredTo(point.material, band, there)
                     * geometry
-                    * path.reflected(band)
+                    * leg.passed(band)
                     * air.left(band, distance);
         }
         tally.add(ray, brought, distance + point.distance);
@@ -220,66 +159,43 @@ final class DiffuseConnection {
      * @return how many connections were tried
      */
     int addFrom(ScatteredSound scattered, AcousticRay scratch) {
-        traced = 0;
-        for (int i = 0; i < scattered.count(); i++) {
-            addFrom(scattered.point(i), scratch);
-        }
-        return traced;
-    }
-
-    private void addFrom(ScatteredSound.Point point, AcousticRay scratch) {
-        Position sensor = ends.sensor();
-        double x = sensor.x() - point.x;
-        double y = sensor.y() - point.y;
-        double z = sensor.z() - point.z;
-        double distance = Math.sqrt(x * x + y * y + z * z);
-        double cosine = (x * point.normal[0] + y * point.normal[1] + z * point.normal[2]) / distance;
-        scratch.travelled = point.distance;
-        if (cosine > 0.0) {
-            traced++;
-            // From the sensor, as rays come: so the surface is at the far end of both.
-            if (walls.trace(sensor.x(), sensor.y(), sensor.z(), point.x, point.y, point.z, AcousticRay.AIR)) {
-                double leg = Connections.fromPoint(cosine, distance);
-                double weight =
-                        Connections.weight(walls.isFree() ? leg : Connections.throughWalls(leg), point.reluctance);
-                double geometry = weight * cosine / (Math.PI * distance * distance);
-                for (int band = 0; band < BANDS; band++) {
-                    brought[band] = ends.source().fraction(band)
-                            * point.energy[band]
-                            * surfaces.scatteredTo(point.material, band, cosine)
-                            * geometry
-                            * walls.passed(band)
-                            * air.left(band, distance);
-                }
-                tally.add(scratch, brought, distance);
-            }
-        }
         MirrorChains chains = ends.ofSensor();
-        for (int chain = 1; chain < chains.count(); chain++) {
-            if (point.order + chains.order(chain) <= maxOrder
-                    && path.follow(chains, imagesOfSensor, chain, point.x, point.y, point.z)) {
-                addOver(chain, point, scratch);
+        for (int i = 0; i < scattered.count(); i++) {
+            ScatteredSound.Point point = scattered.point(i);
+            for (int chain = MirrorChains.EMPTY; chain < chains.count(); chain++) {
+                if (chain == MirrorChains.EMPTY || point.order + chains.order(chain) <= maxOrder) {
+                    addToSensor(chain, point, scratch);
+                }
             }
         }
+        return leg.takeTraced();
     }
 
-    private void addOver(int chain, ScatteredSound.Point point, AcousticRay scratch) {
-        traced += ends.ofSensor().order(chain) + 1;
-        double cosine = path.cosineAtBeginning(point.normal);
-        if (!(cosine > 0.0)) {
+    private void addToSensor(int chain, ScatteredSound.Point point, AcousticRay scratch) {
+        if (!leg.find(ends.ofSensor(), imagesOfSensor, chain, point.x, point.y, point.z)) {
             return;
         }
-        double distance = path.length();
-        double weight = Connections.weight(Connections.fromPoint(cosine, distance), point.reluctance);
+        double cosine = leg.cosineAtBeginning(point.normal);
+        Position sensor = ends.sensor();
+        // From the sensor, as rays come: so the surface is at the far end of both.
+        if (!(cosine > 0.0)
+                || !leg.isOpen(sensor.x(), sensor.y(), sensor.z(), point.x, point.y, point.z, AcousticRay.AIR)) {
+            return;
+        }
+        double distance = leg.length();
+        double reluctance = Connections.fromPoint(cosine, distance);
+        double weight = Connections.weight(
+                leg.isThroughWalls() ? Connections.throughWalls(reluctance) : reluctance, point.reluctance);
         double geometry = weight * cosine / (Math.PI * distance * distance);
         for (int band = 0; band < BANDS; band++) {
             brought[band] = ends.source().fraction(band)
                     * point.energy[band]
                     * surfaces.scatteredTo(point.material, band, cosine)
                     * geometry
-                    * path.reflected(band)
+                    * leg.passed(band)
                     * air.left(band, distance);
         }
+        scratch.travelled = point.distance;
         tally.add(scratch, brought, distance);
     }
 }

@@ -5,6 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.edge.EdgePath;
 import org.dronewatch.sensor.acoustic.edge.NearEdges;
 import org.dronewatch.sensor.acoustic.edge.NearEdges.NearEdge;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.Diffraction;
 import org.dronewatch.sound.Barrier;
 import org.dronewatch.sound.OctaveBands;

@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
 
 /**
  * The two ends of all paths of one look, and the chains of walls over which points near them are joined to the rest of a

@@ -11,6 +11,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;

@@ -2,7 +2,10 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
+import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 

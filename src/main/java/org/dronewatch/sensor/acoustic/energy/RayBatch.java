@@ -2,7 +2,9 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.random.RandomGenerator;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.world.World;
 
 /** Traces some rays of a reading and keeps what they found until it is asked for. One per thread. */

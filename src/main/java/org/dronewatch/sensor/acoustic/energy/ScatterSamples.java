@@ -7,6 +7,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.sound.OctaveBands;
@@ -83,15 +84,7 @@ final class ScatterSamples {
         double left = 1.0;
         int times = 0;
         while (times < most && left > FAINT) {
-            if (!tracer.closestHit(
-                    ray.originX,
-                    ray.originY,
-                    ray.originZ,
-                    ray.directionX,
-                    ray.directionY,
-                    ray.directionZ,
-                    0.0,
-                    Double.POSITIVE_INFINITY)) {
+            if (!ray.meets(tracer)) {
                 return true;
             }
             int material = mesh.material(tracer.triangle());

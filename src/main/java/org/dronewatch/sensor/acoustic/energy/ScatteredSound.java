@@ -4,7 +4,11 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
+import org.dronewatch.sensor.acoustic.mirror.MirrorRun;
+import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.sound.OctaveBands;
@@ -121,15 +125,7 @@ final class ScatteredSound {
         double leaving = 0.0;
         double before = 0.0;
         for (int order = 1; order <= Math.min(MOST, maxOrder + 1); order++) {
-            boolean hit = tracer.closestHit(
-                    ray.originX,
-                    ray.originY,
-                    ray.originZ,
-                    ray.directionX,
-                    ray.directionY,
-                    ray.directionZ,
-                    0.0,
-                    Double.POSITIVE_INFINITY);
+            boolean hit = ray.meets(tracer);
             if (ends.isOpen() && scatterings > 0 && run.order() > 0 && !run.isChainTo(ends.ofSensor())) {
                 countPassing(hit ? tracer.distance() : Double.POSITIVE_INFINITY, before, random);
             }

@@ -3,6 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.Arrays;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;

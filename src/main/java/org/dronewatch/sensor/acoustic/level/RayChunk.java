@@ -62,15 +62,7 @@ final class RayChunk {
         cutByOrder = 0;
         for (int i = from; i < to; i++) {
             queue.get(i, ray);
-            boolean hit = traversal.closestHit(
-                    ray.originX,
-                    ray.originY,
-                    ray.originZ,
-                    ray.directionX,
-                    ray.directionY,
-                    ray.directionZ,
-                    0.0,
-                    Double.POSITIVE_INFINITY);
+            boolean hit = ray.meets(traversal);
             traced++;
             double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
             if (reachesSensor(distance)) {

@@ -1,5 +1,7 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
+import org.dronewatch.kdtree.RayTracer;
+
 /**
  * One straight segment of a sound ray. It carries two quantities: a level, which is used for detection and copied to
  * every branch, and an energy, which is divided among branches. A mutable, reused object, for one thread.
@@ -42,6 +44,12 @@ public final class AcousticRay {
 
     /** Number of the material that it propagates in, or {@link #AIR}. */
     public int medium;
+
+    /** Whether it meets a surface; the tracer then tells which, and how far away. */
+    public boolean meets(RayTracer tracer) {
+        return tracer.closestHit(
+                originX, originY, originZ, directionX, directionY, directionZ, 0.0, Double.POSITIVE_INFINITY);
+    }
 
     /** Moves its origin along its direction, m. */
     public void advance(double distance) {

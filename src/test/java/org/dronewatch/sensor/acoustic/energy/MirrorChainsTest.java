@@ -5,7 +5,12 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.mirror.ChainTree;
+import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
+import org.dronewatch.sensor.acoustic.mirror.MirrorRun;
+import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;

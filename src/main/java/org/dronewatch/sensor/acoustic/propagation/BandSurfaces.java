@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.energy;
+package org.dronewatch.sensor.acoustic.propagation;
 
 import java.util.List;
 import org.dronewatch.sound.AngularAbsorption;
@@ -7,7 +7,7 @@ import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceMaterial.Wall;
 
 /** The surface properties that the energy model uses: fractions by material and band, in flat arrays. */
-final class BandSurfaces {
+public final class BandSurfaces {
     private static final int BANDS = OctaveBands.COUNT;
 
     private final double[] reflected;
@@ -20,7 +20,7 @@ final class BandSurfaces {
     /** By material; null where absorption is the same at all angles. */
     private final AngularAbsorption[] angular;
 
-    BandSurfaces(List<SurfaceMaterial> surfaces) {
+    public BandSurfaces(List<SurfaceMaterial> surfaces) {
         int count = surfaces.size();
         this.reflected = new double[BANDS * count];
         this.transmitted = new double[BANDS * count];
@@ -43,7 +43,7 @@ final class BandSurfaces {
     }
 
     /** The fraction that is reflected of sound from all directions alike. */
-    double reflected(int material, int band) {
+    public double reflected(int material, int band) {
         return reflected[BANDS * material + band];
     }
 
@@ -52,12 +52,12 @@ final class BandSurfaces {
      *
      * @param cosine of the angle between the sound and the normal, 0 to 1
      */
-    double reflected(int material, int band, double cosine) {
+    public double reflected(int material, int band, double cosine) {
         return angular[material] == null ? reflected(material, band) : 1.0 - angular[material].at(band, cosine);
     }
 
     /** Whether absorption depends on the angle. */
-    boolean isAngular(int material) {
+    public boolean isAngular(int material) {
         return angular[material] != null;
     }
 
@@ -69,7 +69,7 @@ final class BandSurfaces {
      *
      * @param cosine of the angle between the direction and the normal, 0 to 1
      */
-    double scatteredTo(int material, int band, double cosine) {
+    public double scatteredTo(int material, int band, double cosine) {
         if (angular[material] == null) {
             return 1.0;
         }
@@ -78,7 +78,7 @@ final class BandSurfaces {
     }
 
     /** The fraction transmitted on entry; what is inside a solid leaves it without further loss. */
-    double transmitted(int material, int band) {
+    public double transmitted(int material, int band) {
         return transmitted[BANDS * material + band];
     }
 
@@ -87,17 +87,17 @@ final class BandSurfaces {
      *
      * @param cosine of the angle between the sound and the normal, 0 to 1
      */
-    double mirrored(int material, int band, double cosine) {
+    public double mirrored(int material, int band, double cosine) {
         return reflected(material, band, cosine) * (1.0 - scattered(material, band));
     }
 
     /** The fraction that is reflected specularly of sound from all directions alike. */
-    double mirrored(int material, int band) {
+    public double mirrored(int material, int band) {
         return reflected(material, band) * (1.0 - scattered(material, band));
     }
 
     /** Whether anything is reflected specularly. */
-    boolean mirrors(int material) {
+    public boolean mirrors(int material) {
         for (int band = 0; band < BANDS; band++) {
             if (mirrored(material, band) > 0.0) {
                 return true;
@@ -107,7 +107,7 @@ final class BandSurfaces {
     }
 
     /** Whether anything is scattered. */
-    boolean scatters(int material) {
+    public boolean scatters(int material) {
         for (int band = 0; band < BANDS; band++) {
             if (scattered(material, band) > 0.0) {
                 return true;
@@ -116,12 +116,12 @@ final class BandSurfaces {
         return false;
     }
 
-    double scattered(int material, int band) {
+    public double scattered(int material, int band) {
         return scattered[BANDS * material + band];
     }
 
     /** The fraction of all energies, by band, that is scattered. */
-    double chanceOfScattering(int material, double[] energies) {
+    public double chanceOfScattering(int material, double[] energies) {
         double all = 0.0;
         double diffuse = 0.0;
         for (int band = 0; band < BANDS; band++) {
@@ -131,16 +131,16 @@ final class BandSurfaces {
         return all > 0.0 ? diffuse / all : 0.0;
     }
 
-    boolean transmits(int material) {
+    public boolean transmits(int material) {
         return transmits[material];
     }
 
     /** Whether there is any material that lets sound through. */
-    boolean anyTransmits() {
+    public boolean anyTransmits() {
         return anyTransmits;
     }
 
-    boolean isSheet(int material) {
+    public boolean isSheet(int material) {
         return sheet[material];
     }
 }

@@ -1,7 +1,8 @@
-package org.dronewatch.sensor.acoustic.energy;
+package org.dronewatch.sensor.acoustic.mirror;
 
 import java.util.Arrays;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
@@ -10,7 +11,7 @@ import org.dronewatch.world.World;
  * The path from one point over a chain of walls to another, by its images: it must meet every wall where it should, with
  * nothing between (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). One per thread.
  */
-final class MirrorPath {
+public final class MirrorPath {
     private static final int BANDS = OctaveBands.COUNT;
 
     /** How far beside the edge of two walls it is looked for each of them, as a multiple of the planes' tolerance. */
@@ -29,7 +30,7 @@ final class MirrorPath {
     private final double[] first = new double[3];
     private final double[] last = new double[3];
 
-    MirrorPath(World world, WallPlanes planes, BandSurfaces surfaces) {
+    public MirrorPath(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.mesh = world.mesh();
         this.planes = planes;
         this.surfaces = surfaces;
@@ -42,7 +43,7 @@ final class MirrorPath {
      * @param images of the other point in each chain: {@link MirrorChains#images}
      * @return whether there is a path; the figures of this object are then those of it
      */
-    boolean follow(MirrorChains chains, double[] images, int chain, double fromX, double fromY, double fromZ) {
+    public boolean follow(MirrorChains chains, double[] images, int chain, double fromX, double fromY, double fromZ) {
         double x = fromX;
         double y = fromY;
         double z = fromZ;
@@ -191,37 +192,37 @@ final class MirrorPath {
     }
 
     /** The fraction of a band's energy that all walls together reflect along the path. */
-    double reflected(int band) {
+    public double reflected(int band) {
         return reflected[band];
     }
 
     /** A coordinate of the point where the path is reflected first, m. */
-    double metFirst(int axis) {
+    public double metFirst(int axis) {
         return metFirst[axis];
     }
 
     /** The length of the whole path, m. */
-    double length() {
+    public double length() {
         return length;
     }
 
     /** Cosine of the angle between a unit vector and the direction in which the path leaves its beginning. */
-    double cosineAtBeginning(double[] unit) {
+    public double cosineAtBeginning(double[] unit) {
         return first[0] * unit[0] + first[1] * unit[1] + first[2] * unit[2];
     }
 
     /** Cosine of the angle between a unit vector and the direction in which the path, backward, leaves its end. */
-    double cosineAtEnd(double x, double y, double z) {
+    public double cosineAtEnd(double x, double y, double z) {
         return -(last[0] * x + last[1] * y + last[2] * z);
     }
 
     /** Sine of the elevation at which sound leaves the path's beginning. */
-    double riseFromBeginning() {
+    public double riseFromBeginning() {
         return first[2];
     }
 
     /** Sine of the elevation at which sound leaves the path's end, backward. */
-    double riseFromEnd() {
+    public double riseFromEnd() {
         return -last[2];
     }
 
@@ -230,7 +231,7 @@ final class MirrorPath {
      *
      * @param side positive for the beginning, negative for the end
      */
-    double leaving(double side, int axis) {
+    public double leaving(double side, int axis) {
         return side > 0.0 ? first[axis] : -last[axis];
     }
 }

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.energy;
+package org.dronewatch.sensor.acoustic.mirror;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -9,15 +9,16 @@ import java.util.Map;
 import java.util.WeakHashMap;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.world.World;
 
 /**
  * The planes in which a mesh reflects specularly: all triangles that lie in one plane, of whatever material and winding,
  * count as one wall. Nothing here depends on the directions of the axes. Immutable.
  */
-final class WallPlanes {
+public final class WallPlanes {
     /** The number of a triangle that reflects nothing specularly. */
-    static final int NONE = -1;
+    public static final int NONE = -1;
 
     /**
      * How far a corner may lie off the plane that its triangle is counted to, relative to the size of the mesh:
@@ -51,12 +52,12 @@ final class WallPlanes {
     private final double tolerance;
 
     /** The planes of a world, found once. */
-    static WallPlanes of(World world) {
+    public static WallPlanes of(World world) {
         return KNOWN.computeIfAbsent(
                 world, unknown -> new WallPlanes(unknown.mesh(), new BandSurfaces(unknown.surfaces())));
     }
 
-    WallPlanes(TriangleMesh mesh, BandSurfaces surfaces) {
+    public WallPlanes(TriangleMesh mesh, BandSurfaces surfaces) {
         this.tolerance = Math.max(LEAST_TOLERANCE, RELATIVE_TOLERANCE * size(mesh));
         this.wallOf = new int[mesh.triangleCount()];
         Arrays.fill(wallOf, NONE);
@@ -106,38 +107,38 @@ final class WallPlanes {
     }
 
     /** How many planes reflect something. */
-    int count() {
+    public int count() {
         return triangleOf.length;
     }
 
     /** The plane in which a triangle lies, or {@link #NONE}. */
-    int wallOf(int triangle) {
+    public int wallOf(int triangle) {
         return wallOf[triangle];
     }
 
     /** The largest triangle in a plane. */
-    int triangleOf(int wall) {
+    public int triangleOf(int wall) {
         return triangleOf[wall];
     }
 
     /** How far a point may lie off a plane that it is counted to, m. */
-    double tolerance() {
+    public double tolerance() {
         return tolerance;
     }
 
     /** Signed distance of a point from a plane, m. */
-    double height(int wall, double x, double y, double z) {
+    public double height(int wall, double x, double y, double z) {
         int at = NUMBERS * wall;
         return planes[at] * x + planes[at + 1] * y + planes[at + 2] * z - planes[at + 3];
     }
 
     /** A coordinate of a plane's unit normal. */
-    double normal(int wall, int axis) {
+    public double normal(int wall, int axis) {
         return planes[NUMBERS * wall + axis];
     }
 
     /** Whether two planes meet at an edge rather than lie almost in each other: corners of one wall are never quite flat. */
-    boolean meet(int some, int other) {
+    public boolean meet(int some, int other) {
         int a = NUMBERS * some;
         int b = NUMBERS * other;
         double cosine = planes[a] * planes[b] + planes[a + 1] * planes[b + 1] + planes[a + 2] * planes[b + 2];
@@ -145,7 +146,7 @@ final class WallPlanes {
     }
 
     /** Mirrors a point in a plane: three numbers of one array into three of another. */
-    void mirror(int wall, double[] points, int from, double[] images, int to) {
+    public void mirror(int wall, double[] points, int from, double[] images, int to) {
         int at = NUMBERS * wall;
         double twice = 2.0 * height(wall, points[from], points[from + 1], points[from + 2]);
         images[to] = points[from] - twice * planes[at];
@@ -154,7 +155,7 @@ final class WallPlanes {
     }
 
     /** Whether a point of a plane lies in the box around all triangles in it: if not, nothing is reflected there. */
-    boolean mayContain(int wall, double x, double y, double z) {
+    public boolean mayContain(int wall, double x, double y, double z) {
         int at = BOUNDS * wall;
         return x >= bounds[at]
                 && x <= bounds[at + 3]

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.energy;
+package org.dronewatch.sensor.acoustic.mirror;
 
 import java.util.Arrays;
 
@@ -6,12 +6,12 @@ import java.util.Arrays;
  * Sequences of walls over which sound that leaves a point is reflected specularly, one after another. They form a tree:
  * a chain is its parent and one more wall; chain 0 is empty, and parents come before their children. Immutable.
  */
-final class MirrorChains {
+public final class MirrorChains {
     /** The chain without walls. */
-    static final int EMPTY = 0;
+    public static final int EMPTY = 0;
 
     /** No chain but the empty one. */
-    static final MirrorChains NONE = new MirrorChains(new int[1], new int[1]);
+    public static final MirrorChains NONE = new MirrorChains(new int[1], new int[1]);
 
     private static final long STEP = 0x9E3779B97F4A7C15L;
 
@@ -26,7 +26,7 @@ final class MirrorChains {
      * @param parents of each chain; of the first, which is empty, any
      * @param walls the last wall of each chain; of the first, any
      */
-    MirrorChains(int[] parents, int[] walls) {
+    public MirrorChains(int[] parents, int[] walls) {
         this.parents = parents.clone();
         this.walls = walls.clone();
         this.orders = new int[parents.length];
@@ -40,7 +40,7 @@ final class MirrorChains {
     }
 
     /** A sequence of walls, the first one first, and all that it begins with. */
-    static MirrorChains of(int... sequence) {
+    public static MirrorChains of(int... sequence) {
         int[] itsParents = new int[sequence.length + 1];
         int[] itsWalls = new int[sequence.length + 1];
         for (int i = 1; i < itsWalls.length; i++) {
@@ -55,7 +55,7 @@ final class MirrorChains {
      *
      * @param isKept for each chain whether it is
      */
-    MirrorChains kept(boolean[] isKept) {
+    public MirrorChains kept(boolean[] isKept) {
         boolean[] needed = isKept.clone();
         needed[EMPTY] = true;
         int count = 1;
@@ -80,27 +80,27 @@ final class MirrorChains {
     }
 
     /** The number of chains, the empty one included. */
-    int count() {
+    public int count() {
         return parents.length;
     }
 
     /** The chain without its last wall. */
-    int parent(int chain) {
+    public int parent(int chain) {
         return parents[chain];
     }
 
     /** The last wall of a chain. */
-    int wall(int chain) {
+    public int wall(int chain) {
         return walls[chain];
     }
 
     /** How many walls a chain has. */
-    int order(int chain) {
+    public int order(int chain) {
         return orders[chain];
     }
 
     /** A chain's walls, the first one first. */
-    int[] walls(int chain) {
+    public int[] walls(int chain) {
         int[] sequence = new int[orders[chain]];
         for (int rest = chain; rest != EMPTY; rest = parents[rest]) {
             sequence[orders[rest] - 1] = walls[rest];
@@ -109,7 +109,7 @@ final class MirrorChains {
     }
 
     /** The key of a chain's walls in the reverse order. */
-    long keyOfReverse(int chain) {
+    public long keyOfReverse(int chain) {
         long key = 0L;
         for (int rest = chain; rest != EMPTY; rest = parents[rest]) {
             key = appended(key, walls[rest]);
@@ -118,12 +118,12 @@ final class MirrorChains {
     }
 
     /** Whether a sequence of one wall or more, known by its key, is one of these chains. */
-    boolean contains(long key) {
+    public boolean contains(long key) {
         return Arrays.binarySearch(keys, key) >= 0;
     }
 
     /** The key of a sequence with one more wall at its end; that of the empty one is 0. */
-    static long appended(long key, int wall) {
+    public static long appended(long key, int wall) {
         return key * STEP + mixed(wall);
     }
 
@@ -132,12 +132,12 @@ final class MirrorChains {
      *
      * @param weight of a sequence of this length: 1 for the empty one, {@link #weightOfNext} for each wall
      */
-    static long prepended(long key, int wall, long weight) {
+    public static long prepended(long key, int wall, long weight) {
         return key + mixed(wall) * weight;
     }
 
     /** See {@link #prepended}. */
-    static long weightOfNext(long weight) {
+    public static long weightOfNext(long weight) {
         return weight * STEP;
     }
 
@@ -150,7 +150,7 @@ final class MirrorChains {
     }
 
     /** The image of a point in each chain, three coordinates each: the point mirrored in the first wall, then in the next. */
-    void images(double x, double y, double z, WallPlanes planes, double[] images) {
+    public void images(double x, double y, double z, WallPlanes planes, double[] images) {
         images[0] = x;
         images[1] = y;
         images[2] = z;

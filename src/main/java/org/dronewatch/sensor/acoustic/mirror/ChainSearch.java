@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.energy;
+package org.dronewatch.sensor.acoustic.mirror;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,6 +6,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.sound.OctaveBands;
@@ -16,7 +17,7 @@ import org.dronewatch.world.World;
  * Vorlaender, JASA 86, 172, 1989, for finding image sources by rays). A chain that is seen under a smaller solid angle
  * than that of one ray may be missed. The same point has the same chains. One per thread.
  */
-final class ChainSearch {
+public final class ChainSearch {
     /** A ray that has less than this fraction of its energy left after reflections is given up. */
     private static final double FAINT = 1e-3;
 
@@ -42,7 +43,7 @@ final class ChainSearch {
     private final AcousticRay ray = new AcousticRay();
     private final double[] normal = new double[3];
 
-    ChainSearch(World world, WallPlanes planes, BandSurfaces surfaces) {
+    public ChainSearch(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.mesh = world.mesh();
         this.tracer = world.newIncoherentRayTracer();
         this.planes = planes;
@@ -62,7 +63,7 @@ final class ChainSearch {
      * @param rays how many rays are spread over all directions
      * @param maxOrder the most walls of one chain
      */
-    ChainTree from(Position from, int rays, int maxOrder) {
+    public ChainTree from(Position from, int rays, int maxOrder) {
         ChainTree tree = new ChainTree();
         List<double[]> lonely = new ArrayList<>();
         for (int i = 0; i < rays; i++) {
@@ -115,15 +116,7 @@ final class ChainSearch {
         double left = 1.0;
         boolean isLonely = false;
         for (int order = 0; order < maxOrder; order++) {
-            if (!tracer.closestHit(
-                    ray.originX,
-                    ray.originY,
-                    ray.originZ,
-                    ray.directionX,
-                    ray.directionY,
-                    ray.directionZ,
-                    0.0,
-                    Double.POSITIVE_INFINITY)) {
+            if (!ray.meets(tracer)) {
                 break;
             }
             int triangle = tracer.triangle();

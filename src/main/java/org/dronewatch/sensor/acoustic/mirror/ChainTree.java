@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.energy;
+package org.dronewatch.sensor.acoustic.mirror;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /** Chains of walls as they are found, with what each of them is worth. */
-final class ChainTree {
+public final class ChainTree {
     private final List<Integer> parents = new ArrayList<>(List.of(MirrorChains.EMPTY));
     private final List<Integer> walls = new ArrayList<>(List.of(WallPlanes.NONE));
     private final List<Double> worths = new ArrayList<>(List.of(Double.POSITIVE_INFINITY));
@@ -19,7 +19,7 @@ final class ChainTree {
      *
      * @return its number
      */
-    int add(int parent, int wall, double worth) {
+    public int add(int parent, int wall, double worth) {
         int chain = children.computeIfAbsent(((long) parent << Integer.SIZE) + wall, key -> {
             parents.add(parent);
             walls.add(wall);
@@ -31,7 +31,7 @@ final class ChainTree {
     }
 
     /** Adds a chain of walls, the first one first, and all that it begins with. */
-    void add(int[] sequence, double worth) {
+    public void add(int[] sequence, double worth) {
         int chain = MirrorChains.EMPTY;
         for (int wall : sequence) {
             chain = add(chain, wall, worth);
@@ -39,7 +39,7 @@ final class ChainTree {
     }
 
     /** What a chain of walls is worth; 0 if it is not known. */
-    double worth(int[] sequence) {
+    public double worth(int[] sequence) {
         int chain = MirrorChains.EMPTY;
         for (int wall : sequence) {
             Integer next = children.get(((long) chain << Integer.SIZE) + wall);
@@ -52,7 +52,7 @@ final class ChainTree {
     }
 
     /** The walls of the chains of one wall that are worth most. */
-    int[] firstWalls(int most) {
+    public int[] firstWalls(int most) {
         return IntStream.range(1, parents.size())
                 .filter(chain -> parents.get(chain) == MirrorChains.EMPTY)
                 .boxed()
@@ -64,7 +64,7 @@ final class ChainTree {
     }
 
     /** What a chain is worth. */
-    double worth(int chain) {
+    public double worth(int chain) {
         return worths.get(chain);
     }
 
@@ -74,7 +74,7 @@ final class ChainTree {
      * @param most how many
      * @param least chains that are worth less are left out
      */
-    MirrorChains best(int most, double least) {
+    public MirrorChains best(int most, double least) {
         int[] kept = IntStream.range(0, parents.size())
                 .filter(chain -> worths.get(chain) >= least)
                 .boxed()

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.energy;
+package org.dronewatch.sensor.acoustic.mirror;
 
 import java.util.Arrays;
 import org.dronewatch.geometry.Position;
@@ -8,7 +8,7 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
  * The leg of a ray since it left the sensor or the source or was scattered last: its specular reflections one after
  * another, and whether sets of chains contain them. One per thread.
  */
-final class MirrorRun {
+public final class MirrorRun {
     private int[] walls = new int[16];
     private long key;
     private long reverse;
@@ -21,7 +21,7 @@ final class MirrorRun {
     private double fromZ;
 
     /** A leg begins where a ray is. */
-    void begin(AcousticRay ray) {
+    public void begin(AcousticRay ray) {
         fromX = ray.originX;
         fromY = ray.originY;
         fromZ = ray.originZ;
@@ -34,12 +34,12 @@ final class MirrorRun {
     }
 
     /** The ray flew on, m. */
-    void fly(double distance) {
+    public void fly(double distance) {
         length += distance;
     }
 
     /** One more reflection. */
-    void reflect(int wall) {
+    public void reflect(int wall) {
         key = MirrorChains.appended(key, wall);
         reverse = MirrorChains.prepended(reverse, wall, weight);
         weight = MirrorChains.weightOfNext(weight);
@@ -51,22 +51,22 @@ final class MirrorRun {
     }
 
     /** One more wall through which the ray went. */
-    void passThrough() {
+    public void passThrough() {
         isThroughWalls = true;
     }
 
     /** How far the ray has flown, m. */
-    double length() {
+    public double length() {
         return length;
     }
 
     /** How many reflections. */
-    int order() {
+    public int order() {
         return order;
     }
 
     /** Whether a path over the same walls leads to a point, and not only past it. Not known of rays through walls. */
-    boolean leadsTo(Position point, MirrorPath path, WallPlanes planes) {
+    public boolean leadsTo(Position point, MirrorPath path, WallPlanes planes) {
         MirrorChains backward = backward();
         double[] images = new double[3 * backward.count()];
         backward.images(point.x(), point.y(), point.z(), planes, images);
@@ -83,22 +83,22 @@ final class MirrorRun {
     }
 
     /** Whether the ray went through a wall on the way. */
-    boolean isThroughWalls() {
+    public boolean isThroughWalls() {
         return isThroughWalls;
     }
 
     /** Whether the ray went straight on, through air alone. */
-    boolean isStraight() {
+    public boolean isStraight() {
         return order == 0 && !isThroughWalls;
     }
 
     /** Whether it is one of the chains of the point where the ray began. */
-    boolean isChainFrom(MirrorChains chains) {
+    public boolean isChainFrom(MirrorChains chains) {
         return !isThroughWalls && order > 0 && chains.contains(key);
     }
 
     /** Whether it is, backward, one of the chains of a point where the ray ends. */
-    boolean isChainTo(MirrorChains chains) {
+    public boolean isChainTo(MirrorChains chains) {
         return !isThroughWalls && order > 0 && chains.contains(reverse);
     }
 }

@@ -1,0 +1,105 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
+import org.dronewatch.sensor.acoustic.mirror.MirrorPath;
+import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.world.World;
+
+/**
+ * The leg by which two points are connected: straight, through the walls between them, or over a chain of walls that
+ * reflect specularly. One per thread.
+ */
+final class ConnectingLeg {
+    private final WallTransmission walls;
+    private final MirrorPath path;
+    private boolean isStraight;
+    private double x;
+    private double y;
+    private double z;
+    private double length;
+    private int traced;
+
+    ConnectingLeg(World world, WallPlanes planes, BandSurfaces surfaces) {
+        this.walls = new WallTransmission(world, surfaces);
+        this.path = new MirrorPath(world, planes, surfaces);
+    }
+
+    /**
+     * Looks for a leg from a point to another one, of which the images are given.
+     *
+     * @param chain over which it goes; the straight leg goes over {@link MirrorChains#EMPTY}, and whether it is open
+     *     only {@link #isOpen} tells
+     * @return whether there is one
+     */
+    boolean find(MirrorChains chains, double[] images, int chain, double fromX, double fromY, double fromZ) {
+        isStraight = chain == MirrorChains.EMPTY;
+        if (isStraight) {
+            x = images[0] - fromX;
+            y = images[1] - fromY;
+            z = images[2] - fromZ;
+            length = Math.sqrt(x * x + y * y + z * z);
+            return true;
+        }
+        if (!path.follow(chains, images, chain, fromX, fromY, fromZ)) {
+            return false;
+        }
+        traced += chains.order(chain) + 1;
+        length = path.length();
+        return true;
+    }
+
+    /**
+     * Whether any sound passes. Of a straight leg it is traced only now, since surfaces that face away need no tracing.
+     *
+     * @param x of the end from which it is traced, m
+     * @param toX of the other end, m
+     * @param medium at the end from which it is traced
+     */
+    boolean isOpen(double x, double y, double z, double toX, double toY, double toZ, int medium) {
+        if (!isStraight) {
+            return true;
+        }
+        traced++;
+        return walls.trace(x, y, z, toX, toY, toZ, medium);
+    }
+
+    /** Whether it goes through walls. */
+    boolean isThroughWalls() {
+        return isStraight && !walls.isFree();
+    }
+
+    /** The fraction of a band's energy that passes walls, or that walls reflect. */
+    double passed(int band) {
+        return isStraight ? walls.passed(band) : path.reflected(band);
+    }
+
+    /** Its length, m. */
+    double length() {
+        return length;
+    }
+
+    /** Cosine of the angle between a unit vector and the direction in which it leaves its beginning. */
+    double cosineAtBeginning(double[] unit) {
+        return isStraight ? (x * unit[0] + y * unit[1] + z * unit[2]) / length : path.cosineAtBeginning(unit);
+    }
+
+    /** Cosine of the angle between a unit vector and the direction in which it, backward, leaves its end. */
+    double cosineAtEnd(double[] unit) {
+        return isStraight
+                ? -(x * unit[0] + y * unit[1] + z * unit[2]) / length
+                : path.cosineAtEnd(unit[0], unit[1], unit[2]);
+    }
+
+    /** Sine of the elevation at which sound leaves its end, backward. */
+    double riseFromEnd() {
+        return isStraight ? -z / length : path.riseFromEnd();
+    }
+
+    /** How many segments have been traced since this was called last. */
+    int takeTraced() {
+        int count = traced;
+        traced = 0;
+        return count;
+    }
+}
