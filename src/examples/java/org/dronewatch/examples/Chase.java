@@ -49,12 +49,12 @@ public class Chase extends Scene {
         private void steer() {
             DroneInFlight guard = run.drone("guard");
             Position visitor = run.drone("visitor").state().position();
-            Position way = visitor.minus(guard.state().position());
-            if (way.length() < 3.0) {
+            Position offset = visitor.minus(guard.state().position());
+            if (offset.length() < 3.0) {
                 guard.flyTo(HOME, run.time() + 10.0);
                 return;
             }
-            guard.fly(way.unit().times(20.0));
+            guard.fly(offset.unit().times(20.0));
             run.after(0.1, this::steer);
         }
     }

@@ -41,8 +41,9 @@ final class BenchCommand implements Callable<Integer> {
     @Option(
             names = "--rays",
             paramLabel = "FILE",
-            description = "Rays to trace: int32 count, then six float32 per ray (origin, unit direction),"
-                    + " little-endian. Without it, camera rays and diffuse bounces are generated from the seed.")
+            description =
+                    "Rays to trace: int32 count, then six float32 per ray (origin, unit direction),"
+                            + " little-endian. Without it, camera rays and diffusely reflected rays are generated from the seed.")
     private Path rays;
 
     @Option(

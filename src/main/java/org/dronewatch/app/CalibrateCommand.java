@@ -31,9 +31,9 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Fits the threshold of a microphone or a radio receiver, or the pixel count of a camera, so that with a"
-                        + " clear line of sight a given range is the greatest at which it detects a drone, and writes the sensor"
-                        + " as a file that scenes refer to with 'use'. Air, background noise, rain and light are those of the scene; its models and"
-                        + " noise sources are left out. The file states range and conditions.",
+                        + " clear line of sight R is the greatest range at which it detects a drone, and writes the sensor"
+                        + " as a file that scenes refer to with 'use'. Air, background noise, rain and light are those of"
+                        + " the scene; its models and noise sources are left out. The file states range and conditions.",
         footer = {
             "",
             "Example:",
@@ -56,8 +56,8 @@ final class CalibrateCommand implements Callable<Integer> {
             names = "--range",
             required = true,
             paramLabel = "R",
-            description = "Range from the sensor to the drone, which flies straight towards it at its height: 1 m to"
-                    + " 100 km.")
+            description = "Range from the sensor to the drone, which flies straight towards the sensor at the sensor's"
+                    + " height: 1 m to 100 km.")
     private String range;
 
     @Option(
@@ -71,7 +71,7 @@ final class CalibrateCommand implements Callable<Integer> {
             names = "--run",
             defaultValue = "0",
             paramLabel = "N",
-            description = "Run of a sweep whose conditions hold, from 0; 0 by default.")
+            description = "Index of the run of a sweep whose conditions are used, counted from 0; 0 by default.")
     private int run;
 
     @Option(
@@ -79,8 +79,8 @@ final class CalibrateCommand implements Callable<Integer> {
             required = true,
             paramLabel = "NAME.yaml",
             description =
-                    "File to write; a scene file in the same directory takes it by 'use: NAME'. A file that is already"
-                            + " there is replaced only if 'calibrate' wrote it.")
+                    "File to write; a scene file in the same directory refers to it as 'use: NAME'. An existing file is"
+                            + " replaced only if 'calibrate' wrote it.")
     private String out;
 
     @Spec

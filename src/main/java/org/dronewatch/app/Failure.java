@@ -47,7 +47,7 @@ final class Failure {
 
     private static String outOfMemory(String reason) {
         if (reason.contains("native thread")) {
-            return "no more threads can be started: use fewer by --threads, or allow this process more";
+            return "no more threads can be started: use fewer with --threads, or raise this process's limit";
         }
         String most = String.format(
                 Locale.ROOT, "Java may use %d MB", Runtime.getRuntime().maxMemory() >> 20);
@@ -55,7 +55,7 @@ final class Failure {
             return "out of memory for classes (" + reason + "): give Java more, as in 'java -XX:MaxMetaspaceSize=1g'";
         }
         return "out of memory (" + reason + "; " + most
-                + "): give it more, as in 'java -Xmx4g' or MAVEN_OPTS=-Xmx4g, or take"
+                + "): give it more, as in 'java -Xmx4g' or MAVEN_OPTS=-Xmx4g, or use"
                 + " smaller pictures (sensors.ID.width and height, --size), fewer --cells, or models of fewer"
                 + " triangles";
     }

@@ -86,7 +86,7 @@ final class RenderCommand implements Callable<Integer> {
             names = "--run",
             defaultValue = "0",
             paramLabel = "N",
-            description = "Run of a sweep, from 0; 0 by default.")
+            description = "Index of the run in a sweep, counted from 0; 0 by default.")
     private int run;
 
     @Mixin

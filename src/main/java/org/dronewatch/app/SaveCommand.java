@@ -30,7 +30,8 @@ final class SaveCommand implements Callable<Integer> {
     @Option(
             names = "--run",
             paramLabel = "N",
-            description = "Run of a sweep, from 0, with its own seed; the whole sweep by default.")
+            description = "Index of the run in a sweep, counted from 0, to save with its own seed; the whole sweep by"
+                    + " default.")
     private Integer run;
 
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
@@ -41,8 +42,8 @@ final class SaveCommand implements Callable<Integer> {
             required = true,
             paramLabel = "FILE",
             description =
-                    "File to write, .yaml or .yml; the scene's own models must be beside it or below. A file that is"
-                            + " already there is replaced only if 'save' wrote it.")
+                    "File to write, .yaml or .yml; the scene's own models must be beside it or below. An existing file"
+                            + " is replaced only if 'save' wrote it.")
     private String out;
 
     @Spec

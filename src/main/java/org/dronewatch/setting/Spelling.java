@@ -45,10 +45,10 @@ public final class Spelling {
         return "; did you mean '" + name + "'?";
     }
 
-    /** The end of a message about an unknown name: {@code nearest are camera, radar, rf}, or {@code nearest is camera}. */
+    /** The end of a message about an unknown name: {@code closest matches: camera, radar}, or {@code closest match: camera}. */
     public static String nearestAre(String typed, Collection<String> names) {
         List<String> nearest = nearest(typed, names, SUGGESTIONS);
-        return (nearest.size() == 1 ? "nearest is " : "nearest are ") + String.join(", ", nearest);
+        return (nearest.size() == 1 ? "closest match: " : "closest matches: ") + String.join(", ", nearest);
     }
 
     /**

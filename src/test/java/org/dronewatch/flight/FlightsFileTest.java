@@ -140,7 +140,7 @@ class FlightsFileTest {
         FlightsFile file = written(List.of("0,hunter,0,0,0,0,0,0,0,0,0,0,", "2,prey,0,0,0,0,0,0,0,0,0,0,"));
         assertThatThrownBy(() -> file.flight(0, "huntr"))
                 .isInstanceOf(InputException.class)
-                .hasMessage("flights.csv: has no flight of drone 'huntr' in run 0; nearest is hunter");
+                .hasMessage("flights.csv: has no flight of drone 'huntr' in run 0; closest match: hunter");
         assertThatThrownBy(() -> file.flight(1, "hunter"))
                 .isInstanceOf(InputException.class)
                 .hasMessage("flights.csv: has no flight of run 1");

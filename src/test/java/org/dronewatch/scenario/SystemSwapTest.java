@@ -106,7 +106,7 @@ class SystemSwapTest {
     void whatDoesNotFitIsRefused() throws IOException {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> scene(SENTRY).set("sensors.gate", "litey").settings())
-                .withMessage("--set sensors.gate=litey: no sensor 'litey' in the catalogue; nearest are liteye, "
+                .withMessage("--set sensors.gate=litey: no sensor 'litey' in the catalogue; closest matches: liteye, "
                         + "camera, thermal");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> scene(
@@ -122,7 +122,7 @@ class SystemSwapTest {
                         .settings())
                 .withMessageStartingWith(
                         "--set sensors.gate=droneshield-v2: sensors.eye.positioner.cues: sensor 'eye' is cued by"
-                                + " 'gate-camera': there is no such sensor; nearest are ");
+                                + " 'gate-camera': there is no such sensor; closest matches: ");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> scene(SENTRY).set("sensors.gat", "liteye").settings())
                 .withMessageStartingWith("--set setting 'sensors.gat': no 'gat': 'sensors' has: ");

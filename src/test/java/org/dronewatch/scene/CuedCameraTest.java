@@ -160,7 +160,8 @@ class CuedCameraTest {
         assertThatThrownBy(() ->
                         runner().set("sensors.cued.positioner.cues", "rdar").settings())
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("sensor 'cued' is cued by 'rdar': there is no such sensor; nearest are radar");
+                .hasMessageContaining(
+                        "sensor 'cued' is cued by 'rdar': there is no such sensor; closest matches: radar");
         assertThatThrownBy(() ->
                         runner().set("sensors.cued.positioner.cues", "cued").settings())
                 .hasMessageContaining("is cued by itself");
