@@ -36,7 +36,7 @@ import org.dronewatch.world.World;
  * @param speed cruise speed, 0.001 to 400 m/s
  * @param acceleration largest acceleration along the path, 0.001 to 10,000 m/s2
  * @param airframe what carries it
- * @param lean whether it tilts as its airframe does: a multirotor into its acceleration, a wing into its turn; otherwise it stays level, unless its flight states an attitude
+ * @param lean whether it tilts as its type of airframe tilts in flight: a multirotor into its acceleration, a fixed-wing into its turn; otherwise it stays level, unless its flight states an attitude
  * @param radar its radar signature
  * @param heat its thermal signature
  * @param radio how it is controlled, and which radio signals can be received

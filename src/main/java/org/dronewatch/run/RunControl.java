@@ -14,12 +14,12 @@ import java.util.function.BooleanSupplier;
  */
 public record RunControl(double until, Pace pace, BooleanSupplier cancelled, LookTimes times) {
 
-    /** To a time, as fast as possible. */
+    /** Runs to a time, s, as fast as possible. */
     public static RunControl until(double seconds) {
         return new RunControl(seconds, Pace.AS_FAST_AS_POSSIBLE, () -> false, new LookTimes());
     }
 
-    /** The same up to another time. */
+    /** This control with another end of the run, s. */
     public RunControl withUntil(double seconds) {
         return new RunControl(seconds, pace, cancelled, times);
     }

@@ -96,12 +96,12 @@ public final class RunSession implements AutoCloseable {
         listener.runStarted(info, stage);
     }
 
-    /** Its number and settings. */
+    /** The run's number and settings. */
     public RunInfo info() {
         return info;
     }
 
-    /** Its world, drones and sensors. */
+    /** The run's world, drones and sensors. */
     public Stage stage() {
         return stage;
     }

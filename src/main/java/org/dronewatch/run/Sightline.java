@@ -39,7 +39,7 @@ public final class Sightline {
                 && visibility.isFree(sensor.position(), position);
     }
 
-    /** The world that it is in. */
+    /** The world. */
     public World world() {
         return visibility.world();
     }

@@ -51,7 +51,7 @@ record SiteAdvice(SceneSettings settings, World world) {
                         + String.join(", ", world.mesh().materialNames())));
     }
 
-    /** With its own spectrum a drone's sound is a mere name: that of another spectrum misleads. */
+    /** If a drone has its own spectrum, its sound is only a label; the name of another spectrum would mislead. */
     private void onSounds(Consumer<String> target) {
         settings.drones().forEach((id, drone) -> {
             boolean isMisleading = drone.spectrum().isPresent()

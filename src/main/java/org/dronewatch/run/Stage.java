@@ -144,7 +144,7 @@ public final class Stage {
         return fliers.stream().flatMap(flier -> SteeredFlight.in(flier.path).stream());
     }
 
-    /** Up to when it is known where all drones are, s: infinity unless one is steered. */
+    /** The time up to which the positions of all drones are known, s: infinity unless one is steered. */
     public double known() {
         return steered().mapToDouble(SteeredFlight::known).min().orElse(Double.POSITIVE_INFINITY);
     }
@@ -154,7 +154,7 @@ public final class Stage {
         steered().forEach(SteeredFlight::steerHere);
     }
 
-    /** Steered drones have flown on to this time, and the calling thread steers them on. */
+    /** Advances steered drones to a time, s; the calling thread steers them from then on. */
     void flyTo(double time) {
         steerHere();
         steered().forEach(flight -> flight.advance(time));

@@ -68,7 +68,7 @@ public final class Overrides {
         }
     }
 
-    /** A sensor is replaced by its name: its kind is no part of it. */
+    /** The kind of a sensor cannot be set on its own: the sensor is replaced as a whole, by a name. */
     private static void checkNotKind(SceneSettings scene, String path) {
         String sensor = path.endsWith(KIND) ? path.substring(0, path.length() - KIND.length()) : "";
         if (sensor.startsWith(SENSORS) && scene.sensors().containsKey(sensor.substring(SENSORS.length()))) {
@@ -79,7 +79,7 @@ public final class Overrides {
 
     private Map<String, Object> poseOf(SensorSettings<?> old, String name) {
         Map<String, Object> pose = new LinkedHashMap<>();
-        // A name of the catalogue goes before that of a kind.
+        // Names in the catalogue take precedence over kinds.
         String kind = catalog.entry(name).map(CatalogEntry::kind).orElse(name);
         Optional<Class<?>> next = Optional.ofNullable(SensorKinds.all().get(kind));
         if (next.isPresent() && old instanceof Record settings) {

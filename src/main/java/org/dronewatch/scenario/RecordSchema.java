@@ -78,7 +78,7 @@ final class RecordSchema {
         return property;
     }
 
-    /** Accepts the names that a component had before, too. */
+    /** Accepts the former names of a component, too. */
     private static void putFormerNames(ObjectNode properties, RecordComponent part, ObjectNode property) {
         Formerly names = part.getAnnotation(Formerly.class);
         for (String former : names == null ? new String[0] : names.value()) {
@@ -89,7 +89,7 @@ final class RecordSchema {
         }
     }
 
-    /** Of all names of a component one may be given, and one must be if it has no default. */
+    /** At most one of a component's names may be given, and exactly one if it has no default. */
     private static void putChoiceOfNames(ObjectNode schema, SettingsForm form) {
         for (String name : new LinkedHashSet<>(form.renamed().values())) {
             ArrayNode either = JsonNodeFactory.instance.arrayNode();

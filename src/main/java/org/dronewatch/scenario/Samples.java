@@ -16,7 +16,7 @@ import org.dronewatch.world.GroundPoint;
 /** Instantiates a settings record with only its required components filled in, to find the defaults of the others. */
 public final class Samples {
     private static final Position SOMEWHERE = new Position(1, 2, 3);
-    /** How deep nested lists are filled: those of records that contain themselves would never end. */
+    /** Depth to which nested lists are filled: those of records that contain themselves would never end. */
     private static final int DEEPEST = 8;
 
     private Samples() {}
@@ -101,7 +101,7 @@ public final class Samples {
                 : List.of(value(inner[0], limits, depth + 1));
     }
 
-    /** One, or else about the middle of what is allowed. */
+    /** The value 1 if it is allowed, otherwise about the middle of the allowed range. */
     private static double within(In limits) {
         if (limits == null) {
             return 1.0;

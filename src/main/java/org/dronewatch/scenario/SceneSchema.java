@@ -58,7 +58,7 @@ public final class SceneSchema {
     private String reference(Class<?> type) {
         String name = name(type);
         if (!definitions.containsKey(name)) {
-            // First the name, so that types that hold themselves end.
+            // First the name, so that recursive types terminate.
             definitions.put(name, json.createObjectNode());
             definitions.put(
                     name, kinds.isChoice(type) ? choice(type) : records.of(SettingsForm.of(type), Optional.empty()));

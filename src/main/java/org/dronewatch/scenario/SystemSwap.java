@@ -32,7 +32,7 @@ record SystemSwap(Catalog catalog, String id, String name) {
         return !catalog.partsOf(name).isEmpty();
     }
 
-    /** The names that the parts of a system have in the scene: of that with most parts, if all are there. */
+    /** The names in the scene of a system's parts: of the system with the most parts, all of which must be there. */
     private List<String> system(SceneSettings scene) {
         List<String> most = List.of();
         for (String system : Catalog.systemNames()) {

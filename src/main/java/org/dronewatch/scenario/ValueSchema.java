@@ -95,7 +95,7 @@ final class ValueSchema {
                 .toList());
     }
 
-    /** One of some words. */
+    /** One of several words. */
     static ObjectNode names(Collection<String> names) {
         ObjectNode schema = object();
         ArrayNode values = schema.putArray("enum");

@@ -156,7 +156,7 @@ final class ConfiguredScene {
     }
 
     /**
-     * Checks a run that nobody steers: a steered drone would only hover, and that is not what its scene means.
+     * Checks a run without a pilot: a steered drone would only hover, which is not what its scene intends.
      *
      * @throws InputException when a drone is steered
      */
@@ -175,7 +175,7 @@ final class ConfiguredScene {
         return placeOf(path, set -> path.equals(set) || path.startsWith(set + "."));
     }
 
-    /** The same for a file that a setting names: what is wrong with that is not the fault of an override of its scale. */
+    /** The same for a file that a setting names: an error in the file is not due to an override of its scale. */
     String placeOfFile(String path) {
         return placeOf(path, set -> set.equals(path) || set.equals(path + ".file"));
     }

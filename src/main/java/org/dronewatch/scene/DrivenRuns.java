@@ -36,7 +36,7 @@ record DrivenRuns(
         RunControl control) {
 
     /**
-     * Runs them.
+     * Runs the scene once for each of the given runs.
      *
      * @return a result for each, up to the one that was cut short
      * @throws CancellationException when the thread is interrupted, unless the runs are cancelled as well
@@ -79,7 +79,7 @@ record DrivenRuns(
         return control.cancelled().getAsBoolean();
     }
 
-    /** Runs to the end, or until the run is cancelled: an interrupt then only brings that about sooner. */
+    /** Runs to the end, or until the run is cancelled; an interrupt then merely ends it sooner. */
     private void simulate(RunSession session, double until, Consumer<String> warnings) {
         try {
             Interrupts.surfacing(() -> {

@@ -13,15 +13,16 @@ import org.dronewatch.setting.InputException;
 
 /**
  * A drone during a run, at the simulator's time: where any drone is, and commands for those whose flight is {@code
- * steered}. A command counts from now until the next one; between two commands velocity and attitude are constant, and the
- * position follows from them. Of several commands at one time the last counts. A command from a listener of
- * a scene's observations takes effect just after that look.
+ * steered}. A command takes effect now and holds until the next one; between two commands velocity and attitude are
+ * constant, and the position follows from them. Of several commands at the same time, the last one takes effect. A command
+ * from a listener of a scene's observations takes effect just after that look.
  *
- * <p>Only the thread that runs the scene gives commands, in a pilot, in events of the simulator or in listeners: a command of
- * another thread would count from whatever time the run happens to have reached, and no run could be repeated.
+ * <p>Only the thread that runs the scene may give commands, in a pilot, in events of the simulator or in listeners: a
+ * command from another thread would take effect at whatever time the run happens to have reached, and no run could be
+ * repeated.
  *
- * <p>A drone whose flight is {@code recorded} flies as it did: commands change nothing, so a scene with its pilot can be
- * replayed.
+ * <p>A drone whose flight is {@code recorded} flies as it did in the recorded run: commands change nothing, so a scene with
+ * its pilot can be replayed.
  */
 public final class DroneInFlight {
     private final String id;
@@ -71,8 +72,8 @@ public final class DroneInFlight {
     }
 
     /**
-     * Flies with a velocity until the next command, level and with the nose where it is going; straight up, straight down
-     * and at rest the nose stays as it is.
+     * Flies with a velocity until the next command, level and with the nose in the direction of flight; straight up,
+     * straight down and at rest it keeps its heading.
      *
      * @param velocity east, north and up, m/s
      * @throws InputException when that is faster than the drone's speed or null, the drone is neither steered nor recorded,

@@ -29,8 +29,8 @@ public final class PilotedRun {
     }
 
     /**
-     * Does something later in the run, before sensors look at that time. What would come after the end of the run is not
-     * done, so that an action can schedule itself again and again; if a pilot schedules it when it begins, the runner warns.
+     * Does something later in the run, before sensors look at that time. An action due after the end of the run is dropped,
+     * so an action may keep rescheduling itself; the runner warns if a pilot schedules such an action when it begins.
      *
      * @param seconds from now, 0 or more
      * @throws IllegalArgumentException when negative or not a number, or the action is null
@@ -55,7 +55,7 @@ public final class PilotedRun {
      * Lets a pilot begin.
      *
      * @param pilot what it does first
-     * @return a warning, if it schedules what comes after the end of the run
+     * @return a warning, if it schedules an action for a time after the end of the run
      * @throws InputException as for {@link #act}
      */
     Optional<String> begin(Consumer<PilotedRun> pilot) {

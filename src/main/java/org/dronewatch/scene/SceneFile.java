@@ -51,7 +51,7 @@ public final class SceneFile extends Scene {
         return name == null ? "scene" : name.toString().replaceFirst("\\.[A-Za-z]+$", "");
     }
 
-    /** That of the file. */
+    /** The file's directory. */
     @Override
     public Path directory() {
         Path parent = file.toAbsolutePath().normalize().getParent();

@@ -54,7 +54,7 @@ final class SceneModels {
         placing(path, () -> models.read(model));
     }
 
-    /** Of a swarm, each drone finds its own flight later. */
+    /** Each drone of a swarm finds its own flight later. */
     private void checkFlight(Recorded recorded, String id, DroneSettings drone) {
         FlightsFile file = models.flights(recorded.file());
         if (drone.swarm().isEmpty()) {

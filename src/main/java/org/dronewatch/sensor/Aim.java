@@ -53,7 +53,7 @@ public sealed interface Aim {
         @Defaults
         public static final Direction DEFAULT = new Direction(0.0, 0.0);
 
-        /** As a positioner points. */
+        /** The direction in which a positioner points. */
         public static Direction of(org.dronewatch.positioner.Direction pointing) {
             return new Direction(pointing.azimuth(), pointing.elevation());
         }

@@ -5,8 +5,8 @@ import java.util.OptionalDouble;
 import org.dronewatch.world.Obstacle;
 
 /**
- * The deterministic half of a look: how likely a sensor is to detect a drone in a given state of flight, and why it misses it
- * if it does. The other half draws from it.
+ * The deterministic half of a look: how likely a sensor is to detect a drone in a given state of flight, and, if the drone
+ * is missed, why. The other half draws from it.
  *
  * @param signal what the sensor receives from the drone
  * @param explanation why that is not enough; {@link Explanation#DETECTED} when it is

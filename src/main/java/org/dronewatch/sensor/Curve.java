@@ -10,7 +10,7 @@ import java.util.List;
  * @param xTitle quantity and unit of the horizontal axis; one in {@code [Hz]} is logarithmic
  * @param yTitle quantity and unit of the vertical axis
  * @param x horizontal coordinates
- * @param y vertical coordinates, as many
+ * @param y vertical coordinates, as many as {@code x}
  */
 public record Curve(String name, String title, String xTitle, String yTitle, List<Double> x, List<Double> y) {
 

@@ -1,7 +1,7 @@
 package org.dronewatch.sensor;
 
 /**
- * Which look of which sensor something was observed in.
+ * Identifies the look of a sensor in which something was observed.
  *
  * @param sensor name of the sensor in the scene
  * @param kind its kind, such as {@code camera}

@@ -31,7 +31,7 @@ public record Observation(
     }
 
     /**
-     * An observation of a signal that arrives at once, without further figures and without where the drone is.
+     * An observation of a signal that arrives at once, without further figures and without a sighting.
      *
      * @param look of the sensor: {@link Look#id}
      * @param drone name of the drone
@@ -56,7 +56,7 @@ public record Observation(
         return new Observation(look, truth, reading, others, sighting);
     }
 
-    /** This observation with the drone's position as the sensor believes it, if it reports one. */
+    /** This observation with the sensor's estimate of the drone's position, if it reports one. */
     public Observation withSighting(Optional<Sighting> where) {
         return new Observation(look, truth, reading, figures, where);
     }

@@ -10,7 +10,7 @@ import org.dronewatch.geometry.Position;
  */
 public sealed interface Outline {
     /**
-     * Rounding must not cut off what lies on an edge, least of all directly behind a radar that scans all round, rad.
+     * Tolerance, rad: rounding must not cut off what lies on an edge, least of all directly behind a radar that scans all round.
      */
     double ROUNDING = 1e-9;
 

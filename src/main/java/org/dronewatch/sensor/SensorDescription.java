@@ -22,22 +22,22 @@ public record SensorDescription(
         ignoredConditions = Map.copyOf(ignoredConditions);
     }
 
-    /** Of a sensor that misses drones whose signal is too weak, and whose model leaves out nothing that must be said. */
+    /** For a sensor that misses drones whose signal is too weak, and whose model leaves out nothing worth stating. */
     public static SensorDescription measuring(String measures) {
         return new SensorDescription(measures, "too weak", List.of(), Map.of());
     }
 
-    /** With other words for a drone whose signal is insufficient. */
+    /** This description with other words for a drone whose signal is insufficient. */
     public SensorDescription withWeakness(String other) {
         return new SensorDescription(measures, other, leavesOut, ignoredConditions);
     }
 
-    /** With sentences about what the model leaves out. */
+    /** This description with sentences about what the model leaves out. */
     public SensorDescription withLeavesOut(String... sentences) {
         return new SensorDescription(measures, weakness, List.of(sentences), ignoredConditions);
     }
 
-    /** With conditions that the model does not take into account, each with what to do instead. */
+    /** This description with conditions that the model does not take into account, each with what to do instead. */
     public SensorDescription withIgnoredConditions(Map<Condition, String> others) {
         return new SensorDescription(measures, weakness, leavesOut, others);
     }

@@ -8,7 +8,7 @@ import org.dronewatch.setting.Quantity;
  */
 public interface Thresholded {
 
-    /** Which setting the threshold is, and what values it may take. */
+    /** The setting that holds the threshold, and the values that it may take. */
     Scale thresholdScale();
 
     /**

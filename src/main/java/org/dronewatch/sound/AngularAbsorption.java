@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Absorption over the angle of incidence, from a table: linear between its angles, constant below the first and above the
+ * Absorption as a function of the angle of incidence, from a table: linear between its angles, constant below the first and above the
  * last.
  */
 public final class AngularAbsorption {
@@ -15,13 +15,13 @@ public final class AngularAbsorption {
     /**
      * A table.
      *
-     * @param table by increasing angle
+     * @param table in order of increasing angle
      * @throws IllegalArgumentException when it is empty, or an angle is not above the one before
      */
     public AngularAbsorption(List<AbsorptionAtAngle> table) {
         this.table = List.copyOf(table);
         if (this.table.isEmpty()) {
-            throw new IllegalArgumentException("absorption over the angle needs at least one angle");
+            throw new IllegalArgumentException("absorption by angle needs at least one angle");
         }
         this.angles = this.table.stream().mapToDouble(AbsorptionAtAngle::angle).toArray();
         for (int i = 1; i < angles.length; i++) {
@@ -67,7 +67,7 @@ public final class AngularAbsorption {
     }
 
     /**
-     * The absorbed fractions of sound from all directions alike, by band: the integral of {@code absorption(angle) sin(2
+     * The absorbed fractions of sound in a diffuse field, by band: the integral of {@code absorption(angle) sin(2
      * angle)} from 0 to 90 degrees (Paris, Philosophical Magazine 5, 1928), exact for the table.
      */
     public List<Double> atRandomIncidence() {

@@ -13,12 +13,12 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.sound.SurfaceMaterial.Wall;
 
 /**
- * An acoustic surface of a scene's own, beside those of the table. At most one of {@code absorption} and
- * {@code absorptionByAngle} is given; what is omitted is as of the table's ordinary hard surface, {@code solid}.
+ * An acoustic surface that a scene defines, beside those of the table. At most one of {@code absorption} and
+ * {@code absorptionByAngle} is given; properties that are omitted are those of the table's ordinary hard surface, {@code solid}.
  *
  * @param absorption fraction of the sound that is not reflected, 0 to 1, for all angles: eight octave bands, or one number
- * @param absorptionByAngle the same over the angle from the normal, as a table by increasing angle: linear in between, constant
- *     outside
+ * @param absorptionByAngle the same as a function of the angle from the normal: a table in order of increasing angle, linear
+ *     in between, constant outside
  * @param scattering fraction of the reflected energy that is scattered in all directions, 0 to 1: eight octave bands, or one
  *     number
  * @param transmissionLoss loss of sound that passes through the wall, 0 to 200 dB: eight octave bands, or one number; omit it
@@ -85,7 +85,7 @@ public record OwnSurface(
         return SettingsForm.with(this, Map.of("absorption", Optional.of(fractions), "absorptionByAngle", List.of()));
     }
 
-    /** This surface with another absorption, over the angle of incidence. */
+    /** This surface with another absorption, which depends on the angle of incidence. */
     public OwnSurface withAbsorptionByAngle(List<AbsorptionAtAngle> table) {
         return SettingsForm.with(this, Map.of("absorption", Optional.empty(), "absorptionByAngle", table));
     }

@@ -20,8 +20,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param wall whether one surface is the whole wall
  * @param speed speed of sound inside, m/s; empty if unknown or opaque
  * @param source where the figures come from
- * @param angular absorption over the angle of incidence; {@code absorption} is then its mean for sound from all directions
- *     alike. Empty if it is the same at all angles
+ * @param angular absorption as a function of the angle of incidence; {@code absorption} is then its mean in a diffuse field.
+ *     Empty if it is the same at all angles
  * @param ground its impedance as ground, where direct and reflected sound interfere; empty for that of the surface of this
  *     name in the table of grounds, if there is one
  */

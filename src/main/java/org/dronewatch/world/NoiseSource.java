@@ -13,15 +13,15 @@ import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.BandLevels;
 
 /**
- * Something on the site that makes steady noise, such as a plant or a road. Microphones hear it through the world, as they hear
- * drones, in addition to the background noise.
+ * A source of steady noise on the site, such as a plant or a road. Microphones hear it through the world, as they hear drones,
+ * in addition to the background noise.
  *
  * @param positions where it is, m: one position for a plant, or the corners of a line, such as a road, over whose length its
  *     sound is spread evenly
- * @param soundPowerLevel A-weighted sound power level of all of it, -20 to 200 dB re 1 pW, in the energy model
+ * @param soundPowerLevel A-weighted sound power level of the whole source, -20 to 200 dB re 1 pW, in the energy model
  * @param shape spectrum of the sound power: the levels of the octave bands relative to one another, without weighting, dB
- * @param soundLevel level with which its rays leave in the level model, -100 to 200 dB; omit it, and microphones with that
- *     model do not hear it
+ * @param soundLevel initial level of its rays in the level model, -100 to 200 dB; if omitted, microphones with that model do
+ *     not hear the source
  */
 public record NoiseSource(
         List<Position> positions,
@@ -71,7 +71,7 @@ public record NoiseSource(
         return SettingsForm.with(this, "soundLevel", Optional.of(level));
     }
 
-    /** Sound power levels of all of it by octave band, without weighting, dB re 1 pW. */
+    /** Sound power levels of the whole source by octave band, without weighting, dB re 1 pW. */
     public BandLevels power() {
         return shape.plus(soundPowerLevel - shape.aWeighted());
     }
@@ -80,7 +80,7 @@ public record NoiseSource(
      * A piece of a source, so short that it is a point to a listener.
      *
      * @param position of its middle, m
-     * @param share of the source's power
+     * @param share its fraction of the source's power, 0 to 1
      */
     public record Piece(Position position, double share) {}
 

@@ -21,7 +21,7 @@ import org.dronewatch.sound.SurfaceMaterials;
  *
  * @param materials names of surfaces, from {@code own} or the table of surfaces, by names of materials in the model files
  * @param defaultSurface name of the surface for all other materials
- * @param own surfaces of the scene's own by name, in place of those of the same name in the table
+ * @param own surfaces defined in the scene, by name; they replace those of the same name in the table
  */
 public record SurfaceSettings(
         Map<String, String> materials, @Formerly("otherwise") String defaultSurface, Map<String, OwnSurface> own) {
@@ -63,14 +63,14 @@ public record SurfaceSettings(
         return own.containsKey(name) ? Optional.of(own.get(name).material(name)) : SurfaceMaterials.find(name);
     }
 
-    /** These settings with a surface, of the scene's own or of the table, for one more material of the model files. */
+    /** These settings with a surface, from the scene or from the table, for one more material of the model files. */
     public SurfaceSettings with(String ofTheModel, String surface) {
         Map<String, String> more = new LinkedHashMap<>(materials);
         more.put(ofTheModel, surface);
         return new SurfaceSettings(more, defaultSurface, own);
     }
 
-    /** These settings with one more surface of the scene's own. */
+    /** These settings with one more surface defined in the scene. */
     public SurfaceSettings withOwn(String name, OwnSurface surface) {
         Map<String, OwnSurface> more = new LinkedHashMap<>(own);
         more.put(name, surface);
@@ -86,14 +86,14 @@ public record SurfaceSettings(
         return find(ofTheModel).orElseGet(() -> named(defaultSurface));
     }
 
-    /** Of the given model materials, those without a known surface, to which the default surface applies. */
+    /** Those of the given model materials without a known surface, to which the default surface applies. */
     public List<String> leftOver(List<String> ofTheModels) {
         return ofTheModels.stream()
                 .filter(name -> !materials.containsKey(name) && find(name).isEmpty())
                 .toList();
     }
 
-    /** The surfaces of the scene's own that none of the given model materials has. */
+    /** The surfaces defined in the scene that none of the given model materials uses. */
     public List<String> unused(List<String> ofTheModels) {
         Set<String> used = ofTheModels.stream().map(name -> of(name).name()).collect(Collectors.toSet());
         return own.keySet().stream().filter(name -> !used.contains(name)).toList();

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Absorption over the angle against that of locally reacting walls, whose formulas are closed. */
+/** Angle-dependent absorption against the closed formulas for locally reacting walls. */
 class AngularAbsorptionTest {
     private static AbsorptionAtAngle at(double degrees, double absorption) {
         return new AbsorptionAtAngle(Math.toRadians(degrees), BandFractions.flat(absorption));

@@ -92,7 +92,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     /**
      * In the level model: traces until the first ray that is loud enough.
      *
-     * @throws IllegalStateException when this sensor follows sound by another model
+     * @throws IllegalStateException when this sensor uses another propagation model
      */
     public LevelReading listen(World world, Drone drone, RandomGenerator random) {
         return levels(world).listen(drone, random, false, RayRecorder.NONE);
@@ -102,7 +102,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
      * In the level model: traces everything.
      *
      * @param recorder receives every ray segment; {@link RayRecorder#NONE} to record nothing
-     * @throws IllegalStateException when this sensor follows sound by another model
+     * @throws IllegalStateException when this sensor uses another propagation model
      */
     public LevelReading listenFully(World world, Drone drone, RandomGenerator random, RayRecorder recorder) {
         return levels(world).listen(drone, random, true, recorder);
@@ -112,19 +112,19 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
         if (tracer(world) instanceof LevelHearing levels) {
             return levels;
         }
-        throw new IllegalStateException("this sensor follows sound by another model: only the level model listens");
+        throw new IllegalStateException("this sensor uses another propagation model: only the level model listens");
     }
 
     /**
      * In the energy model: levels in octave bands.
      *
-     * @throws IllegalStateException when this sensor follows sound by another model
+     * @throws IllegalStateException when this sensor uses another propagation model
      */
     public EnergyReading read(World world, Drone drone, RandomGenerator random) {
         if (tracer(world) instanceof EnergyHearing energies) {
             return energies.read(drone, random, RayRecorder.NONE);
         }
-        throw new IllegalStateException("this sensor follows sound by another model: only the energy model reads");
+        throw new IllegalStateException("this sensor uses another propagation model: only the energy model reads");
     }
 
     @Override

@@ -2,8 +2,8 @@ package org.dronewatch.sensor.acoustic.edge;
 
 /**
  * The directions in a plane in which the surfaces of an obstacle leave a point of its outline, as the narrowest cone that
- * holds them. Narrower than a half-plane, the point is a corner that a path can bend round; a sheet that ends has a cone
- * of no width.
+ * contains them. If it is narrower than a half-plane, the point is a corner that a path can bend round; at the end of a
+ * sheet the cone has no width.
  */
 final class Cone {
     private static final double STRAIGHT = 1e-9;

@@ -8,29 +8,30 @@ import org.dronewatch.kdtree.EllipsoidQuery;
 import org.dronewatch.world.World;
 
 /**
- * The shortest way round what stands between two points, over any number of edges: a rubber band in the plane through
- * both in which it is shortest. {@value #PLANES} planes are tried, more where no way is found, and the best ones turned
- * until the way gets no shorter. For one straight edge that is the way of all ways; over several it is what standards
- * compute, who divide propagation into planes. A way through an opening that none of the planes meets is not found.
+ * The shortest path round the obstacles between two points, over any number of edges: a rubber band in that plane through
+ * both points in which it is shortest. {@value #PLANES} planes are tried, more if no path is found, and the best ones are
+ * rotated until the path gets no shorter. For a single straight edge this is the globally shortest path; over several it
+ * is what the standards compute, which separate propagation into planes. A path through an opening that none of the planes
+ * intersects is not found.
  *
- * <p>Short detours are looked for first, so that only what is near the straight line is examined where that is enough.
- * Exchanging the points gives the same way. One per thread.
+ * <p>Short detours are searched first, so that only obstacles near the straight line are examined where that is enough.
+ * Exchanging the points gives the same path. One per thread.
  */
 public final class EdgePath {
     private static final int PLANES = 12;
 
-    /** Where no plane has a way, planes between them are tried up to this number. */
+    /** If no plane has a path, planes between them are tried, up to this number. */
     private static final int MOST_PLANES = 48;
 
-    /** The first detour that is looked for, m, and by which factor it grows. */
+    /** The first limit on the detour, m, and the factor by which it grows. */
     private static final double FIRST_DETOUR = 0.5;
 
     private static final double LONGER = 8.0;
 
-    /** Other planes are turned, too, if their detour is at most this much longer than the shortest. */
+    /** Other planes are rotated, too, if their detour is at most this multiple of the shortest. */
     private static final double NEARLY_AS_SHORT = 1.15;
 
-    /** No way is longer than this multiple of one to the farthest place of the world. */
+    /** No path is longer than this multiple of one by way of the farthest point of the world. */
     private static final double TO_AND_FRO = 4.0;
 
     private static final double GOLDEN = 0.5 * (Math.sqrt(5.0) - 1.0);
@@ -58,7 +59,7 @@ public final class EdgePath {
     private double lastRise;
     private boolean exchanged;
 
-    /** Ways in a world. */
+    /** Paths in a world. */
     public EdgePath(World world) {
         this.world = world;
         this.mesh = world.mesh();
@@ -66,9 +67,9 @@ public final class EdgePath {
     }
 
     /**
-     * Looks for the shortest way round between two points that do not see each other.
+     * Searches for the shortest path between two points without a line of sight.
      *
-     * @return false where none was found
+     * @return whether one was found
      */
     public boolean find(Position source, Position sensor) {
         // The same numbers whichever is the source.
@@ -102,7 +103,7 @@ public final class EdgePath {
         return isFound();
     }
 
-    /** How much longer the way found last is than the straight one, 0 or more, m. */
+    /** How much longer the path found last is than the straight line, 0 or more, m. */
     public double pathDifference() {
         return pathDifference;
     }
@@ -112,17 +113,17 @@ public final class EdgePath {
         return edges;
     }
 
-    /** How far along it an edge is from the beginning, m; either end of it may be the source. */
+    /** Distance of an edge from the beginning of the path, along it, m; either end of it may be the source. */
     public double along(int edge) {
         return along[edge];
     }
 
-    /** By how much it turns at the edges up to one, that one included, rad. */
+    /** By how much the path bends at the edges up to one, that one included, rad. */
     public double turnUpTo(int edge) {
         return turned[edge];
     }
 
-    /** By how much it turns at the edges from one on, that one included, rad. */
+    /** By how much the path bends at the edges from one on, that one included, rad. */
     public double turnFrom(int edge) {
         return turned[edges - 1] - (edge > 0 ? turned[edge - 1] : 0.0);
     }
@@ -132,7 +133,7 @@ public final class EdgePath {
         return bend;
     }
 
-    /** Sine of the elevation at which it leaves the source. */
+    /** Sine of the elevation at which the path leaves the source. */
     public double sinElevation() {
         return exchanged ? lastRise : firstRise;
     }
@@ -141,7 +142,7 @@ public final class EdgePath {
         return Double.isFinite(pathDifference);
     }
 
-    /** Tries all planes, and turns those that are best. */
+    /** Tries all planes, and rotates the best ones. */
     private void search(double limit) {
         double step = Math.PI / PLANES;
         for (int i = 0; i < PLANES; i++) {
@@ -178,7 +179,7 @@ public final class EdgePath {
         }
     }
 
-    /** Turns a plane by up to a step to either side to where its way is shortest, by golden section. */
+    /** Rotates a plane by up to a step to either side, to where its path is shortest, by golden section. */
     private void turn(double angle, double step) {
         double limit = bound(Double.POSITIVE_INFINITY);
         double low = angle - step;
@@ -205,12 +206,12 @@ public final class EdgePath {
         }
     }
 
-    /** What need not be looked at once a way is known: planes with a much longer one. */
+    /** The longest path that is still of interest: once one is known, planes with a much longer one are not rotated. */
     private double bound(double limit) {
         return isFound() ? Math.min(limit, straight + 1.2 * pathDifference + 1e-3) : limit;
     }
 
-    /** How much longer the shortest way in a plane is; kept if none was shorter. Infinity where it is beyond the limit. */
+    /** The detour of the shortest path in a plane, m, kept if none was shorter; infinity if it is beyond the limit. */
     private double detour(double angle, double limit) {
         Position side = up.times(Math.cos(angle)).plus(across.times(Math.sin(angle)));
         cut.cut(from, to, ahead, side, limit);
@@ -234,7 +235,7 @@ public final class EdgePath {
         bend = 0.0;
         double u = 0.0;
         double v = 0.0;
-        double way = 0.0;
+        double path = 0.0;
         double turning = 0.0;
         double direction = 0.0;
         for (int i = 0; i <= edges; i++) {
@@ -250,9 +251,9 @@ public final class EdgePath {
                 turned[i - 1] = turning;
             }
             lastRise = -rise;
-            way += leg;
+            path += leg;
             if (i < edges) {
-                along[i] = way;
+                along[i] = path;
                 bend = Math.max(bend, band.bend(i));
             }
             direction = next;
@@ -261,7 +262,7 @@ public final class EdgePath {
         }
     }
 
-    /** The sum of distances beyond which nothing of the world is left out. */
+    /** The sum of the distances from both points within which the whole world lies, m. */
     private double farthest() {
         AABB box = world.bounds();
         double farthest = straight;
@@ -282,7 +283,7 @@ public final class EdgePath {
         return one.y() != other.y() ? one.y() > other.y() : one.z() > other.z();
     }
 
-    /** A horizontal direction across, so that the first plane is vertical; any for a vertical line. */
+    /** A horizontal direction across the line, so that the first plane is vertical; any for a vertical line. */
     private static Position across(Position ahead) {
         Position across = new Position(ahead.y(), -ahead.x(), 0.0);
         double length = across.length();

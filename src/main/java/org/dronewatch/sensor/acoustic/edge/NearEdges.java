@@ -11,25 +11,25 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The edges that a free line of sight passes closely, and that would obstruct it if it passed on their other side. Only
- * where the outline of an obstacle bends is an edge: seams of flat surfaces and valleys are none. One per thread.
+ * The edges close to an unobstructed line of sight that would obstruct it if it passed on their other side. There is an edge
+ * only where the outline of an obstacle bends: seams in flat surfaces and valleys are not edges. One per thread.
  */
 public final class NearEdges {
     /**
      * An edge near a line of sight.
      *
-     * @param detour how much longer the way that touches it is than the line, 0 or more, m
+     * @param detour how much longer the path that touches it is than the line, 0 or more, m
      * @param bend by how much the outline of the obstacle bends there, rad; pi for the end of a sheet
-     * @param material number of the material of a triangle at the edge
+     * @param material index of the material of a triangle at the edge
      */
     public record NearEdge(double detour, double bend, int material) {}
 
     private record Key(float x, float y, float z, float toX, float toY, float toZ) {}
 
-    /** An obstacle may rise over the way that touches its edge by this angle, rad. */
+    /** An obstacle may rise above the path that touches its edge by this angle, rad. */
     private static final double TOUCHING = 1e-3;
 
-    /** How far from the edge the way along which it must be seen passes it, m. */
+    /** Distance from the edge of the path along which the edge must be visible, m. */
     private static final double PASSING = 1e-4;
 
     private static final double NOTHING = 1e-9;
@@ -48,9 +48,9 @@ public final class NearEdges {
     }
 
     /**
-     * Finds the edges near the line between two points that see each other.
+     * Finds the edges near the line between two points with a line of sight.
      *
-     * @param longest detours longer than this do not count, above 0, m
+     * @param longest maximum detour, above 0, m
      */
     public List<NearEdge> find(Position source, Position sensor, double longest) {
         double straight = source.distance(sensor);
@@ -92,7 +92,7 @@ public final class NearEdges {
         return Math.max(0.0, source.distance(at) + at.distance(sensor) - straight);
     }
 
-    /** The point of an edge over which the way is shortest: where it is straight once both legs are turned into a plane. */
+    /** The point of an edge over which the path is shortest: it is straight once both legs are unfolded into one plane. */
     private static Position nearest(Position source, Position sensor, Position one, Position other) {
         Position edge = other.minus(one);
         double square = edge.dot(edge);
@@ -155,7 +155,7 @@ public final class NearEdges {
                 || isOnNearSide(cone.middleU(), cone.middleV(), u, v, straight)) {
             return 0.0;
         }
-        // A plane that nearly is a surface's own shows bends in it that are due to the rounding of coordinates.
+        // In a plane nearly coplanar with a surface, rounded coordinates show as bends of that surface.
         return Math.min(fold, cone.bend());
     }
 
@@ -169,7 +169,7 @@ public final class NearEdges {
         return inward.minus(edge.times(inward.dot(edge) / edge.dot(edge)));
     }
 
-    /** Whether a direction from the edge at (u, v) leads between the legs to both ends, to the side of the line. */
+    /** Whether a direction from the edge at (u, v) points between the legs to both ends, towards the line. */
     private static boolean isOnNearSide(double du, double dv, double u, double v, double straight) {
         double toSource = -u * dv + v * du;
         double toSensor = -dv * (straight - u) - du * v;

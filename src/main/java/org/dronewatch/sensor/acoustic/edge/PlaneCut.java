@@ -8,11 +8,11 @@ import org.dronewatch.kdtree.EllipsoidQuery;
 /**
  * The outline of a world in a plane through two points, near those points: the straight pieces in which the plane cuts
  * triangles, in coordinates u along the line from the first point to the second and v across it. Pieces that share a
- * corner or an edge of the mesh, by its coordinates, share an end. A plane that runs through corners is taken for one an
- * infinitesimal distance beside it, so that each triangle is cut in one piece or not at all. One per thread.
+ * corner or an edge of the mesh, by its coordinates, share an end. A plane through corners of the mesh is treated as if it
+ * were an infinitesimal distance beside them, so that each triangle is cut in one piece or not at all. One per thread.
  */
 final class PlaneCut {
-    /** Corners nearer to the plane than this lie on it, m: shorter pieces would have no direction that means anything. */
+    /** Corners nearer to the plane than this, m, lie on it: shorter pieces would have no meaningful direction. */
     private static final double ON_PLANE = 1e-7;
 
     private final TriangleMesh mesh;
@@ -25,14 +25,14 @@ final class PlaneCut {
     private int[] ends = new int[512];
     private int pieces;
 
-    /** Open addressing: one more than the number of a point, 0 for none. */
+    /** Hash table with open addressing: one more than the index of a point, 0 for none. */
     private int[] table = new int[1024];
 
     private Position origin;
     private Position ahead;
     private Position side;
 
-    /** Corners of the triangle at hand, relative to the origin, with their heights over the plane. */
+    /** Corners of the current triangle, relative to the origin, with their heights above the plane. */
     private final double[][] corner = new double[3][3];
 
     private final double[] height = new double[3];
@@ -44,13 +44,13 @@ final class PlaneCut {
     }
 
     /**
-     * Cuts what reaches into an ellipsoid about two points.
+     * Cuts the triangles that reach into an ellipsoid with two points as its foci.
      *
      * @param from the first point
      * @param to the second
      * @param ahead from the first to the second, of length 1
      * @param side in the plane, perpendicular to that, of length 1
-     * @param sum of the distances from both points of a point on the ellipsoid, m
+     * @param sum of the distances of a point on the ellipsoid from both foci, m
      */
     void cut(Position from, Position to, Position ahead, Position side, double sum) {
         this.origin = from;
@@ -78,7 +78,7 @@ final class PlaneCut {
         }
     }
 
-    /** How many ends of pieces there are. */
+    /** Number of ends of pieces. */
     int points() {
         return points;
     }
@@ -96,7 +96,7 @@ final class PlaneCut {
         return cones[point];
     }
 
-    /** How many pieces there are. */
+    /** Number of pieces. */
     int pieces() {
         return pieces;
     }
@@ -138,7 +138,7 @@ final class PlaneCut {
         }
     }
 
-    /** The point at which the plane cuts a side, the same from either end and for either triangle of the side. */
+    /** The point at which the plane cuts a side, the same from either end and for both triangles that share the side. */
     private int crossing(int one, int other) {
         double[] p = corner[one];
         double[] q = corner[other];
@@ -183,7 +183,7 @@ final class PlaneCut {
         return points++;
     }
 
-    /** Room for the pieces of so many triangles: at most two points each. */
+    /** Makes room for the pieces of this many triangles: at most two points each. */
     private void reserve(int triangles) {
         int most = 2 * triangles;
         if (u.length < most) {

@@ -3,27 +3,27 @@ package org.dronewatch.sensor.acoustic.edge;
 import java.util.Arrays;
 
 /**
- * The shortest way between two points round the outline of obstacles in a plane: a taut string. It is straight from corner
+ * The shortest path between two points round the outline of obstacles in a plane: a taut string. It is straight from corner
  * to corner of the outline, and touches the outline at each without crossing it; found by A* over such legs. One per
  * thread.
  */
 final class RubberBand {
     /**
-     * How far from a corner the way passes it, m. It keeps legs along a face off that face; gaps narrower than twice
-     * this are closed. Lengths are those of the way without it.
+     * Distance at which the path passes a corner, m. It keeps legs along a face off that face; gaps narrower than twice
+     * this are closed. Lengths are those of the path without it.
      */
     private static final double PASSING = 5e-5;
 
-    /** A leg may run into the face that it touches by this angle, rad, as far as the choice of corners is concerned. */
+    /** Tolerance of the test whether a leg only touches the faces at its ends: it may enter them at this angle, rad. */
     private static final double TOUCHING = 1e-3;
 
     /**
-     * A search that compares legs with pieces more often than this is given up: ways in a cathedral need some thousand
-     * comparisons, and the limit bounds the time that it takes to learn that a closed building has no way out.
+     * A search that compares legs with pieces more often than this is abandoned: paths in a cathedral need some thousand
+     * comparisons, and the limit bounds the time that it takes to establish that there is no path out of a closed building.
      */
     private static final int MOST_COMPARISONS = 50_000;
 
-    /** The last node is the far end of the way; the others are corners. */
+    /** The last node is the far end of the path; the others are corners. */
     private int nodes;
 
     private int[] point = new int[64];
@@ -41,7 +41,7 @@ final class RubberBand {
     /** Both ends of each piece, u and v: legs are compared with pieces most of the time. */
     private double[] ends = new double[256];
 
-    /** The pieces by the strips across the line that they reach into: the first entry of each strip, and the entries. */
+    /** The pieces that reach into each strip across the line: the index of the first entry of each strip. */
     private int[] strips = new int[2];
 
     private int[] entries = new int[256];
@@ -51,16 +51,16 @@ final class RubberBand {
     private int lastBlocking;
     private int comparisons;
 
-    private double wayLength;
-    private int[] way = new int[16];
+    private double pathLength;
+    private int[] path = new int[16];
     private int corners;
 
     /**
-     * Looks for the shortest way from the origin to a point on the u axis.
+     * Searches for the shortest path from the origin to a point on the u axis.
      *
      * @param outline what may not be crossed
      * @param distance of the far end, m
-     * @param limit ways longer than this do not count, m
+     * @param limit maximum length of a path, m
      * @return whether one was found
      */
     boolean find(PlaneCut outline, double distance, double limit) {
@@ -91,29 +91,29 @@ final class RubberBand {
         return false;
     }
 
-    /** Length of the way found last, m. */
+    /** Length of the path found last, m. */
     double length() {
-        return wayLength;
+        return pathLength;
     }
 
-    /** How many corners it goes round. */
+    /** Number of corners that the path goes round. */
     int corners() {
         return corners;
     }
 
-    /** Along the line, where it goes round a corner; 0 is the first from the origin. */
+    /** Coordinate along the line, m, of a corner of the path; 0 is the first from the origin. */
     double u(int corner) {
-        return u[way[corner]];
+        return u[path[corner]];
     }
 
-    /** Across the line, where it goes round a corner. */
+    /** Coordinate across the line, m, of a corner of the path. */
     double v(int corner) {
-        return v[way[corner]];
+        return v[path[corner]];
     }
 
-    /** By how much the outline bends at a corner of the way, rad. */
+    /** By how much the outline bends at a corner of the path, rad. */
     double bend(int corner) {
-        return cut.cone(point[way[corner]]).bend();
+        return cut.cone(point[path[corner]]).bend();
     }
 
     private void collectNodes(double distance, double limit) {
@@ -267,18 +267,18 @@ final class RubberBand {
     }
 
     private void remember(int end) {
-        wayLength = length[end];
+        pathLength = length[end];
         corners = 0;
         for (int i = before[end]; i >= 0; i = before[i]) {
-            if (corners == way.length) {
-                way = Arrays.copyOf(way, 2 * corners);
+            if (corners == path.length) {
+                path = Arrays.copyOf(path, 2 * corners);
             }
-            way[corners++] = i;
+            path[corners++] = i;
         }
         for (int i = 0; i < corners / 2; i++) {
-            int swap = way[i];
-            way[i] = way[corners - 1 - i];
-            way[corners - 1 - i] = swap;
+            int swap = path[i];
+            path[i] = path[corners - 1 - i];
+            path[corners - 1 - i] = swap;
         }
     }
 
