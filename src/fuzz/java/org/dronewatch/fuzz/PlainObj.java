@@ -7,8 +7,8 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 
 /**
- * A plain reader of OBJ files, independent of the program's: vertices and faces only, areas of polygons by Newell's formula. It
- * says how sure it is of what it read.
+ * A plain reader of OBJ files, independent of the program's: vertices and faces only, areas of polygons by Newell's
+ * formula. It says how sure it is of what it read.
  */
 final class PlainObj {
     /** What the reader makes of a file. */
@@ -119,7 +119,10 @@ final class PlainObj {
         return verdict;
     }
 
-    /** Whether a line begins with a word that is no statement of the format: a mistyped one, whose absence shifts indices. */
+    /**
+     * Whether a line begins with a word that is no statement of the format: a mistyped one, whose absence shifts
+     * indices.
+     */
     boolean hasNonsense() {
         return hasNonsense;
     }
@@ -168,7 +171,7 @@ final class PlainObj {
             case "V", "F", "fo" -> worse(Verdict.UNSURE);
             default -> {
                 if (!PASSED_OVER.contains(words[0])) {
-                    traits.add("unknown words");
+                    traits.add("unknown keywords");
                     hasNonsense |= !RARE.contains(words[0]);
                     worse(Verdict.ODD);
                 } else if (comment >= 0 || words.length < 2) {

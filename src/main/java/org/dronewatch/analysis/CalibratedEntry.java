@@ -23,11 +23,11 @@ import org.dronewatch.setting.file.SettingsFile;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * The catalogue entry of a calibrated sensor: its settings without position and aim, and the range that was fitted with the
- * conditions under which it holds. All conditions are stated, also those that are as by default, so that the entry means the
- * same in any scene.
+ * The catalogue entry of a calibrated sensor: its settings without position and aim, and the range that was fitted with
+ * the conditions under which it holds. All conditions are stated, including those left at their defaults, so that the
+ * entry means the same in any scene.
  *
- * @param scene name of the scene whose conditions hold
+ * @param scene name of the scene whose conditions are used
  * @param run which run of its sweep, in words; empty if it has none
  * @param settings of the scene, or of that run
  * @param sensor name of the sensor
@@ -51,7 +51,7 @@ public record CalibratedEntry(
             "# A sensor as calibrated by dronewatch: scene files in this directory take it by"
                     + " {use: NAME}, the name of this file without .yaml.\n";
 
-    /** What of a world belongs to its place, not to its conditions. */
+    /** The components of a world that belong to the place, not to its conditions. */
     private static final List<String> PLACE = List.of("models", "noiseSources", "surfaces", "origin", "tracing");
 
     private static final String POSITIONER = "positioner";
@@ -105,7 +105,7 @@ public record CalibratedEntry(
                 .orElse(plain);
     }
 
-    /** The setting that was fitted, which the entry states even where it happens to be as by default. */
+    /** The setting that was fitted, which the entry states even if it has its default value. */
     private Node.Mapping threshold(Node.Mapping sensor) {
         String name = fit.scale().setting().replaceFirst("\\..*", "");
         return sensor.without(sensor.values().keySet().stream()

@@ -14,8 +14,8 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * The threshold with which a sensor detects a drone from a given range on, with a clear line of sight and under the
- * conditions of a scene ({@link FreeSight}). It uses {@link org.dronewatch.sensor.AssessableSensor#assess}, not runs, so that
- * nothing is left to chance.
+ * conditions of a scene ({@link FreeSight}). It uses {@link org.dronewatch.sensor.AssessableSensor#assess}, not runs,
+ * so that nothing is left to chance.
  *
  * @param sensor the sensor with its fitted threshold
  * @param scale which setting was fitted
@@ -25,22 +25,22 @@ import org.dronewatch.setting.Quantity;
  */
 public record Calibration(
         SensorSettings<?> sensor, Thresholded.Scale scale, double threshold, Map<Double, Double> ranges) {
-    /** The least range to which a sensor can be fitted, m: nearer than this no model of a sensor means much. */
+    /** The least range to which a sensor can be fitted, m: nearer than this, no sensor model is meaningful. */
     public static final double NEAREST = 1.0;
 
     /** The greatest range to which a sensor can be fitted, m. */
     public static final double FARTHEST = In.FARTHEST;
 
-    /** The greatest distance between the ranges at which a count of pixels is looked at, as a fraction of the range. */
+    /** The greatest distance between the ranges at which a pixel count is evaluated, as a fraction of the range. */
     private static final double STEP = 1e-3;
 
     /** The same near the sensor, m. */
     private static final double NEAREST_STEP = 1e-2;
 
     /**
-     * At how many ranges a count is looked at over the way that the drone flies between two looks. Counts do not fall
-     * steadily: a farther position at which the drone covers one pixel more for less than this way may fall between two
-     * looks.
+     * The number of ranges at which a count is evaluated within the distance that the drone flies between two looks.
+     * Counts do not fall monotonically: a farther stretch, shorter than this distance, in which the drone covers one
+     * pixel more may fall between two looks.
      */
     private static final double PER_LOOK = 4.0;
 
@@ -157,7 +157,7 @@ public record Calibration(
 
         /**
          * The greatest range of a count from which on it is reached for the length of a look's flight, or down to
-         * {@link #NEAREST}, looked for from far away inwards, m; NaN when there is none.
+         * {@link #NEAREST}, searched for from far away inwards, m; NaN when there is none.
          */
         private double greatestByCount(double threshold, double about) {
             FreeSight.Probability look = sight.of(sensor.withThreshold(threshold));

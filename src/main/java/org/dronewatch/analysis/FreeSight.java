@@ -17,10 +17,10 @@ import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * A drone in front of a sensor with nothing else about: the air, background noise, rain and light of a scene without its
- * models and noise sources. The sensor's axis is level, at the azimuth at which it is aimed (north for a sensor without one);
- * the drone is on that axis, at the sensor's height, and flies towards the sensor at its cruise speed. A positioner has turned to
- * the drone, as in {@link Coverage}.
+ * A drone in front of a sensor with nothing else around: the air, background noise, rain and light of a scene without
+ * its models and noise sources. The sensor's axis is level, at the azimuth at which it is aimed (north for a sensor
+ * without one); the drone is on that axis, at the sensor's height, and flies towards the sensor at its cruise speed. A
+ * positioner has turned to the drone, as in {@link Coverage}.
  *
  * @param world conditions without models
  * @param drone the drone that is put in front of the sensor
@@ -68,7 +68,7 @@ record FreeSight(World world, Drone drone, String sensor, long seed) {
         return length > 0.0 ? new Position(aim.x() / length, aim.y() / length, 0) : new Position(0, 1, 0);
     }
 
-    /** How likely a look detects the drone at a range. */
+    /** How likely a look is to detect the drone at a range. */
     @FunctionalInterface
     interface Probability {
         /** At a range in m: 0 to 1. */

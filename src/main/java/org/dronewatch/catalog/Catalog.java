@@ -210,7 +210,7 @@ public final class Catalog implements Kinds.NamedSettings {
         return choices;
     }
 
-    /** A kind of sensor with nothing said of it. */
+    /** A kind of sensor without any settings. */
     private static Optional<Node.Mapping> ofKind(String name) {
         return SensorKinds.all().containsKey(name) ? Optional.of(Node.Mapping.ofKind(name)) : Optional.empty();
     }
@@ -261,7 +261,10 @@ public final class Catalog implements Kinds.NamedSettings {
         return PACKAGED.contains(name) ? Optional.of(resource(name + ENDING)) : Optional.empty();
     }
 
-    /** The user's file of a name; whatever has the name is meant, also what cannot be read as a file: then the message says so. */
+    /**
+     * The user's file of a name; whatever has the name is meant, also what cannot be read as a file: then the message
+     * says so.
+     */
     private Optional<Path> ownFile(String name) {
         return name.matches(NAME)
                 ? directory.map(folder -> folder.resolve(name + ENDING)).filter(Files::exists)

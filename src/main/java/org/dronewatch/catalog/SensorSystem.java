@@ -7,13 +7,13 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.file.Node;
 
 /**
- * Several sensors that are sold as one. A scene file takes it by its name, as it takes a sensor.
+ * Several sensors that are sold as one. A scene file uses it by its name, like a sensor.
  *
  * @param title what its manufacturer calls it
  * @param source where it is described
  * @param note what is left out or assumed
- * @param parts each sensor as in a scene file, without a position, by the end of its name: the part {@code radar} of a system
- *     {@code gate} is the sensor {@code gate-radar}
+ * @param parts each sensor as in a scene file, without a position, by the end of its name: the part {@code radar} of a
+ *     system {@code gate} is the sensor {@code gate-radar}
  */
 public record SensorSystem(String title, String source, String note, Node.Mapping parts) {
     /** Checks that nothing is missing. */

@@ -35,8 +35,9 @@ import org.dronewatch.world.World;
  * @param flight how it flies
  * @param speed cruise speed, 0.001 to 400 m/s
  * @param acceleration largest acceleration along the path, 0.001 to 10,000 m/s2
- * @param airframe what carries it
- * @param lean whether it tilts as its type of airframe tilts in flight: a multirotor into its acceleration, a fixed-wing into its turn; otherwise it stays level, unless its flight states an attitude
+ * @param airframe type of airframe, which determines how it leans
+ * @param lean whether it tilts as its type of airframe tilts in flight: a multirotor into its acceleration, a
+ *     fixed-wing into its turn; otherwise it stays level, unless its flight states an attitude
  * @param radar its radar signature
  * @param heat its thermal signature
  * @param radio how it is controlled, and which radio signals can be received
@@ -45,10 +46,10 @@ import org.dronewatch.world.World;
  * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1e-12 W; about 85 for a real
  *     quadrotor
  * @param glideReduction how much quieter it is with its motors off, when only airflow is heard, 0 to 100 dB
- * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; with a {@code spectrum}, any name
- *     for it
- * @param spectrum the drone's own spectrum in place of the table's: A-weighted levels of the octave bands relative to one
- *     another, as in the table; {@code soundPowerLevel} sets how loud it is
+ * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; with a {@code spectrum}, any
+ *     name for it
+ * @param spectrum the drone's own spectrum in place of the table's: A-weighted levels of the octave bands relative to
+ *     one another, as in the table; {@code soundPowerLevel} sets how loud it is
  * @param directivity how the sound radiated depends on elevation, for the energy model
  * @param swarm how many such drones fly in formation; a single drone if empty
  * @param label what it means to the site, for readers of the results; no sensor uses it
@@ -193,8 +194,8 @@ public record DroneSettings(
     }
 
     /**
-     * These settings with the sound of another kind of drone, spectrum and loudness: one of the library's table, or one's
-     * own.
+     * These settings with the sound of another kind of drone, spectrum and loudness: one of the library's table, or
+     * one's own.
      *
      * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB
      */

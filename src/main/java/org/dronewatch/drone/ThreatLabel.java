@@ -12,7 +12,7 @@ import org.dronewatch.setting.Quantity;
  * @param role its role in the scene
  * @param purpose what its owner intends
  * @param platform how it is built
- * @param powerSource what drives it
+ * @param powerSource how it is powered
  * @param weight take-off weight, above 0 and at most 10 t, kg
  * @param size its largest dimension as built, above 0 and at most 100 m; what sensors see is the model
  */
@@ -74,7 +74,7 @@ public record ThreatLabel(
         HYBRID
     }
 
-    /** What drives a drone: the thesis's section 2.1.3. */
+    /** How a drone is powered: the thesis's section 2.1.3. */
     public enum PowerSource {
         /** Not known. */
         UNKNOWN,

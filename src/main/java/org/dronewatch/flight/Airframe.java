@@ -2,7 +2,10 @@ package org.dronewatch.flight;
 
 import org.dronewatch.geometry.Position;
 
-/** What carries a drone, and hence how it is tilted while it accelerates. Drag and the angle of attack are left out. */
+/**
+ * The type of airframe, which determines how a drone tilts while it accelerates. Drag and the angle of attack are left
+ * out.
+ */
 public enum Airframe {
     /**
      * Rotors that push along the drone's own vertical: it tilts until their thrust is the acceleration minus gravity. In
@@ -22,9 +25,9 @@ public enum Airframe {
         }
     },
     /**
-     * A wing: its nose climbs and descends with the path, and it banks so that the lift has no part to the side, as in a
-     * coordinated turn. At the speed v, turning at the rate omega in level flight, that is by {@code tan(bank) = v omega
-     * / g}.
+     * A wing: its nose climbs and descends with the path, and it banks so that the lift has no sideways component, as
+     * in a coordinated turn. At the speed v, turning at the rate omega in level flight, that is by
+     * {@code tan(bank) = v omega / g}.
      */
     FIXED_WING {
         @Override
@@ -36,8 +39,8 @@ public enum Airframe {
         }
     },
     /**
-     * A wing with rotors for take-off, hover and landing: it leans as a wing while it moves farther over the ground than
-     * up or down, and otherwise as a multirotor.
+     * A wing with rotors for take-off, hover and landing: it leans like a fixed-wing while its horizontal speed exceeds
+     * its vertical speed, and otherwise like a multirotor.
      */
     HYBRID {
         @Override
@@ -50,7 +53,10 @@ public enum Airframe {
     /** Standard acceleration of gravity, m/s2 (3rd General Conference on Weights and Measures, 1901). */
     public static final double GRAVITY = 9.806_65;
 
-    /** Below this force for each kilogram, N, its direction would be made of rounding errors: level. */
+    /**
+     * Below this force per unit of mass, N/kg, the direction of the force would consist of rounding errors: the drone
+     * stays level.
+     */
     private static final double WEIGHTLESS = 1e-6;
 
     /**
@@ -58,7 +64,7 @@ public enum Airframe {
      *
      * @param yaw where the nose points, which stays, rad
      * @param velocity m/s
-     * @param force what carries and accelerates the drone, for each kilogram: acceleration minus gravity, m/s2
+     * @param force that carries and accelerates the drone, per unit of mass: acceleration minus gravity, m/s2
      */
     abstract Attitude lean(double yaw, Position velocity, Position force);
 

@@ -46,7 +46,7 @@ public final class Displaced implements FlightPathSettings {
         return new Position(offset.x() * north + offset.y() * east, offset.y() * north - offset.x() * east, offset.z());
     }
 
-    /** Its place beside the leader: to the right, ahead and above by the leader's heading at time 0, m. */
+    /** Its offset from the leader: to the right, ahead and above by the leader's heading at time 0, m. */
     public Position offset() {
         return offset;
     }

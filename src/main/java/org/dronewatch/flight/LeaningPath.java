@@ -3,7 +3,7 @@ package org.dronewatch.flight;
 import org.dronewatch.geometry.Position;
 
 /**
- * A path on which the drone leans as its airframe does.
+ * A path on which the drone leans as its type of airframe requires.
  *
  * @param path where it flies
  * @param airframe how it leans

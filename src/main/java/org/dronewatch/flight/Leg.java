@@ -25,7 +25,7 @@ public record Leg(double time, FlightState start) {
     }
 
     /**
-     * The state at a time, in the last of some legs that has begun by then, or in the first.
+     * The state at a time: in the last leg that has begun by then, or in the first.
      *
      * @param legs at least one, in order of time
      */

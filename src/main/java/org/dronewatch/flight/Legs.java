@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
 
 /** Flights cut into legs, to be written down. */
 public final class Legs {
-    /** A leg goes on while the flight is where the leg says, m. */
+    /** A leg continues while the flight is within this distance of it, m. */
     private static final double CLOSE = 1e-6;
 
     /** The same for angles, rad, and for the time of gliding, s. */
@@ -16,9 +16,10 @@ public final class Legs {
     private Legs() {}
 
     /**
-     * The legs of a flight. One that is made of legs has its own, before the drone leans. Of any other, samples at even steps are joined: where it
-     * flies straight and evenly they become one leg, which is exact but for rounding. In a bend, or where it speeds up by
-     * the acceleration a, it is cut at each step, and between two cuts it is at most a step^2 / 8 away from where it was.
+     * The legs of a flight. One that is made of legs has its own, before the drone leans. Of any other, samples at even
+     * steps are joined: where it flies straight and evenly they become one leg, which is exact but for rounding. In a
+     * bend, or where it speeds up by the acceleration a, it is cut at each step, and between two cuts it is at most a
+     * step^2 / 8 away from where it was.
      *
      * @param path the flight
      * @param until its end, s
@@ -45,7 +46,9 @@ public final class Legs {
         return legs;
     }
 
-    /** From one sample to the next: with the flight's own velocity if that leads there, otherwise with the mean of both. */
+    /**
+     * From one sample to the next: with the flight's own velocity if that leads there, otherwise with the mean of both.
+     */
     private static Leg leg(double time, FlightState here, FlightState next, double nextTime) {
         Leg own = new Leg(time, here);
         if (nextTime <= time || isClose(own.at(nextTime), next)) {
@@ -59,7 +62,7 @@ public final class Legs {
         return one.position().distance(other.position()) <= CLOSE;
     }
 
-    /** Whether a leg before also covers the next. */
+    /** Whether a leg also covers the next one. */
     private static boolean goesOn(Leg before, Leg next, FlightState end, double endTime) {
         FlightState expected = before.at(next.time());
         FlightState state = next.start();

@@ -8,8 +8,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * Is steered by a program while the run goes on: hovers until the first command, then flies as commanded, at no more than
- * the drone's speed. Each drone of a swarm starts at its position in the formation and is steered separately.
+ * Is steered by a program while the run goes on: hovers until the first command, then flies as commanded, at no more
+ * than the drone's speed. Each drone of a swarm starts at its position in the formation and is steered separately.
  *
  * @param start where it is at time 0, m
  * @param heading where the nose points before the first command, clockwise from north, rad
@@ -29,7 +29,7 @@ public record Steered(
     }
 
     /**
-     * The same beside this one.
+     * The same flight, displaced.
      *
      * @param offset to the right, ahead and above, by the heading at the start, m
      */
@@ -37,7 +37,9 @@ public record Steered(
         return new Steered(start.plus(Displaced.turned(offset, heading)), heading);
     }
 
-    /** A new flight that nobody has steered yet. The acceleration does not matter: velocity changes with each command. */
+    /**
+     * A new flight that nobody has steered yet. The acceleration does not matter: velocity changes with each command.
+     */
     @Override
     public SteeredFlight create(double speed, double acceleration, Ground ground) {
         return new SteeredFlight(start, heading, speed);

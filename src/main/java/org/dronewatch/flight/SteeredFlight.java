@@ -10,13 +10,14 @@ import org.dronewatch.setting.Check;
 
 /**
  * The flight of one drone in one run that is steered while the run goes on. Between two commands its velocity and its
- * attitude are constant; its position is never set but follows from where it started and how it flew. What has been
- * flown is kept: a microphone hears the drone where it was. What comes is not known: to ask for it fails.
+ * attitude are constant; its position is never set but follows from where it started and how it flew. The past of the
+ * flight is kept: a microphone hears the drone where it was. Its future is not known: querying it fails.
  *
- * <p>A command counts from its time on, that time included. Of several at one time the last counts. A command at a time
- * at which sensors have already looked, as the answer to what they saw, counts from the next instant that a double can
- * tell from that time; so what they saw stays true. Only the thread that runs the scene steers, since a command of any
- * other would count from whatever time the run happens to have reached; any thread may ask.
+ * <p>A command takes effect at its time, that time included. Of several at the same time, the last one takes effect. A
+ * command at a time at which sensors have already looked, in response to what they saw, takes effect at the next
+ * instant that a double can represent; so what they saw stays true. Only the thread that runs the scene may steer,
+ * since a command from any other thread would take effect at whatever time the run happens to have reached; any thread
+ * may query the flight.
  */
 public final class SteeredFlight implements FlownPath {
     /** By how much a commanded speed may be above the limit, as the length of a rounded vector may. */
@@ -44,12 +45,13 @@ public final class SteeredFlight implements FlownPath {
     }
 
     /**
-     * Flies on with a velocity, its nose level and where it is going; straight up, straight down and at rest the nose stays
-     * as it is.
+     * Flies on with a velocity, level and with the nose in the direction of flight; straight up, straight down and at
+     * rest it keeps its heading.
      *
      * @param time seconds since the start of the run
      * @param velocity m/s
-     * @throws IllegalArgumentException when the velocity is above the drone's speed or null, or a later time is already known
+     * @throws IllegalArgumentException when the velocity is above the drone's speed or null, or a later time is already
+     *     known
      * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void fly(double time, Position velocity) {
@@ -63,8 +65,8 @@ public final class SteeredFlight implements FlownPath {
      * @param time seconds since the start of the run
      * @param velocity m/s
      * @param attitude yaw, pitch and roll; does not depend on the velocity
-     * @throws IllegalArgumentException when the velocity is above the drone's speed, it or the attitude is null, or a later
-     *     time is already known
+     * @throws IllegalArgumentException when the velocity is above the drone's speed, it or the attitude is null, or a
+     *     later time is already known
      * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void fly(double time, Position velocity, Attitude attitude) {
@@ -73,14 +75,14 @@ public final class SteeredFlight implements FlownPath {
     }
 
     /**
-     * Flies in a straight line at constant speed to a point, its nose as for {@link #fly(double, Position)}, and hovers there
-     * unless another command comes before.
+     * Flies in a straight line at constant speed to a point, its nose as for {@link #fly(double, Position)}, and hovers
+     * there unless another command comes before.
      *
      * @param time seconds since the start of the run
      * @param target the point, m
      * @param arrival when it is to be there, after the command, seconds since the start of the run
-     * @throws IllegalArgumentException when that takes more than the drone's speed, the point is null, the arrival is not
-     *     after the command, or a later time is already known
+     * @throws IllegalArgumentException when that takes more than the drone's speed, the point is null, the arrival is
+     *     not after the command, or a later time is already known
      * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void flyTo(double time, Position target, double arrival) {
@@ -113,7 +115,7 @@ public final class SteeredFlight implements FlownPath {
         return from;
     }
 
-    /** From when a command counts. */
+    /** When a command takes effect, s. */
     private double effective(double time) {
         if (over) {
             throw new IllegalStateException("the run is over: nobody can steer any more");
@@ -139,7 +141,7 @@ public final class SteeredFlight implements FlownPath {
         }
     }
 
-    /** A new leg from where it is then; what was still to come of the last command no longer counts. */
+    /** A new leg from where it is then; the rest of the previous command is discarded. */
     private void add(double from, Position velocity, Attitude attitude) {
         Position here = Leg.at(legs, from).position();
         legs.removeIf(leg -> leg.time() >= from);
@@ -151,23 +153,23 @@ public final class SteeredFlight implements FlownPath {
         steering = Thread.currentThread();
     }
 
-    /** Time goes on: up to this time, and including it unless a command changes it, the flight is known. */
+    /** Advances the flight: it is then known up to this time, and at this time unless a command changes it. */
     public synchronized void advance(double time) {
         now = Math.max(now, time);
     }
 
-    /** Sensors look at a time: up to it, and including it, nothing changes any more. */
+    /** Records that sensors look at a time: up to and including that time, the flight can no longer change. */
     public synchronized void look(double time) {
         advance(time);
         looked = Math.max(looked, time);
     }
 
-    /** The run is over: no more commands. */
+    /** Ends the run: no more commands are accepted. */
     public synchronized void end() {
         over = true;
     }
 
-    /** Up to when the flight is known, seconds since the start of the run. */
+    /** The time up to which the flight is known, seconds since the start of the run. */
     public synchronized double known() {
         return now;
     }
@@ -178,7 +180,7 @@ public final class SteeredFlight implements FlownPath {
     }
 
     /**
-     * The state at a time that has come.
+     * The state at a time that has been reached.
      *
      * @throws IllegalStateException when it is yet to come
      */

@@ -12,10 +12,10 @@ import org.dronewatch.world.GroundPoint;
 
 /**
  * Flies from point to point low over the highest surface below, whether ground, roof or tree, at cruise speed along its
- * path from the start, and stays at the end. It never climbs or descends more steeply than allowed: it climbs early
- * before a wall and descends late behind it. The surface is sampled every half metre along the path: thinner objects
- * may be missed, and above a ridge between two samples the clearance may be a few millimetres short. Where the world
- * has nothing below, the nearest known height along the path counts.
+ * path from the start, and stays at the end. It never climbs or descends more steeply than allowed: it begins to climb
+ * well before a wall and descends gradually behind it. The surface is sampled every half metre along the path: thinner
+ * objects may be missed, and above a ridge between two samples the clearance may be a few millimetres short. Where the
+ * world has nothing below, the nearest known height along the path is used.
  *
  * @param points the path in plan, as pairs of east and north: at least two, neighbours 1 mm or more apart, at most 50
  *     km in total, m

@@ -34,7 +34,7 @@ public final class Geodesy {
     private final double originUp;
     private final double height;
 
-    /** The geodesy of a world frame whose origin lies there. */
+    /** The geodesy of a world frame with this origin. */
     public Geodesy(Origin origin) {
         height = origin.height().orElse(0.0);
         longitude = origin.longitude();
@@ -68,11 +68,11 @@ public final class Geodesy {
     }
 
     /**
-     * The point on a map of a position in the world frame; its height is z over that of the origin.
+     * The point on a map of a position in the world frame; its height is z above that of the origin.
      *
-     * <p>Longitudes are counted on from that of the origin: beyond the date line they go on above 180 or below -180
-     * degrees, so that lines and areas are not split. At the poles every point is right, but areas about a pole are
-     * not areas on a map of longitude and latitude.
+     * <p>Longitudes continue from that of the origin: beyond the date line they exceed 180 or fall below -180 degrees,
+     * so that lines and areas are not split. At the poles every point is right, but areas about a pole are not areas on
+     * a map of longitude and latitude.
      *
      * @param position position, m
      */

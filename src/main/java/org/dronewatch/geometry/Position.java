@@ -9,7 +9,7 @@ import org.jogamp.vecmath.Vector3d;
 
 /**
  * An immutable point or displacement in metres; in the world frame x is east, y is north and z is up. Settings hold
- * these, because vecmath's tuples can be changed behind the back of whoever keeps them. In a scene's settings each
+ * these, because vecmath's tuples are mutable. In a scene's settings each
  * coordinate lies within 100 km of the origin; a displacement that is computed need only be finite.
  *
  * @param x east, -100 to 100 km in settings, m
@@ -82,7 +82,7 @@ public record Position(
         return times(1.0 / length());
     }
 
-    /** The angle to another displacement, 0 to pi rad; neither may be without length. */
+    /** The angle to another displacement, 0 to pi rad; neither may have length 0. */
     public double angle(Position other) {
         return Math.acos(Math.max(-1.0, Math.min(1.0, dot(other) / (length() * other.length()))));
     }

@@ -82,7 +82,10 @@ public final class Ray {
         return new Vector3d(inverse(dx), inverse(dy), inverse(dz));
     }
 
-    /** One over a direction's component, where both zeros count as a positive one: a ray has no side of a zero. */
+    /**
+     * One over a direction's component, where a zero of either sign counts as positive: its sign has no meaning for a
+     * ray.
+     */
     public static double inverse(double component) {
         return 1.0 / (component + 0.0);
     }

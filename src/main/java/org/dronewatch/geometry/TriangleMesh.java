@@ -20,8 +20,8 @@ public final class TriangleMesh {
      * A mesh from flat arrays, which it copies.
      *
      * @param vertices x, y, z of each vertex in turn, m
-     * @param corners three vertex numbers a triangle, from 0
-     * @param materials one material number a triangle, an index into the names
+     * @param corners three vertex numbers per triangle, from 0
+     * @param materials one material number per triangle, an index into the names
      * @param sourceNumbers one number per triangle: its index in the file it came from, where dropped ones count too
      * @param materialNames the names of the materials
      * @throws IllegalArgumentException when lengths do not fit, an index is out of range or a coordinate is not finite

@@ -6,7 +6,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import org.dronewatch.setting.InputException;
 
-/** Makes one thing of an interrupt, whatever the code that it met made of it. */
+/** Turns every interrupt into the same exception, however the interrupted code reported it. */
 public final class Interrupts {
     private Interrupts() {}
 

@@ -2,7 +2,10 @@ package org.dronewatch.parallel;
 
 import jdk.incubator.vector.FloatVector;
 
-/** How wide the processor's vectors are. Apart, since it can only be loaded where the module of vectors is. */
+/**
+ * How wide the processor's vectors are. A separate class, since it can only be loaded where the vector module is
+ * present.
+ */
 final class VectorWidth {
     private VectorWidth() {}
 

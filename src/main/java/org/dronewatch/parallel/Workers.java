@@ -13,8 +13,8 @@ import java.util.function.Supplier;
 
 /**
  * A number of threads that work for one caller. What is done inside {@link #call} may spread loops over them by
- * {@link #forEach}, at any depth and without being handed anything: a kd-tree, an image, the sensors of a site.
- * Outside, the same loops run on the thread that calls them.
+ * {@link #forEach}, at any depth and without being passed a reference to them: a kd-tree, an image, the sensors of a
+ * site. Outside, the same loops run on the thread that calls them.
  *
  * <p>The thread that starts a loop works on it itself and waits only for parts that others are working on: a loop
  * within a loop cannot stop for want of threads.
@@ -134,7 +134,7 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
-     * Does something for each number from 0 on, in any order, on the threads at hand; returns when all is done.
+     * Does something for each number from 0 on, in any order, on the available threads; returns when all is done.
      *
      * @param count how many numbers
      * @param action must not depend on the others

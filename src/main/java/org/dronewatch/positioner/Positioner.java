@@ -60,17 +60,17 @@ public final class Positioner {
     }
 
     /**
-     * Another sensor has detected a contact.
+     * Records that another sensor has detected a contact.
      *
      * @param contact its number
      * @param sighting where that sensor believes it to be
-     * @param detected when it knew, s
+     * @param detected when it detected it, s
      */
     public void cue(int contact, Sighting sighting, double detected) {
         cues.add(new Cue(detected + settings.delay(), contact, sighting, detected));
     }
 
-    /** The positioner's own sensor has seen a contact, at its last look. */
+    /** Records that the positioner's own sensor has seen a contact, at its last look. */
     public void see(int contact, Sighting sighting, double seen) {
         follow(contact, sighting, seen, seen);
         if (track.filter(followed -> followed.contact() == contact).isPresent()) {

@@ -29,7 +29,7 @@ final class Charts {
     private static final int HEIGHT = 640;
     private static final int TITLE_SIZE = 18;
     private static final int TEXT_SIZE = 14;
-    /** Width of a letter of the legend, and of the sample of a line with the gaps about it, pixels. */
+    /** Width of a letter of the legend, and of the sample of a line with the gaps around it, pixels. */
     private static final int LETTER_WIDTH = 10;
 
     private static final int SAMPLE_WIDTH = 50;
@@ -73,7 +73,7 @@ final class Charts {
         return chart;
     }
 
-    /** The colour of the series of a number, from 0 on; colours repeat after the last. */
+    /** The colour of a series by its index, from 0; colours repeat after the last. */
     static Color colour(int number) {
         return SERIES[number % SERIES.length];
     }

@@ -8,9 +8,11 @@ import java.util.function.Supplier;
 import org.dronewatch.bench.CostCurves;
 import org.knowm.xchart.XYChart;
 
-/** Writes curves of costs: a table and a plot each, logarithmic but for threads and for costs within a factor of two. */
+/**
+ * Writes curves of costs: a table and a plot each, logarithmic but for threads and for costs within a factor of two.
+ */
 public final class CostReport {
-    /** Of the numbers at logarithmic axes, which would be 1E4 otherwise. */
+    /** Format of the numbers at logarithmic axes, which would otherwise be shown as 1E4. */
     private static final String PLAIN = "#,##0.#########";
 
     private CostReport() {}

@@ -27,8 +27,8 @@ import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.sensor.optics.PictureSettings;
 
 /**
- * What single cameras saw when they first detected a drone, as in the thesis, figure 7.1: distances in blues, and the pixels that
- * show a drone.
+ * What single cameras saw when they first detected a drone, as in the thesis, figure 7.1: distances in blues, and the
+ * pixels that show a drone.
  */
 final class DepthPictures {
     /** Maximum number of cameras with a picture, whatever the scene has. */
@@ -37,7 +37,7 @@ final class DepthPictures {
     /** Largest width and height of a picture, in pixels. */
     private static final int LARGEST = 640;
 
-    /** Smallest side of the frame about a drone, in pixels of the picture. */
+    /** Smallest side of the frame around a drone, in pixels of the picture. */
     private static final double SMALLEST_FRAME = 14.0;
 
     private static final int DRONE = 0xff6a00;
@@ -46,7 +46,7 @@ final class DepthPictures {
     private final Stage stage;
     private final Pointings pointings;
 
-    /** Of a run. */
+    /** The pictures of a run. */
     DepthPictures(RunResult run, Stage stage, Pointings pointings) {
         this.run = run;
         this.stage = stage;
@@ -89,8 +89,8 @@ final class DepthPictures {
         return Figure.of(
                 String.format(
                         Locale.ROOT,
-                        "What '%s' saw when it first detected '%s', %.1f s after the start at %.1f m: the nearer, the darker;"
-                                + " the sky pale; in orange the drone's %d of %d x %d pixels.",
+                        "What '%s' saw when it first detected '%s', %.1f s after the start at %.1f m: darker where nearer;"
+                                + " the sky is pale; the drone's %d of %d x %d pixels are orange.",
                         seen.sensor(),
                         seen.drone(),
                         seen.arrival(),
@@ -101,7 +101,7 @@ final class DepthPictures {
                 image);
     }
 
-    /** The drone's pixels at their places in a smaller picture, none of which is lost, and a frame about them. */
+    /** Marks the drone's pixels in a smaller picture, without losing any, and draws a frame around them. */
     private static void mark(BufferedImage image, CameraObject camera, DronePixels drone) {
         if (drone.count() == 0) {
             return;

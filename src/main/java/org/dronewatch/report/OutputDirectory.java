@@ -15,7 +15,8 @@ import org.dronewatch.setting.PlainText;
 
 /**
  * A directory of results that appears whole: files are written into a directory beside it and moved into it at the
- * end, either all of them or none. Whatever else the target holds stays as it is. One run at a time may write into a target.
+ * end, either all of them or none. Whatever else the target holds stays as it is. One run at a time may write into a
+ * target.
  */
 final class OutputDirectory implements AutoCloseable {
     private static final Pattern LABEL = Pattern.compile("labels[/\\\\](run-\\d+[/\\\\])?[\\w-]+[/\\\\]\\d{6}\\.png");
@@ -34,8 +35,8 @@ final class OutputDirectory implements AutoCloseable {
     }
 
     /**
-     * Makes the directory to write into, so that a target that cannot be written is found out before the work. What a run that
-     * was killed left there is removed.
+     * Makes the directory to write into, so that a target that cannot be written is detected before the work begins.
+     * Anything that a killed run left there is removed.
      *
      * @throws InputException when the target is a file, cannot be written, or another run is writing into it
      */
@@ -51,7 +52,7 @@ final class OutputDirectory implements AutoCloseable {
             }
         }
         try {
-            // Of a link the directory itself, so that two names of it are one target.
+            // Links are resolved, so that two names of a directory are one target.
             this.target = Files.isDirectory(absolute) ? absolute.toRealPath() : absolute;
             if (Files.isDirectory(target) && !Files.isWritable(target)) {
                 throw new InputException(asked + " cannot be written: no permission");
@@ -108,7 +109,10 @@ final class OutputDirectory implements AutoCloseable {
         return Files.isDirectory(directory) ? filesIn(directory) : List.of();
     }
 
-    /** The labels that an earlier run left in the target: pictures by the names that runs give them, and {@code coco.json}. */
+    /**
+     * The labels that an earlier run left in the target: pictures by the names that runs give them, and
+     * {@code coco.json}.
+     */
     List<String> formerLabels() throws IOException {
         Path pictures = target.resolve(Labels.PICTURES);
         if (!Files.isRegularFile(target.resolve(Labels.COCO))) {
@@ -127,8 +131,8 @@ final class OutputDirectory implements AutoCloseable {
     /**
      * Moves all written files into place; if one cannot be moved, none is.
      *
-     * @param obsolete files of an earlier run that must not stay if they were not written anew, nor the folders that held
-     *     nothing else
+     * @param obsolete files of an earlier run that must not stay if they were not written anew, nor the folders that
+     *     held nothing else
      */
     void publish(List<String> obsolete) throws IOException {
         Moves moves = new Moves();

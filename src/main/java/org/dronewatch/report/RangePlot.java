@@ -20,10 +20,10 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 final class RangePlot {
     private static final double TEN = 10.0;
 
-    /** The threshold is to be seen below the top, in thresholds. */
+    /** The least top of the plot, as a multiple of the threshold, so that the threshold is visible below it. */
     private static final double LEAST_TOP = 1.5;
 
-    /** Thresholds of more runs than that are listed without their runs. */
+    /** Thresholds of more runs than this are listed without their runs. */
     private static final int NAMED_RUNS = 2;
 
     private final SceneResult result;

@@ -35,10 +35,10 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
- * Writes the files of a run: {@code detections.csv}, {@code flights.csv} and, when asked for, {@code observations.csv} while
- * it goes on, {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end, and if it was not cut
- * short, {@code report.html} and, of a scene with an origin on earth, {@code map.geojson} and {@code map.kml}. They appear in
- * the directory together, once all is done.
+ * Writes the files of a run: {@code detections.csv}, {@code flights.csv} and, when asked for, {@code observations.csv}
+ * while it goes on, {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end,
+ * and if it was not cut short, {@code report.html} and, of a scene with an origin on earth, {@code map.geojson} and
+ * {@code map.kml}. They appear in the directory together, once all is done.
  */
 public final class RunReport implements SceneListener, AutoCloseable {
     private static final String DETECTIONS = "detections.csv";
@@ -103,7 +103,10 @@ public final class RunReport implements SceneListener, AutoCloseable {
         }
     }
 
-    /** Writes the pictures of some cameras, too, with the drones in them marked ({@code coco.json}); to be called before a run. */
+    /**
+     * Writes the pictures of some cameras, too, with the drones in them marked ({@code coco.json}); to be called before
+     * a run.
+     */
     public void label(LabelPlan plan) {
         labels = Optional.of(new Labels(plan, directory::file));
     }
@@ -188,7 +191,9 @@ public final class RunReport implements SceneListener, AutoCloseable {
         Charts.write(chart, plotFile(curve.name() + "-" + sensor, sensor + ": " + curve.title()));
     }
 
-    /** Notes the arguments of the command line in {@code provenance.json} and the report; a run by a program has none. */
+    /**
+     * Notes the arguments of the command line in {@code provenance.json} and the report; a run by a program has none.
+     */
     public void command(List<String> arguments) {
         command = List.copyOf(arguments);
     }
@@ -239,12 +244,14 @@ public final class RunReport implements SceneListener, AutoCloseable {
         directory.publish(obsolete);
     }
 
-    /** That of the first run; empty when the scene was cut short, or this report did not listen to it. */
+    /** The stage of the first run; empty when the scene was cut short, or this report did not listen to it. */
     private Optional<Stage> site(SceneResult result) {
         return result.complete() ? looks.ofRun(result.runs().get(0).run()).map(RunLooks::stage) : Optional.empty();
     }
 
-    /** Writes the maps if the scene has an origin on earth; gives what must not stay of an earlier run. */
+    /**
+     * Writes the maps if the scene has an origin on earth; returns the files of an earlier run that must be removed.
+     */
     private List<String> writeMaps(SceneResult result, Stage stage) throws IOException {
         Optional<SiteMap> map = SiteMap.of(result, stage);
         if (map.isEmpty()) {

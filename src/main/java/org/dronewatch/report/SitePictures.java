@@ -28,7 +28,7 @@ final class SitePictures {
     /** A close-up that covers nearly the whole site is omitted. */
     private static final double CLOSE = 0.6;
 
-    /** About the protected zone, or about the sensors of a site without one, m. */
+    /** Margin around the protected zone, or around the sensors of a site without one, m. */
     private static final double LEAST_MARGIN = 15.0;
 
     private final RunResult run;
@@ -38,7 +38,7 @@ final class SitePictures {
     private final int height;
 
     /**
-     * Of a run.
+     * The pictures of a run.
      *
      * @param width columns of each picture
      */

@@ -19,7 +19,10 @@ final class StagingLock implements AutoCloseable {
     private static final String LOCK = "lock";
     private static final int TRIES = 100;
 
-    /** Of this process, which must not even open a lock file that it has locked: closing it again would free the lock. */
+    /**
+     * Directories locked by this process, which must not even open a lock file that it has locked: closing it again
+     * would free the lock.
+     */
     private static final Set<Path> HELD = ConcurrentHashMap.newKeySet();
 
     private final Path directory;

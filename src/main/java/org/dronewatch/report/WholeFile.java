@@ -78,8 +78,8 @@ public final class WholeFile {
     }
 
     /**
-     * This file, provided that it holds nothing that a person or another command has written. Of a link it is the file itself,
-     * so that two names of it are one target, as of a directory of results.
+     * This file, provided that it holds nothing that a person or another command has written. Links are resolved, so
+     * that two names of a file are one target, as with a directory of results.
      *
      * @param firstLine what the first line of a file is that may be replaced
      * @param writer what messages call the command that writes such files, such as {@code 'save'}
@@ -95,7 +95,7 @@ public final class WholeFile {
         }
         if (!firstLine.matcher(firstLine()).matches()) {
             throw new InputException(
-                    asked + ": is there already, and " + writer + " did not write it: name another file, or delete it");
+                    asked + ": exists already, and " + writer + " did not write it: name another file, or delete it");
         }
         try {
             return new WholeFile(asked, file.toRealPath());

@@ -8,9 +8,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * A settings record as a text that is the same for the same settings on every machine: a line {@code path=value} for each
- * value, in the order of the record, numbers as {@link Double#toString(double)} writes them, and a line with the type of each
- * record that was chosen among several.
+ * A settings record as a text that is the same for the same settings on every machine: a line {@code path=value} for
+ * each value, in the order of the record, numbers as {@link Double#toString(double)} writes them, and a line with the
+ * type of each record that was chosen among several.
  */
 public final class CanonicalSettings {
     private final StringBuilder text = new StringBuilder();
@@ -59,7 +59,7 @@ public final class CanonicalSettings {
         }
     }
 
-    /** Of other objects the type counts: what they write of themselves may hold an address in memory. */
+    /** Other objects are written as their type: their own text may contain a memory address. */
     private static String plain(Object value) {
         if (value == null) {
             return "none";

@@ -1,8 +1,8 @@
 package org.dronewatch.setting;
 
 /**
- * Range checks for values that are not record components (see {@link Limits} for those): each check returns its value, or
- * throws an exception that names it, its value and the limit.
+ * Range checks for values that are not record components (see {@link Limits} for those): each check returns its value,
+ * or throws an exception that names it, its value and the limit.
  */
 public final class Check {
 
@@ -40,7 +40,7 @@ public final class Check {
         return value;
     }
 
-    /** A reference that must be there. */
+    /** A reference that must not be null. */
     public static <T> T present(String name, T value) {
         if (value == null) {
             throw new IllegalArgumentException(name + " is missing");

@@ -10,8 +10,9 @@ public final class Choices {
     private Choices() {}
 
     /**
-     * The kinds of an interface by the names used in scene files: of a sealed one those that it permits, where {@code OnTheRun}
-     * is {@code on-the-run}, of any other those that the class path has. Kinds that are not records cannot be written in files.
+     * The kinds of an interface by the names used in scene files: for a sealed interface, those that it permits, where
+     * {@code OnTheRun} is {@code on-the-run}; for any other, those on the class path. Kinds that are not records cannot
+     * be written in files.
      *
      * @throws InputException when a kind on the class path is wrong
      */

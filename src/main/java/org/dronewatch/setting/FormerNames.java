@@ -6,7 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 
-/** Collects where settings are given under a former name, for one warning for each such name. For any number of threads. */
+/** Collects where settings are given under a former name, for one warning for each such name. Thread-safe. */
 public final class FormerNames {
     private final Map<Renamed, Set<String>> places = new LinkedHashMap<>();
 

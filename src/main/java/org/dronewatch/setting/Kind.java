@@ -3,17 +3,20 @@ package org.dronewatch.setting;
 /**
  * One of several kinds among which a scene may choose: a kind of sensor, of flight, of propagation. A provider
  * implements this interface, has a public constructor without parameters, and is named in its jar's
- * {@code META-INF/services/org.dronewatch.setting.Kind}, where {@link java.util.ServiceLoader} finds it. Files name kinds, never
- * classes: which code runs is decided by the class path alone.
+ * {@code META-INF/services/org.dronewatch.setting.Kind}, where {@link java.util.ServiceLoader} finds it. Files name
+ * kinds, never classes: which code runs is decided by the class path alone.
  *
  * @param <T> what it is a kind of
  */
 public interface Kind<T> {
 
-    /** What it is a kind of: the interface that a setting has for its type. */
+    /** What it is a kind of: the interface that is the type of a setting. */
     Class<? super T> type();
 
-    /** What files call it after {@code kind:}; small letters, digits and dashes, 1 to 64, unique among the kinds of its type. */
+    /**
+     * What files call it after {@code kind:}; lower-case letters, digits and hyphens, 1 to 64, unique among the kinds
+     * of its type.
+     */
     String name();
 
     /** Its settings: a record that implements the type. */
@@ -23,7 +26,7 @@ public interface Kind<T> {
     String summary();
 
     /**
-     * A kind of four values.
+     * A kind with these four properties.
      *
      * @param type the interface
      * @param name what files call it

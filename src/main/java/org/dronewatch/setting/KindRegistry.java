@@ -13,8 +13,8 @@ import java.util.ServiceLoader;
 import java.util.function.Supplier;
 
 /**
- * The kinds that the class path has: first those of the library, then all others by type and name, so that the order in which
- * jars are given does not matter. Immutable.
+ * The kinds that the class path has: first those of the library, then all others by type and name, so that the order in
+ * which jars are given does not matter. Immutable.
  */
 public final class KindRegistry {
     private static KindRegistry found;
@@ -23,7 +23,7 @@ public final class KindRegistry {
     private final Map<Class<?>, Map<String, Class<?>>> byType = new LinkedHashMap<>();
 
     /**
-     * A registry of some kinds.
+     * A registry of the given kinds.
      *
      * @throws InputException when two kinds of a type have the same name, in one line with both origins
      */

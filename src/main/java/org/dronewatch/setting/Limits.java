@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The requirements of a settings record on its components: that each is there, and that each number is finite and within the
- * limits that its {@link In} gives. A record's constructor calls {@link #check}.
+ * The requirements of a settings record on its components: that each is there, and that each number is finite and
+ * within the limits that its {@link In} gives. A record's constructor calls {@link #check}.
  */
 public final class Limits {
     private static final ClassValue<List<Component>> COMPONENTS = new ClassValue<>() {
@@ -25,7 +25,7 @@ public final class Limits {
     private Limits() {}
 
     /**
-     * Checks what a record is to be made of.
+     * Checks the components of a record.
      *
      * @param record its class
      * @param values one for each component, in their order
@@ -44,7 +44,7 @@ public final class Limits {
     }
 
     /**
-     * Checks what one part of a record is to be.
+     * Checks one component of a record.
      *
      * @throws IllegalArgumentException when it is missing or out of its limits
      */
@@ -53,8 +53,8 @@ public final class Limits {
     }
 
     /**
-     * Checks every number in a tree of settings: those of all records in it, in lists, maps and optional parts, too. So the
-     * limits of {@link In} hold even for records whose constructors do not check them.
+     * Checks every number in a tree of settings: those of all records in it, in lists, maps and optional parts, too. So
+     * the limits of {@link In} hold even for records whose constructors do not check them.
      *
      * @param tree settings
      * @throws IllegalArgumentException when one is missing or out of its limits; the message begins with its path, as in

@@ -1,5 +1,5 @@
 package org.dronewatch.setting;
 
-/** A {@link Kind} of four values. */
+/** A {@link Kind} with these four properties. */
 record PlainKind<T>(Class<? super T> type, String name, Class<? extends T> settings, String summary)
         implements Kind<T> {}

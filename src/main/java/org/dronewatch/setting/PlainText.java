@@ -3,9 +3,9 @@ package org.dronewatch.setting;
 import java.util.Locale;
 
 /**
- * Text from files and users as messages may show it. Nothing in it steers a terminal or reorders the line: control characters,
- * line separators and the marks that change the direction of writing are written as {@code \u001b}. A value longer than
- * {@value #LONGEST} characters is shortened in its middle.
+ * Text from files and users as messages may show it. Nothing in it can control a terminal or reorder the line: control
+ * characters, line separators and the marks that change the direction of writing are written as {@code \u001b}. A value
+ * longer than {@value #LONGEST} characters is shortened in its middle.
  */
 public final class PlainText {
     /** Maximum number of characters of a value repeated in a message. */
@@ -33,8 +33,8 @@ public final class PlainText {
     }
 
     /**
-     * A message as one line: visible, every quoted value and every word in it {@value #LONGEST} characters at most. Line breaks
-     * and tabs become spaces.
+     * A message as one line: visible, every quoted value and every word in it {@value #LONGEST} characters at most.
+     * Line breaks and tabs become spaces.
      */
     public static String line(String message) {
         String visible = visible(message.strip(), false);

@@ -74,7 +74,7 @@ public enum Quantity {
 
     private static final MathContext BRIEF = new MathContext(4);
 
-    /** As many digits at most distinguish a number from its neighbours. */
+    /** This many digits distinguish any number from its neighbours. */
     private static final int DIGITS_OF_DOUBLE = 17;
 
     private final String unit;
@@ -135,8 +135,8 @@ public enum Quantity {
     }
 
     /**
-     * A value as it stands in a file, with its unit: {@link #parse} gives exactly this value again. Angles are in degrees
-     * where a number of degrees is exactly the value, otherwise in radians.
+     * A value as it stands in a file, with its unit: {@link #parse} gives exactly this value again. Angles are in
+     * degrees where a number of degrees is exactly the value, otherwise in radians.
      *
      * @param value finite
      */

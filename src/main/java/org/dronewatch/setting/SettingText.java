@@ -102,7 +102,7 @@ public final class SettingText {
 
     private static long longNumber(String text) {
         try {
-            // A sweep counts in numbers that may have a part after the point: 2.0 is a whole number, too.
+            // A sweep counts in decimal numbers: 2.0 is a whole number, too.
             return new BigDecimal(text.strip()).longValueExact();
         } catch (ArithmeticException | NumberFormatException e) {
             throw new IllegalArgumentException("'" + text + "' is not a whole number of at most 18 digits", e);
@@ -143,7 +143,7 @@ public final class SettingText {
         return form.create(Map.of());
     }
 
-    /** A record of numbers as a list of them, one of which a single part must be known as that part. */
+    /** A record of numbers as a list of them; a record with a single required component as that component. */
     private static Object record(SettingsForm form, String text) {
         if (form.isNumbers()) {
             return numbers(

@@ -12,8 +12,8 @@ import java.util.Optional;
 
 /**
  * The path to one setting through a tree of records, such as {@code sensors.camera.fov} or {@code
- * world.models.0.scale}: names of record components, current or former ones, keys of maps and indices of lists, separated by
- * dots.
+ * world.models.0.scale}: names of record components, current or former ones, keys of maps and indices of lists,
+ * separated by dots.
  */
 public final class SettingsPath {
     /** Under this name scene files choose one of several kinds of settings. */
@@ -122,7 +122,7 @@ public final class SettingsPath {
         }
     }
 
-    /** Whether a part holds texts or numbers by names that anyone may add to. */
+    /** Whether a part holds texts or numbers by name, to which any name may be added. */
     private static boolean isOpen(RecordComponent part) {
         return part.getGenericType() instanceof ParameterizedType type
                 && type.getRawType() == Map.class

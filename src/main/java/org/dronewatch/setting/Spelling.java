@@ -12,14 +12,14 @@ public final class Spelling {
 
     private static final int SUGGESTIONS = 3;
 
-    /** As many characters of what was typed are compared; no name has as many. */
+    /** Maximum number of characters of the typed text that are compared; every name is shorter. */
     private static final int LONGEST = 200;
 
     private Spelling() {}
 
     /**
-     * The names nearest to a mistyped one, nearest first: by how many letters must be changed, added or removed; capitals do
-     * not matter.
+     * The names nearest to a mistyped one, nearest first: by how many letters must be changed, added or removed;
+     * capitals do not matter.
      */
     public static List<String> nearest(String typed, Collection<String> names, int count) {
         return names.stream()
@@ -45,7 +45,10 @@ public final class Spelling {
         return "; did you mean '" + name + "'?";
     }
 
-    /** The end of a message about an unknown name: {@code closest matches: camera, radar}, or {@code closest match: camera}. */
+    /**
+     * The end of a message about an unknown name: {@code closest matches: camera, radar}, or
+     * {@code closest match: camera}.
+     */
     public static String nearestAre(String typed, Collection<String> names) {
         List<String> nearest = nearest(typed, names, SUGGESTIONS);
         return (nearest.size() == 1 ? "closest match: " : "closest matches: ") + String.join(", ", nearest);
@@ -56,7 +59,7 @@ public final class Spelling {
      * {@code brick_rough}, not for {@code solid}. What is left over of the name counts a little.
      */
     private static double distance(String typed, String name) {
-        // Nobody means a name by more: what a file holds instead of a name may have any length.
+        // A longer text cannot be meant as a name; what a file has instead of a name may be of any length.
         String a = typed.substring(0, Math.min(typed.length(), LONGEST)).toLowerCase(Locale.ROOT);
         String b = name.toLowerCase(Locale.ROOT);
         int[] row = new int[b.length() + 1];

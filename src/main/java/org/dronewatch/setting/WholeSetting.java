@@ -9,7 +9,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** How a setting is set as a whole, for who tried to set a part that it does not have: in words, after a colon. */
+/**
+ * Tells a user who tried to set a part that a setting does not have how to set it as a whole: in words, after a colon.
+ */
 final class WholeSetting {
     /** An example of any number, in the unit of its quantity. */
     private static final String ANY_NUMBER = "10";
@@ -17,7 +19,7 @@ final class WholeSetting {
     private WholeSetting() {}
 
     /**
-     * A setting that is not set.
+     * Advice about a setting that is not set.
      *
      * @param path of the setting
      * @param part the component of settings that holds it
@@ -51,7 +53,7 @@ final class WholeSetting {
     }
 
     /**
-     * The kind of settings, which is no part of them.
+     * Advice about the kind of settings, which cannot be set on its own.
      *
      * @param path of the settings
      * @param settings of some kind

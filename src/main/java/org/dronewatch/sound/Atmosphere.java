@@ -28,7 +28,7 @@ public record Atmosphere(
     /** Gas constant of dry air, J/(kg K). */
     private static final double DRY_AIR = 287.05;
 
-    /** One less the ratio of the molar masses of water and dry air. */
+    /** One minus the ratio of the molar masses of water and dry air. */
     private static final double VAPOUR_IS_LIGHTER = 0.378;
 
     /**
@@ -61,8 +61,8 @@ public record Atmosphere(
     }
 
     /**
-     * Characteristic impedance, Pa s/m: density times speed of sound, 413 at 20 degrees Celsius. The density is that of an
-     * ideal gas, of which vapour makes a part lighter: its partial pressure is that of ISO 9613-1, equations (B.1) to (B.3).
+     * Characteristic impedance, Pa s/m: density times speed of sound, 413 at 20 degrees Celsius. The density is that of
+     * humid air as an ideal gas, with the partial pressure of vapour from ISO 9613-1, equations (B.1) to (B.3).
      */
     public double impedance() {
         double lighter = 1.0 - VAPOUR_IS_LIGHTER * 0.01 * vapour();

@@ -12,7 +12,7 @@ import org.dronewatch.setting.Quantity;
  */
 public record BackgroundNoise(@In(value = Quantity.LEVEL, from = -20, to = 140) double level, BandLevels shape) {
     /**
-     * Falls by 4 dB from octave to octave. Assumed: between wind in leaves, which is flatter, and far traffic, which is
+     * Falls by 4 dB per octave. Assumed: between wind in leaves, which is flatter, and far traffic, which is
      * steeper. Detection by bands depends strongly on it, so measure your own spectrum.
      */
     public static final BandLevels FALLING = BandLevels.of(0, -4, -8, -12, -16, -20, -24, -28);

@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * A spectrum: one level for each octave band, dB, relative to a reference that depends on where it is used. Every level
- * is finite, and in a scene's settings -200 to 200 dB; nothing at all is written as a very low level, such as -200 dB. In
+ * is finite, and in a scene's settings -200 to 200 dB; silence is written as a very low level, such as -200 dB. In
  * a scene file eight numbers, or one for all bands.
  *
  * @param hz63 level of the band at 63 Hz, -200 to 200 dB in settings

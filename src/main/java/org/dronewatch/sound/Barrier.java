@@ -1,9 +1,9 @@
 package org.dronewatch.sound;
 
 /**
- * The attenuation of sound by the edges of an obstacle. The path difference is the path from the source over the edges to
- * the receiver less the straight path, m: positive where the obstacle hides the source, 0 at the shadow's border, negative
- * where the source is seen above the edge.
+ * The attenuation of sound by the edges of an obstacle. The path difference is the length of the path from the source
+ * over the edges to the receiver minus that of the straight line, m: positive where the obstacle hides the source, 0 at
+ * the shadow boundary, negative where the source is visible above the edge.
  */
 public final class Barrier {
     /** Upper limit of the attenuation by a single edge in ISO 9613-2, dB. */
@@ -15,7 +15,7 @@ public final class Barrier {
     /** Distance from the first edge to the last, m, up to which CNOSSOS-EU, section 2.5.6, counts several as one. */
     public static final double SINGLE_EDGE_SPAN = 0.3;
 
-    /** Path difference in wavelengths, below 0, at which an edge takes nothing: N = -0.1. */
+    /** Path difference in wavelengths, below 0, at which an edge causes no attenuation: N = -0.1. */
     public static final double MAEKAWA_REACH = 0.05;
 
     /** The same in ISO 9613-2: N = -0.2. */
@@ -65,9 +65,9 @@ public final class Barrier {
     }
 
     /**
-     * Attenuation after CNOSSOS-EU (Directive (EU) 2015/996, section 2.5.6), {@code 10 lg(3 + 40 C'' delta / lambda)}, in
-     * still air (homogeneous conditions): for one edge Maekawa's curve. C'' is 1 for a span of up to {@value
-     * #SINGLE_EDGE_SPAN} m. At most {@value #LIMIT} dB.
+     * Attenuation after CNOSSOS-EU (Directive (EU) 2015/996, section 2.5.6), {@code 10 lg(3 + 40 C'' delta / lambda)},
+     * in still air (homogeneous conditions): for one edge Maekawa's curve. C'' is 1 for a span of up to
+     * {@value #SINGLE_EDGE_SPAN} m. At most {@value #LIMIT} dB.
      *
      * @param pathDifference m
      * @param span distance from the first edge to the last along the path, 0 for one edge, m
@@ -80,8 +80,8 @@ public final class Barrier {
     }
 
     /**
-     * The factor for several edges, C3 of ISO 9613-2 and C'' of CNOSSOS-EU: from 1 for edges close together to 3 for edges
-     * many wavelengths apart.
+     * The factor for several edges, C3 of ISO 9613-2 and C'' of CNOSSOS-EU: from 1 for edges close together to 3 for
+     * edges many wavelengths apart.
      */
     private static double ofSeveralEdges(double span, double wavelength) {
         if (!(span > 0.0)) {

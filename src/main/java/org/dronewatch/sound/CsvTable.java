@@ -27,7 +27,7 @@ final class CsvTable<T> {
     /**
      * Reads a table from the resources beside this class.
      *
-     * @param what what messages call a row
+     * @param what the word for a row in messages
      */
     CsvTable(String resource, String what, Function<NamedCsvRecord, T> toRow) {
         this.what = what;

@@ -11,8 +11,7 @@ public enum Directivity {
     },
     /**
      * Of rotors: fainter near their plane, louder above and below, from 500 Hz on. A high shelf of {@code -0.0011 t^2 +
-     * 0.194 |t| - 4.9} dB with t in degrees (Heutschi and others, Acta Acustica 4, 24, 2020); how a shelf at 500 Hz falls
-     * on octaves is assumed: nothing up to 250 Hz, half the decibels at 500 Hz, all of them from 1 kHz on.
+     * 0.194 |t| - 4.9} dB with t in degrees (Heutschi and others, Acta Acustica 4, 24, 2020); how a shelf at 500 Hz divides among octave bands is assumed: nothing up to 250 Hz, half the decibels at 500 Hz, all of them from 1 kHz on.
      */
     ROTOR {
         @Override
@@ -37,8 +36,8 @@ public enum Directivity {
     public abstract double publishedGain(int band, double elevation);
 
     /**
-     * Directivity index, dB: what to add to the sound power level for a direction. Its energy mean over all directions is
-     * 0 dB, so that the power stays what it is.
+     * Directivity index, dB: what to add to the sound power level for a direction. Its energy mean over all directions
+     * is 0 dB, so that the sound power is unchanged.
      *
      * @param band 0 for 63 Hz to 7 for 8 kHz
      * @param elevation from the rotors' plane, -pi/2 to pi/2 rad; above and below are alike

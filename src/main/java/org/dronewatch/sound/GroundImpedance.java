@@ -10,7 +10,7 @@ package org.dronewatch.sound;
  * @param flowResistivity sigma, kPa s/m2, above 0; infinite for rigid ground
  */
 public record GroundImpedance(double flowResistivity) {
-    /** Ground that reflects everything with its phase. */
+    /** Rigid ground, which reflects everything in phase. */
     public static final GroundImpedance RIGID = new GroundImpedance(Double.POSITIVE_INFINITY);
 
     /**

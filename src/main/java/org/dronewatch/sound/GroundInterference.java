@@ -3,7 +3,7 @@ package org.dronewatch.sound;
 /**
  * The mean energy of direct and ground-reflected sound together in an octave band: over equal parts of lg f, of
  * {@code a1^2 + a2^2 |Q|^2 + 2 a1 a2 |Q| C cos(k (R2 - R1) + arg Q)}, where Q is that of the {@link SphericalReflection} and C
- * the coherence. The paths' loss by spreading, air and directivity is the caller's.
+ * the coherence. The caller accounts for spreading, air and directivity.
  *
  * @param ground what reflects
  * @param soundSpeed m/s, above 0
@@ -11,8 +11,8 @@ package org.dronewatch.sound;
  * @param reflected length of the reflected path R2, m, R1 or more
  * @param sourceHeight of the source above the plane of the ground, m, 0 or more
  * @param receiverHeight of the receiver above it, m, 0 or more
- * @param unevenness standard deviation of the ground's height about the plane, m, 0 or more: as much of the reflected
- *     wave is out of step as the Rayleigh criterion states, {@code exp(-2 (k s cos t)^2)}
+ * @param unevenness standard deviation of the ground's height about the plane, m, 0 or more: the Rayleigh criterion
+ *     gives the coherent fraction of the reflected wave, {@code exp(-2 (k s cos t)^2)}
  * @param turbulence of the air
  */
 public record GroundInterference(

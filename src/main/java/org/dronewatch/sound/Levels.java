@@ -24,7 +24,7 @@ public final class Levels {
     }
 
     /**
-     * What a sound power level loses by spreading evenly over a sphere: {@code 10 lg(4 pi r^2)}, with the reference
+     * Reduction of a sound power level by even spreading over a sphere: {@code 10 lg(4 pi r^2)}, with the reference
      * impedance of 400 Pa s/m at which power and pressure levels agree.
      *
      * @param distance above 0, m

@@ -10,7 +10,7 @@ public final class OctaveBands {
 
     private static final int[] NOMINAL = {63, 125, 250, 500, 1000, 2000, 4000, 8000};
 
-    /** IEC 61672-1, table 3, rounded as everywhere to 0.1 dB. */
+    /** IEC 61672-1, table 3, rounded to 0.1 dB as usual. */
     private static final double[] A_WEIGHTS = {-26.2, -16.1, -8.6, -3.2, 0.0, 1.2, 1.0, -1.1};
 
     private OctaveBands() {}

@@ -14,21 +14,23 @@ import org.dronewatch.sound.SurfaceMaterial.Wall;
 
 /**
  * An acoustic surface that a scene defines, beside those of the table. At most one of {@code absorption} and
- * {@code absorptionByAngle} is given; properties that are omitted are those of the table's ordinary hard surface, {@code solid}.
+ * {@code absorptionByAngle} is given; properties that are omitted are those of the table's ordinary hard surface,
+ * {@code solid}.
  *
- * @param absorption fraction of the sound that is not reflected, 0 to 1, for all angles: eight octave bands, or one number
- * @param absorptionByAngle the same as a function of the angle from the normal: a table in order of increasing angle, linear
- *     in between, constant outside
- * @param scattering fraction of the reflected energy that is scattered in all directions, 0 to 1: eight octave bands, or one
+ * @param absorption fraction of the sound that is not reflected, 0 to 1, for all angles: eight octave bands, or one
  *     number
- * @param transmissionLoss loss of sound that passes through the wall, 0 to 200 dB: eight octave bands, or one number; omit it
- *     for an opaque wall
+ * @param absorptionByAngle the same as a function of the angle from the normal: a table in order of increasing angle,
+ *     linear in between, constant outside
+ * @param scattering fraction of the reflected energy that is scattered in all directions, 0 to 1: eight octave bands,
+ *     or one number
+ * @param transmissionLoss loss of sound that passes through the wall, 0 to 200 dB: eight octave bands, or one number;
+ *     omit it for an opaque wall
  * @param wall whether one surface is the whole wall, or the wall has a front and a back
- * @param speed speed of sound inside a wall with front and back, for refraction in the level model, above 0 to 20,000 m/s;
- *     omit it if unknown
- * @param flowResistivity with {@code ground: coherent}, the effective flow resistivity of this surface as ground, above 0 to
- *     1,000,000 kPa s/m2: 200 for grass, 20,000 for asphalt; omit it for that of the surface of the same name in the table, or
- *     for a surface that reflects in phase what it does not absorb
+ * @param speed speed of sound inside a wall with front and back, for refraction in the level model, above 0 to 20,000
+ *     m/s; omit it if unknown
+ * @param flowResistivity with {@code ground: coherent}, the effective flow resistivity of this surface as ground, above
+ *     0 to 1,000,000 kPa s/m2: 200 for grass, 20,000 for asphalt; omit it for that of the surface of the same name in
+ *     the table, or for a surface that reflects in phase what it does not absorb
  */
 public record OwnSurface(
         Optional<BandFractions> absorption,
@@ -54,8 +56,8 @@ public record OwnSurface(
     /**
      * Checks the limits and keeps its own list.
      *
-     * @throws IllegalArgumentException if a value is out of range, absorption is given twice, angles do not increase, or more
-     *     than all would be reflected and transmitted together
+     * @throws IllegalArgumentException if a value is out of range, absorption is given twice, angles do not increase,
+     *     or more energy would be reflected and transmitted than arrives
      */
     public OwnSurface {
         Limits.check(
@@ -105,7 +107,7 @@ public record OwnSurface(
         return SettingsForm.with(this, "flowResistivity", Optional.of(kilopascalSecondsPerSquareMetre));
     }
 
-    /** The material that it is, by a name. */
+    /** This surface as a material with a name. */
     public SurfaceMaterial material(String name) {
         return material(
                 name, absorption, absorptionByAngle, scattering, transmissionLoss, wall, speed, flowResistivity);

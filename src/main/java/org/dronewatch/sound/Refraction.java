@@ -12,7 +12,7 @@ public final class Refraction {
     private Refraction() {}
 
     /**
-     * Angle behind the border by Snell's law, {@code sin t2 / sin t1 = c2 / c1}.
+     * Angle of refraction by Snell's law, {@code sin t2 / sin t1 = c2 / c1}.
      *
      * @param incidence 0 to pi/2
      * @param speed speed of sound before the border, above 0, m/s
@@ -25,7 +25,7 @@ public final class Refraction {
     }
 
     /**
-     * Angle of incidence at and above which everything is reflected.
+     * Critical angle of incidence, at and above which everything is reflected.
      *
      * @param speed speed of sound before the border, above 0, m/s
      * @param speedBehind speed of sound behind it, above 0, m/s

@@ -20,10 +20,10 @@ import org.dronewatch.setting.SettingsForm;
  * @param wall whether one surface is the whole wall
  * @param speed speed of sound inside, m/s; empty if unknown or opaque
  * @param source where the figures come from
- * @param angular absorption as a function of the angle of incidence; {@code absorption} is then its mean in a diffuse field.
- *     Empty if it is the same at all angles
- * @param ground its impedance as ground, where direct and reflected sound interfere; empty for that of the surface of this
- *     name in the table of grounds, if there is one
+ * @param angular absorption as a function of the angle of incidence; {@code absorption} is then its mean in a diffuse
+ *     field. Empty if it is the same at all angles
+ * @param ground its impedance as ground, where direct and reflected sound interfere; empty for that of the surface of
+ *     this name in the table of grounds, if there is one
  */
 public record SurfaceMaterial(
         String name,
@@ -36,7 +36,7 @@ public record SurfaceMaterial(
         Optional<AngularAbsorption> angular,
         Optional<GroundImpedance> ground) {
 
-    /** How a wall is drawn in a mesh. */
+    /** How a wall is modelled in a mesh. */
     public enum Wall {
         /** One surface is the whole wall, however thick. */
         SHEET,
@@ -116,7 +116,7 @@ public record SurfaceMaterial(
         return ground.or(() -> Grounds.find(name));
     }
 
-    /** The fraction that is reflected in a band, of sound from all directions alike. */
+    /** The fraction that is reflected in a band in a diffuse field. */
     public double reflected(int band) {
         return 1.0 - absorption.get(band);
     }

@@ -1,8 +1,8 @@
 package org.dronewatch.sound;
 
 /**
- * How much of the reflected energy a rough surface scatters by the angle of incidence. Materials state it for sound
- * from all directions (ISO 17497-1); at grazing incidence a rough surface is a mirror (Rayleigh's criterion).
+ * How much of the reflected energy a rough surface scatters, as a function of the angle of incidence. Materials state
+ * it for a diffuse field (ISO 17497-1); at grazing incidence a rough surface acts as a mirror (Rayleigh's criterion).
  */
 public final class SurfaceRoughness {
     private static final int HALVINGS = 50;
@@ -11,8 +11,8 @@ public final class SurfaceRoughness {
     private SurfaceRoughness() {}
 
     /**
-     * The fraction that is scattered: {@code 1 - exp(-g cos^2 t)}, with the g whose mean over all directions is the given
-     * fraction, {@code 1 - (1 - exp(-g)) / g}; never more than that fraction.
+     * The fraction that is scattered: {@code 1 - exp(-g cos^2 t)}, with the g whose mean over all directions is the
+     * given fraction, {@code 1 - (1 - exp(-g)) / g}; never more than that fraction.
      *
      * @param randomIncidence fraction in the mean over all directions, 0 to 1
      * @param cosine of the angle of incidence, from the normal, 0 to 1

@@ -1,15 +1,15 @@
 package org.dronewatch.sound;
 
 /**
- * How far turbulent air leaves the direct and the ground-reflected wave in step: the factor of their interference in the
- * mean over time. The refractive index fluctuates with the variance {@code m2} and the correlation
+ * The coherence of direct and ground-reflected sound in turbulent air: the factor by which their interference is
+ * reduced, averaged over time. The refractive index fluctuates with the variance {@code m2} and the correlation
  * {@code exp(-r^2 / L^2)}; then the coherence of two paths of length R whose distance from each other grows to h is
  * {@code exp(-sqrt(pi) m2 k^2 R L (1 - rho))} with {@code rho = sqrt(pi) / 2 L / h erf(h / L)}.
  *
- * <p>This counts the fluctuations of phase and of amplitude, as the mean of the product of two waves does (S. F. Clifford
- * and R. J. Lataitis, JASA 73, 1545, 1983): near the source all of the variance is one of the phase, far from it, beyond
- * {@code k L^2}, half is one of the phase and half one of the logarithm of the amplitude, and their sum is the same. With
- * the phase alone, as in G. A. Daigle (JASA 65, 45, 1979), the exponent is half as large beyond {@code k L^2}.
+ * <p>This counts the fluctuations of phase and of amplitude, as the mean of the product of two waves does (S. F.
+ * Clifford and R. J. Lataitis, JASA 73, 1545, 1983): near the source all of the variance is in the phase; far from it,
+ * beyond {@code k L^2}, half is in the phase and half in the logarithm of the amplitude, with the same sum. With the
+ * phase alone, as in G. A. Daigle (JASA 65, 45, 1979), the exponent is half as large beyond {@code k L^2}.
  *
  * @param strength variance of the refractive index, 0 for still air: about 1e-8 in calm, 1e-4 in very turbulent air
  * @param scale correlation length L, m, above 0

@@ -5,26 +5,27 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 
 /**
- * Whether something of a world stands between two points, and what.
+ * Whether something in a world stands between two points, and what.
  *
- * <p>A surface that a segment meets within {@link #MARGIN} of an end is taken for the one on which the end lies, and hides
- * nothing: sensors on walls and microphones on the ground see and hear as they do just in front of it, and so do drones
- * that touch it. What is met farther away counts. So a sensor within the margin of a wall looks out to both of its sides,
- * and one farther behind it is blind to what lies in front of it. The margin is a length and not a fraction of the segment,
- * since neither the position of a sensor nor the roundings of coordinates become less exact with the distance of what it
- * looks at: whether a sensor on a wall is blind does not depend on the range. Nothing counts as standing
- * between points closer together than twice the margin.
+ * <p>A surface that a segment meets within {@link #MARGIN} of an end is taken for the one on which the end lies, and
+ * hides nothing: sensors on walls and microphones on the ground see and hear as they do just in front of it, and so do
+ * drones that touch it. What is met farther away counts. So a sensor within the margin of a wall looks out to both of
+ * its sides, and one farther behind it is blind to what lies in front of it. The margin is a length and not a fraction
+ * of the segment, since neither the position of a sensor nor the rounding of coordinates becomes less exact with the
+ * distance of what it looks at: whether a sensor on a wall is blind does not depend on the range. Nothing counts as
+ * standing between points closer together than twice the margin.
  *
- * <p>Whether two points of one oblique face see each other depends on the rounding of their coordinates; {@link Clearance}
- * moves points off their surfaces where that matters.
+ * <p>Whether two points of one oblique face see each other depends on the rounding of their coordinates;
+ * {@link Clearance} moves points off their surfaces where that matters.
  *
  * <p>The methods that take primitives allocate nothing. Keeps scratch memory: one thread at a time.
  */
 public final class Visibility {
     /**
-     * How far along a segment, from either end, surfaces do not count, m. It is above the rounding of a mesh's coordinates,
-     * which are of single precision, within 100 m of the origin (4e-6 m), and far above that of computed points; and it is
-     * below the distance to which {@link Clearance} moves what lies on a surface, on the far side of which it stays hidden.
+     * How far along a segment, from either end, surfaces do not count, m. It is above the rounding of a mesh's
+     * coordinates, which are of single precision, within 100 m of the origin (4e-6 m), and far above that of computed
+     * points; and it is below the distance to which {@link Clearance} moves what lies on a surface, on the far side of
+     * which it stays hidden.
      */
     public static final double MARGIN = 1e-5;
 
@@ -35,7 +36,10 @@ public final class Visibility {
     private final RayTracer tracer;
     private final double skipped;
 
-    /** The segment along which surfaces are looked for: its beginning, its vector, and the multiple of that where it ends. */
+    /**
+     * The segment along which surfaces are searched for: its beginning, its vector, and the multiple of that where it
+     * ends.
+     */
     private double x;
 
     private double y;
@@ -59,8 +63,9 @@ public final class Visibility {
 
     /**
      * In a world, for segments that are unrelated to each other, such as the paths of diffuse sound (see {@link
-     * World#newIncoherentRayTracer()}), and end at points that have been moved off the surfaces on which they lie. There no
-     * surface is skipped: in a corner, another wall may be nearer than {@link #MARGIN}, and sound would leak through it.
+     * World#newIncoherentRayTracer()}), and end at points that have been moved off the surfaces on which they lie.
+     * There no surface is skipped: in a corner, another wall may be nearer than {@link #MARGIN}, and sound would leak
+     * through it.
      */
     public static Visibility ofClearPoints(World world) {
         return new Visibility(world, world.newIncoherentRayTracer(), MARGIN_OF_CLEAR_POINTS);
@@ -123,8 +128,8 @@ public final class Visibility {
     }
 
     /**
-     * Looks for the next surface behind the one that was found last; two that are met within {@link #MARGIN} of each other, or
-     * between clear points within 1e-10 m, count as one.
+     * Looks for the next surface behind the one that was found last; two that are met within {@link #MARGIN} of each
+     * other, or between clear points within 1e-10 m, count as one.
      *
      * @return whether there is one
      */

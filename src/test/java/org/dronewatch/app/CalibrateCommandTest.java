@@ -248,7 +248,10 @@ class CalibrateCommandTest {
         assertThat(firstRange(400, "sensors.s.fov=" + half)).isCloseTo(2.0 * range, within(0.01 * 2.0 * range));
     }
 
-    /** One pixel changes the range by several metres: the entry states what it has, and how far it is from what was asked. */
+    /**
+     * One pixel changes the range by several metres: the entry states what it has, and how far it is from what was
+     * asked.
+     */
     @ParameterizedTest
     @CsvSource({"150", "90", "40"})
     void theEntryOfACameraStatesTheRangeThatARunGives(double asked) throws IOException {
@@ -367,8 +370,8 @@ class CalibrateCommandTest {
     void onlyWhatCalibrateWroteIsReplaced() throws IOException {
         Path file = directory.resolve("fitted.yaml");
         Files.writeString(file, "title: mine\n");
-        String refusal = "--out " + file
-                + ": is there already, and 'calibrate' did not write it: name another file, or delete it";
+        String refusal =
+                "--out " + file + ": exists already, and 'calibrate' did not write it: name another file, or delete it";
         assertThat(calibrate("rf", "100 m")).satisfies(outcome -> {
             assertThat(outcome.code()).isEqualTo(2);
             assertThat(outcome.complaints()).containsExactly(refusal);

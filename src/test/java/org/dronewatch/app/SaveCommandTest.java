@@ -75,7 +75,7 @@ class SaveCommandTest {
         for (String out : List.of("mine.yaml", "link.yaml")) {
             assertThat(command(2, Stream.of("save", "camera-range", "--out", path(out))))
                     .isEqualToIgnoringNewLines("--out " + path(out)
-                            + ": is there already, and 'save' did not write it: name another file, or delete it");
+                            + ": exists already, and 'save' did not write it: name another file, or delete it");
         }
         assertThat(text("mine.yaml")).startsWith("# my scene\n");
 

@@ -163,7 +163,7 @@ final class FlatPolygon {
         return coordinateError;
     }
 
-    /** Whether it has no plane: its corners lie in a line, or what one part of it winds about another unwinds. */
+    /** Whether it has no plane: its corners lie in a line, or the windings of its parts cancel. */
     boolean isWithoutPlane() {
         return doubleArea <= ROUNDING * perimeter * perimeter;
     }
@@ -174,8 +174,8 @@ final class FlatPolygon {
     }
 
     /**
-     * Whether a fan from its first corner covers it: none of the triangles is turned over, by more than the rounding of their
-     * corners can do, and those that are have a negligible area.
+     * Whether a fan from its first corner covers it: none of the triangles is turned over, by more than the rounding of
+     * their corners can do, and those that are have a negligible area.
      */
     boolean isSeenFromItsFirstCorner() {
         double turned = 0.0;

@@ -16,7 +16,7 @@ import org.dronewatch.setting.file.FileHash;
  * @param name the file's name
  * @param mesh its triangles, placed in the world's frame
  * @param dropped how many triangles without area were left out
- * @param skipped how many statements without effect there were, by their word
+ * @param skipped how many statements without effect there were, by keyword
  * @param colours what its materials look like in daylight, red, green and blue in the lowest 24 bits, by material name;
  *     those without a colour are left out
  * @param files the bytes that were read: the model's own file first, then its material libraries

@@ -9,7 +9,7 @@ import java.util.Set;
 public interface MeshReader {
 
     /**
-     * How the names of its files end, in small letters and digits without the dot: {@code obj}; no other reader has any
+     * File extensions, in lower-case letters and digits without the dot: {@code obj}; no other reader has any
      * of them.
      */
     Set<String> extensions();

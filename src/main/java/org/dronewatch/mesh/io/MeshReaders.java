@@ -20,7 +20,7 @@ public final class MeshReaders {
     private final Map<String, MeshReader> byExtension = new TreeMap<>();
 
     /**
-     * Some readers.
+     * A set of readers.
      *
      * @throws InputException if two read the same extension, in one line with both locations, or one is invalid
      */

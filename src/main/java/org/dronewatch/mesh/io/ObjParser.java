@@ -7,8 +7,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Reads the statements of an OBJ file into a collector. Words are read in capitals, too. A statement that cannot be
- * right, or whose word the format does not have, is an {@link InputException} that names file and line.
+ * Reads the statements of an OBJ file into a collector. Keywords may be in capitals. An invalid statement, or one whose
+ * keyword the format does not have, is an {@link InputException} that names file and line.
  */
 final class ObjParser {
     private static final int MAX_DIGITS = 9;
@@ -43,13 +43,13 @@ final class ObjParser {
         String known = word.toLowerCase(Locale.ROOT);
         switch (known) {
             case "v" -> vertex();
-            // The outline of a face: what old files have for a face.
+            // "fo", a face outline, is what old files have for a face.
             case "f", "fo" -> face();
             case "usemtl" -> collector.useMaterial(rest());
             case "mtllib" -> collector.addLibrary(rest());
             default -> {
                 if (!ObjWords.isSkipped(known)) {
-                    throw wrong("unknown word " + quoted(word) + ": no statement of the OBJ format begins with it");
+                    throw wrong("unknown keyword " + quoted(word) + ": no statement of the OBJ format begins with it");
                 }
                 collector.skip(known);
             }
@@ -95,7 +95,7 @@ final class ObjParser {
             return index(token, token);
         }
         int second = token.indexOf('/', first + 1);
-        // Texture coordinates and normals have no effect, but must be such.
+        // Texture coordinates and normals have no effect, but their indices must be valid.
         String texture = token.substring(first + 1, second < 0 ? token.length() : second);
         String normal = second < 0 ? "" : token.substring(second + 1);
         if (!texture.isEmpty()) {

@@ -10,9 +10,10 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * Reads Wavefront OBJ files with the materials of their MTL files. Polygons are cut into triangles, in fans where these cover
- * them; triangles without area are dropped and counted; lines, curves, normals, texture coordinates and what else the format has
- * are skipped and counted. What cannot be right is an {@link InputException} that names file and line.
+ * Reads Wavefront OBJ files with the materials of their MTL files. Polygons are cut into triangles, in fans where these
+ * cover them; triangles without area are dropped and counted; lines, curves, normals, texture coordinates and
+ * everything else in the format are skipped and counted. An invalid statement is an {@link InputException} that names
+ * file and line.
  */
 public final class ObjReader implements MeshReader {
     @Override

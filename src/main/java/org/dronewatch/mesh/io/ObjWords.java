@@ -2,9 +2,11 @@ package org.dronewatch.mesh.io;
 
 import java.util.Set;
 
-/** The words of the OBJ format that begin a statement which makes no triangles here. */
+/** The keywords of those statements of the OBJ format that create no triangles here. */
 final class ObjWords {
-    /** Statements without effect on where surfaces are: texture, normals, names, points, curves, how a surface is drawn. */
+    /**
+     * Statements without effect on where surfaces are: texture, normals, names, points, curves, how a surface is drawn.
+     */
     private static final Set<String> WITHOUT_EFFECT = Set.of(
             "vt",
             "vn",

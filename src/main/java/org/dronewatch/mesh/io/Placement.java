@@ -3,7 +3,7 @@ package org.dronewatch.mesh.io;
 import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.Position;
 
-/** Moves coordinates of a model file to where the world wants them, one vertex at a time. */
+/** Transforms coordinates of a model file into the world frame, one vertex at a time. */
 final class Placement {
     private final boolean yUp;
     private final double scale;

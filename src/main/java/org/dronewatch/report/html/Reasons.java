@@ -22,8 +22,8 @@ import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * Explains why a sensor did not detect a drone, and for what fraction of the time: out of range, out of its field of view,
- * hidden and by which model, of a kind that the sensor cannot detect, or with too weak a signal.
+ * Explains why a sensor did not detect a drone, and for what fraction of the time: out of range, out of its field of
+ * view, hidden and by which model, of a kind that the sensor cannot detect, or with too weak a signal.
  */
 final class Reasons {
     /** Number of instants of a run that are examined, besides its start. */
@@ -37,7 +37,7 @@ final class Reasons {
     private final double step;
 
     /**
-     * Of a run.
+     * The reasons in a run.
      *
      * @param simulated simulated time, s
      */

@@ -11,7 +11,7 @@ final class RunSections {
     private final String level;
 
     /**
-     * Of a run.
+     * The sections of a run.
      *
      * @param level the headings' element: {@code h2}, or {@code h3} inside a collapsible section
      */

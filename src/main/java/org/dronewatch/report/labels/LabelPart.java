@@ -12,8 +12,9 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * What one camera saw in one run, until it is known how many images come before: one file of images and one of annotations, an
- * object a line, without their numbers. Each annotation's line begins with the index of its image in this part.
+ * What one camera saw in one run, until it is known how many images come before: one file of images and one of
+ * annotations, one object per line, without their numbers. Each annotation's line begins with the index of its image in
+ * this part.
  */
 final class LabelPart implements Closeable {
     private static final JsonMapper MAPPER = JsonMapper.builder().build();

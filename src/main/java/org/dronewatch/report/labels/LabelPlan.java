@@ -13,8 +13,8 @@ import org.dronewatch.setting.PlainText;
  *
  * @param cameras ids, in the order of the scene
  * @param samples each pixel is the mean of samples x samples rays
- * @param pictures of all cameras in all runs
- * @param pixels of all pictures
+ * @param pictures number of pictures of all cameras in all runs
+ * @param pixels number of pixels of all pictures
  */
 public record LabelPlan(List<String> cameras, int samples, long pictures, long pixels) {
     /** How many pictures may be written at once. */
@@ -23,7 +23,7 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
     /** How many pixels they may have together. */
     public static final long MOST_PIXELS = 50_000_000_000L;
 
-    /** Looks that are at the end but for rounding count, as a fraction of the time between them. */
+    /** Looks at the end of the run count in spite of rounding: tolerance as a fraction of the time between them. */
     private static final double ROUNDING = 1e-9;
 
     private static final double MEGA = 1e6;
@@ -39,8 +39,9 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
      * @param option what messages call the list of cameras, such as {@code --labels}
      * @param chosen ids of cameras
      * @param runs the settings of all runs
-     * @throws InputException when one is no camera of the scene that takes pictures in visible light, or is switched
-     *     off, or is named twice; or when there are more than {@link #MOST_PICTURES} pictures or {@link #MOST_PIXELS} pixels
+     * @throws InputException when one is not a camera of the scene that takes pictures in visible light, or is switched
+     *     off, or is named twice; or when there are more than {@link #MOST_PICTURES} pictures or {@link #MOST_PIXELS}
+     *     pixels
      */
     public static LabelPlan of(String option, List<String> chosen, int samples, List<SceneSettings> runs) {
         SceneSettings first = runs.get(0);
@@ -66,7 +67,7 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
         if (pictures > MOST_PICTURES || pixels > MOST_PIXELS) {
             throw new InputException(String.format(
                     Locale.ROOT,
-                    "%s: %d pictures of together %.0f megapixels must be at most %d pictures and %.0f megapixels:"
+                    "%s: %d pictures with %.0f megapixels in all must be at most %d pictures and %.0f megapixels:"
                             + " lower the cameras' rate or resolution, or the run's duration",
                     option,
                     pictures,

@@ -49,7 +49,7 @@ final class LabelledCamera {
         return picture.camera();
     }
 
-    /** Index of the look that a frame is; negative when the camera does not look then. Asked once for each frame. */
+    /** Index of the look that a frame is; negative when the camera does not look then. Queried once for each frame. */
     long look(Frame frame) {
         // As a run computes it: the same numbers.
         if (Double.compare(nextLook / sensor.rate(), frame.time()) != 0) {

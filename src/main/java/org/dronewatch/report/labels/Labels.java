@@ -26,9 +26,9 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Writes each look of some cameras as a picture, and what they show of the drones as {@code coco.json}, in the form of
- * COCO object detection: one annotation for each drone with at least one hit, whose mask are the hits of the sensor.
- * Looks are written as they come; numbers follow the order of runs, cameras, looks and drones.
+ * Writes each look of some cameras as a picture, and what they show of the drones as {@code coco.json}, in the COCO
+ * object-detection format: one annotation for each drone with at least one hit, whose mask consists of the sensor's
+ * hits. Looks are written as they come; numbers follow the order of runs, cameras, looks and drones.
  */
 public final class Labels implements AutoCloseable {
     /** Name of the file with all annotations. */
@@ -43,7 +43,7 @@ public final class Labels implements AutoCloseable {
     /** Where files are written. */
     @FunctionalInterface
     public interface Target {
-        /** The place of a file of the results; its directory exists. */
+        /** The path of a file of the results; its directory exists. */
         Path file(String name) throws IOException;
     }
 

@@ -11,8 +11,8 @@ import org.dronewatch.sensor.optics.DronePixels;
  * @param top row of the first hit
  * @param width columns from the first hit to the last, both included
  * @param height rows from the first hit to the last, both included
- * @param counts uncompressed run lengths, column by column from the left, each from the top: pixels without and with the
- *     drone by turns, those without first
+ * @param counts uncompressed run lengths, column by column from the left, each from the top: alternately of pixels
+ *     without and with the drone, those without first
  */
 record Mask(int left, int top, int width, int height, List<Integer> counts) {
 

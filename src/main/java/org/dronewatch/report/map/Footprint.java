@@ -42,7 +42,7 @@ final class Footprint {
         return wedge(at, pyramid, Math.min(pyramid.far(), detected.orElse(UNKNOWN_REACH)));
     }
 
-    /** All compass bearings that lie in a pyramid; a camera that looks straight up or down sees all of them. */
+    /** All compass bearings that lie in a frustum; a camera that looks straight up or down sees all of them. */
     private static List<List<Position>> wedge(Position at, Outline.Pyramid pyramid, double reach) {
         if (pyramid.spans(UP) || pyramid.spans(UP.times(-1.0))) {
             return rings(at, 0.0, TURN, 0.0, reach);

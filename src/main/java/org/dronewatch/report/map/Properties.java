@@ -6,7 +6,9 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.dronewatch.geo.GeoPoint;
 
-/** The properties of a feature, by name, in the order in which it was put: texts, numbers, and null for what there is not. */
+/**
+ * The properties of a feature, by name, in the order in which it was put: texts, numbers, and null for missing values.
+ */
 final class Properties {
     private static final int DECIMALS = 6;
 

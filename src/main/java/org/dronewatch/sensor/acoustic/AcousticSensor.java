@@ -46,7 +46,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     private SoundTracer tracer;
     private Visibility visibility;
 
-    /** A sensor of some settings. */
+    /** A sensor with these settings. */
     public AcousticSensor(AcousticSettings settings) {
         this.settings = settings;
     }
@@ -150,7 +150,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
         return tracer;
     }
 
-    /** What this sensor was made from. */
+    /** The settings of this sensor. */
     public AcousticSettings settings() {
         return settings;
     }

@@ -37,8 +37,7 @@ public interface DetectionFunction {
     }
 
     /**
-     * Conditions of the site that would matter to a real camera but not to this decision; none unless a function knows
-     * better.
+     * Conditions of the site that would matter to a real camera but not to this decision; none by default.
      *
      * @return by condition what to do instead, in words
      */

@@ -2,12 +2,15 @@ package org.dronewatch.sensor.optics;
 
 import org.dronewatch.geometry.Position;
 
-/** The axes of a camera in the world, unit vectors: where it looks, and what is to the right and up in its image. Immutable. */
+/**
+ * The axes of a camera in the world, unit vectors: where it looks, and what is to the right and up in its image.
+ * Immutable.
+ */
 public final class CameraAxes {
     /** Beyond this fraction of the vertical the camera counts as looking straight up or down. */
     private static final double VERTICAL = 1.0 - 1e-12;
 
-    /** A roll this near to a quarter turn is one, rad: then images are turned without rounding. */
+    /** A roll this near to a quarter turn counts as one, rad: then images are rotated without rounding. */
     private static final double QUARTER = 1e-12;
 
     final Position forward;

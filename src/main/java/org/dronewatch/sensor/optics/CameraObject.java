@@ -14,7 +14,7 @@ import org.joml.Vector4d;
  * left one; a pixel's ray goes through its centre. Immutable.
  */
 public final class CameraObject {
-    /** Least depth that is projected, m: so little that no ray can meet a drone before it. */
+    /** Least depth that is projected, m: so small that no ray can hit a drone before it. */
     public static final double NEAR = 1e-6;
 
     private final Position position;
@@ -36,7 +36,7 @@ public final class CameraObject {
     private final Matrix4d view;
     private final Matrix4d projection;
 
-    /** The camera of some settings. Without roll, one that looks straight down has north at the top. */
+    /** A camera with these settings. Without roll, one that looks straight down has north at the top. */
     public CameraObject(PictureSettings settings) {
         this(
                 settings.position(),
@@ -66,8 +66,8 @@ public final class CameraObject {
      *
      * @param position where its centre of projection is, m
      * @param direction where it looks, of any length but 0
-     * @param roll how far its right side is turned down about that direction from where the horizon is level, rad; a camera
-     *     that looks straight down has north at the top at 0
+     * @param roll how far its right side is turned down about that direction from where the horizon is level, rad; a
+     *     camera that looks straight down has north at the top at 0
      * @param width pixels in a row
      * @param height rows
      * @param focalLength in pixels
@@ -276,12 +276,12 @@ public final class CameraObject {
                 lens.limit());
     }
 
-    /** Nothing is seen whose distance along the axis is smaller, m. */
+    /** Distance of the near plane along the axis, m: nothing closer is seen. */
     public double near() {
         return lens.near();
     }
 
-    /** Nothing is seen whose distance along the axis is larger, m; infinity for no limit. */
+    /** Distance of the far plane along the axis, m: nothing farther is seen; infinity for no limit. */
     public double far() {
         return lens.limit();
     }

@@ -12,7 +12,7 @@ import javax.imageio.ImageIO;
 public final class DepthImage {
     private static final int SKY = 0xfff6e8;
     private static final int HIT = 0xff6a00;
-    /** Distance of the darkest blue there can be, m: the logarithm needs an end. */
+    /** Distance shown in the darkest blue, m: the logarithm of 0 is infinite. */
     private static final double NEAREST_SHADE = 1e-3;
 
     private static final int[] NEAR_BLUE = {6, 20, 64};

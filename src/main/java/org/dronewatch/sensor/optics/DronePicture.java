@@ -19,7 +19,7 @@ public final class DronePicture {
     /** For drones without the world. */
     private DynamicView openView;
 
-    /** Of a camera. */
+    /** The picture of a camera. */
     public DronePicture(CameraObject camera) {
         this.camera = camera;
     }
@@ -38,7 +38,7 @@ public final class DronePicture {
         dynamicView.draw(staticView, drones);
     }
 
-    /** How many pixels show the drone of a number in the list that was drawn. */
+    /** How many pixels show a drone, by its index in the list that was drawn. */
     public int pixels(int number) {
         return dynamicView.pixels(number);
     }

@@ -127,12 +127,12 @@ final class DynamicView {
         silhouettes[number].show(column, row, distance);
     }
 
-    /** How many pixels show the drone of a number in the list that was drawn. */
+    /** How many pixels show a drone, by its index in the list that was drawn. */
     int pixels(int number) {
         return silhouettes[number].pixels();
     }
 
-    /** A copy of what is known of the pixels of the drone of a number in the list that was drawn. */
+    /** A copy of the pixels of a drone, by its index in the list that was drawn. */
     DronePixels pixels(int number, String id) {
         return new DronePixels(id, silhouettes[number]);
     }

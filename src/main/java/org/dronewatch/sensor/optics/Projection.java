@@ -7,23 +7,23 @@ import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Where the optical axis of a camera meets its image, and between which planes across the axis the camera sees. A frustum
- * of OpenGL with its left, right, bottom and top edges at the distance {@code near} has the shifts {@code (left + right) / 2 / (right -
- * left)} and {@code (bottom + top) / 2 / (top - bottom)}, and a vertical field of view of {@code 2 atan((top - bottom) / 2 /
- * near)}.
+ * Where the optical axis of a camera meets its image, and between which planes across the axis the camera sees. A
+ * frustum of OpenGL with its left, right, bottom and top edges at the distance {@code near} has the shifts
+ * {@code (left + right) / 2 / (right - left)} and {@code (bottom + top) / 2 / (top - bottom)}, and a vertical field of
+ * view of {@code 2 atan((top - bottom) / 2 / near)}.
  *
  * @param shiftRight how far the image is shifted to the right, so that it shows more of that side, as a fraction of its
  *     width, -5 to 5; the field of view is that of the image without a shift
  * @param shiftUp how far it is shifted upwards, as a fraction of its height, -5 to 5
- * @param near nothing is seen whose distance along the axis is smaller, 0 to less than far, m
- * @param far nothing is seen whose distance along the axis is larger; at the default of 1000 km, no limit, m
+ * @param near near plane: nothing closer than this along the axis is seen, 0 to less than far, m
+ * @param far far plane: nothing farther than this along the axis is seen; the default of 1000 km means no limit, m
  */
 public record Projection(
         @Minor @In(value = Quantity.RATIO, from = -5, to = 5) double shiftRight,
         @Minor @In(value = Quantity.RATIO, from = -5, to = 5) double shiftUp,
         @Minor @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) double near,
         @Minor @In(value = Quantity.LENGTH, above = 0, to = UNLIMITED) double far) {
-    /** A far plane from which on there is none, m. */
+    /** A far plane at this distance or beyond means no limit, m. */
     private static final double UNLIMITED = 1e6;
 
     /** The axis meets the middle of the image, and the camera sees at all distances. */

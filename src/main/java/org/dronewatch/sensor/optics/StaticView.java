@@ -10,7 +10,7 @@ import org.dronewatch.world.World;
  * pixels is first requested, and kept. Used by one thread at a time.
  */
 final class StaticView implements Background {
-    /** Smaller than a traversal's tiles may be: mostly only the few pixels behind a drone are asked for. */
+    /** Smaller than a traversal's tiles may be: mostly only the few pixels behind a drone are requested. */
     private static final int TILE_WIDTH = 32;
 
     private static final int TILE_HEIGHT = 32;
@@ -57,7 +57,9 @@ final class StaticView implements Background {
         return tiles[tile][row % TILE_HEIGHT * columns(left) + column - left];
     }
 
-    /** Traces all that has not been traced yet, on the threads at hand, and gives all distances, row by row. */
+    /**
+     * Traces everything that has not been traced yet, on the available threads, and returns all distances, row by row.
+     */
     float[] all() {
         float[] distances = new float[camera.width() * camera.height()];
         Workers.forEach(tiles.length, this::newTraversal, (own, tile) -> {

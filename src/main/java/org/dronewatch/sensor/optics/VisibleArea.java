@@ -35,7 +35,7 @@ public final class VisibleArea {
         this.outline = camera.outline();
     }
 
-    /** The world that it is in. */
+    /** The world. */
     public World world() {
         return visibility.world();
     }

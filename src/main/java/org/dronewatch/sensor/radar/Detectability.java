@@ -62,8 +62,8 @@ public final class Detectability {
 
     /**
      * Signal-to-noise ratio that each of several pulses needs, dB. Beyond the probabilities for which the
-     * approximations hold (0.1 to 0.9 for steady targets, to 0.99 for others), summing is taken to help as much as at
-     * their end.
+     * approximations hold (0.1 to 0.9 for steady targets, to 0.99 for others), the gain from integration is taken to be
+     * that at the nearest limit.
      *
      * @param pulses how many are summed, 1 or more
      */

@@ -24,7 +24,7 @@ final class FieldOfRegard {
         return outline.contains(vector);
     }
 
-    /** Speed at which a drone comes (negative) or goes, m/s. */
+    /** Radial speed of a drone, m/s: negative if it approaches. */
     double radialSpeed(Drone drone) {
         Position vector = drone.origin().minus(settings.position());
         return vector.dot(Position.of(drone.velocity())) / Math.max(vector.length(), Double.MIN_NORMAL);
@@ -50,7 +50,7 @@ final class FieldOfRegard {
                         : Explanation.beyond(Cause.TOO_FAST, fastest));
     }
 
-    /** Whether a drone comes or goes fast enough to be separated from the ground, and not too fast. */
+    /** Whether a drone approaches or recedes fast enough to be separated from the ground, and not too fast. */
     boolean hasSpeed(double radial) {
         return Math.abs(radial) >= settings.minSpeed() && Math.abs(radial) <= fastest;
     }

@@ -10,7 +10,10 @@ import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
-/** How strong an echo is over the noise: from the parameters of its hardware, or from its manufacturer's data sheet. */
+/**
+ * How strong an echo is relative to the noise: from the parameters of the radar's hardware, or from its manufacturer's
+ * data sheet.
+ */
 public sealed interface LinkBudget {
     /** Speed of light, m/s. */
     double LIGHT = 299_792_458.0;
@@ -40,7 +43,7 @@ public sealed interface LinkBudget {
      * @param sweepBandwidth bandwidth of the transmitted signal, 1 to 1e12 Hz
      * @param noiseFigure noise figure of the receiver, -20 to 60 dB
      * @param losses total system losses, 0 to 60 dB
-     * @param receiveGain gain for reception Gr where another antenna receives, -20 to 80 dBi
+     * @param receiveGain gain of the receiving antenna Gr if it is a separate one, -20 to 80 dBi
      */
     record Hardware(
             @In(value = Quantity.POWER, from = 1e-9, to = 1e9) double power,
@@ -101,8 +104,8 @@ public sealed interface LinkBudget {
     }
 
     /**
-     * What a data sheet states: at what range which target is detected, and with what probability. It gives the gain of
-     * the whole loop; the echo then falls with the fourth power of the range.
+     * What a data sheet states: at what range which target is detected, and with what probability. It determines the
+     * overall gain; the echo then falls with the fourth power of the range.
      *
      * @param range range at which the target is detected, 0.1 m to 1000 km, m
      * @param crossSection radar cross-section of that target, 1e-9 to 1e6 m2

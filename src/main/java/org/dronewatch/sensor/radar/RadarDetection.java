@@ -78,7 +78,7 @@ public sealed interface RadarDetection {
             @In(value = Quantity.NUMBER, from = 1e-12, to = 0.01) double falseAlarm,
             @In(value = Quantity.NUMBER, from = 1, to = 1000) int pulses)
             implements RadarDetection {
-        /** Noise alone may pass for a target, but not for a drone of which nothing comes back, dB. */
+        /** Noise alone may be taken for a target, but not for a drone without an echo, dB. */
         private static final double FAINTEST = -100.0;
 
         /** Up to here the approximations for several pulses hold. */

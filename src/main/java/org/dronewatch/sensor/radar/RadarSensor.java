@@ -23,8 +23,8 @@ import org.dronewatch.world.World;
 
 /**
  * A radar. Its value is the signal-to-noise ratio of the drone's echo; minus infinity for a drone that it does not look
- * for, because of where the drone is or how fast it comes, and for one that is wholly hidden. A drone that is hidden in
- * part counts for the part that shows.
+ * for, because of the drone's position or radial speed, and for one that is wholly hidden. Of a partly hidden drone,
+ * the visible fraction of the cross-section counts.
  */
 public final class RadarSensor implements AssessableSensor {
     private static final String UNIT = "dB";
@@ -37,7 +37,7 @@ public final class RadarSensor implements AssessableSensor {
     private Cover cover;
     private final Map<RadarSignature.Fluctuation, Double> thresholds = new EnumMap<>(RadarSignature.Fluctuation.class);
 
-    /** A radar of some settings. */
+    /** A radar with these settings. */
     public RadarSensor(RadarSettings settings) {
         this.settings = settings;
         this.field = new FieldOfRegard(settings);
@@ -73,7 +73,7 @@ public final class RadarSensor implements AssessableSensor {
                         () -> echo(drone, crossSection(drone, 1.0)) >= threshold(drone)));
     }
 
-    /** Of what shows of a drone, and is looked for. */
+    /** The signal of a drone that the radar looks for, with its visible cross-section, m2. */
     private Signal signal(Drone drone, double area) {
         RadarSignature.Fluctuation fluctuation = drone.settings().radar().fluctuation();
         double echo = echo(drone, area);
@@ -89,7 +89,7 @@ public final class RadarSensor implements AssessableSensor {
         return thresholds.computeIfAbsent(drone.settings().radar().fluctuation(), settings.detection()::evenThreshold);
     }
 
-    /** How much of a drone shows, 0 to 1; 0 for one that the radar does not look for. */
+    /** The visible fraction of a drone, 0 to 1; 0 for one that the radar does not look for. */
     private double visibleFraction(Drone drone) {
         return field.miss(drone).isPresent() ? 0.0 : visible.of(drone);
     }
@@ -128,7 +128,7 @@ public final class RadarSensor implements AssessableSensor {
         return Math.max(drone.origin().distance(settings.position()), Double.MIN_NORMAL);
     }
 
-    /** Signal-to-noise ratio of an echo, dB, with what the rain takes out and back. */
+    /** Signal-to-noise ratio of an echo, dB, with the attenuation by rain both ways. */
     private double echo(Drone drone, double area) {
         if (area == 0.0) {
             return Double.NEGATIVE_INFINITY;
@@ -146,7 +146,7 @@ public final class RadarSensor implements AssessableSensor {
         return Math.atan2(seen.x(), seen.y());
     }
 
-    /** What this radar was made from. */
+    /** The settings of this radar. */
     public RadarSettings settings() {
         return settings;
     }

@@ -105,9 +105,9 @@ public record RadarSettings(
     }
 
     /**
-     * A radar that looks all round, 20 degrees high, level, once a second, at 10 GHz with horizontal polarisation, from
-     * 20 m to 10 km, for radial speeds from 1 to 200 m/s, and detects at 15 dB and above; it measures a drone's
-     * position to within 5 m and one degree.
+     * A radar that scans all round once a second, over 20 degrees of elevation with a level axis, at 10 GHz with
+     * horizontal polarisation, from 20 m to 10 km, for radial speeds from 1 to 200 m/s, and detects at 15 dB and above;
+     * it measures a drone's position to within 5 m and one degree.
      */
     @Defaults({"position", "budget"})
     public static RadarSettings at(Position position, LinkBudget budget) {
@@ -184,7 +184,7 @@ public record RadarSettings(
         return SettingsForm.with(this, "accuracy", other);
     }
 
-    /** Its field of regard. */
+    /** Its field of view. */
     @Override
     public Outline.Sector outline() {
         Position axis = aim.from(position);

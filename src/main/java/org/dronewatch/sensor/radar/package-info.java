@@ -1,2 +1,4 @@
-/** The radar: its range equation, how reliably an echo is distinguished from noise, and what rain and cover take from it. */
+/**
+ * The radar: its range equation, how reliably an echo is distinguished from noise, and how rain and cover weaken it.
+ */
 package org.dronewatch.sensor.radar;

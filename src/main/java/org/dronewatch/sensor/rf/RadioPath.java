@@ -16,7 +16,7 @@ public final class RadioPath {
     /** An edge this far below the line, in units of the Fresnel zone, costs nothing (ITU-R P.526, equation (31)). */
     private static final double CLEAR = -0.78;
 
-    /** The number of points along the path that are looked at, and again about the highest. */
+    /** The number of points at which the path is sampled, and again around the highest. */
     private static final int STEPS = 512;
 
     private final World world;

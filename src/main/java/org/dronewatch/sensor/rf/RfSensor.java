@@ -22,7 +22,7 @@ import org.dronewatch.world.World;
 
 /**
  * A radio receiver. Its value is the signal-to-noise ratio of the stronger of a drone's own emission and its pilot's;
- * minus infinity for a drone that is silent, and for a carrier that it does not hear. Keeps scratch memory: one thread
+ * minus infinity for a drone that is silent, and for a carrier outside its frequencies. Keeps scratch memory: one thread
  * at a time.
  */
 public final class RfSensor implements AssessableSensor {
@@ -32,7 +32,7 @@ public final class RfSensor implements AssessableSensor {
     private RadioPath path;
     private Visibility visibility;
 
-    /** A receiver of some settings. */
+    /** A receiver with these settings. */
     public RfSensor(RfSettings settings) {
         this.settings = settings;
     }
@@ -124,12 +124,12 @@ public final class RfSensor implements AssessableSensor {
         return RadioPath.freeSpaceLoss(distance(from), link.frequency()) + settings.clutter();
     }
 
-    /** In the near field the formula means nothing; nearer than a metre is as good as a metre. */
+    /** The formula does not hold in the near field: distances below a metre count as a metre. */
     private double distance(Position from) {
         return Math.max(1.0, from.distance(settings.position()));
     }
 
-    /** What this receiver was made from. */
+    /** The settings of this receiver. */
     public RfSettings settings() {
         return settings;
     }

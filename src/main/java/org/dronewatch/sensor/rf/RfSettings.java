@@ -64,7 +64,10 @@ public record RfSettings(
         }
     }
 
-    /** A receiver of 400 MHz to 6 GHz, one look a second, antenna gain 0 dBi, bandwidth 10 MHz, noise figure 6 dB, no clutter, threshold 6 dB. */
+    /**
+     * A receiver of 400 MHz to 6 GHz, one look a second, antenna gain 0 dBi, bandwidth 10 MHz, noise figure 6 dB, no
+     * clutter, threshold 6 dB.
+     */
     @Defaults("position")
     public static RfSettings at(Position position) {
         return new RfSettings(position, 1.0, 400e6, 6e9, 0.0, 10e6, 6.0, 0.0, 6.0);
@@ -101,12 +104,12 @@ public record RfSettings(
         return new Scale("threshold", Quantity.LEVEL, -50.0, 100.0, Scale.FINE);
     }
 
-    /** Whether a link emits on a frequency that it receives. */
+    /** Whether a link transmits on a frequency that this receiver receives. */
     boolean hears(RadioLink link) {
         return link.emits() && link.frequency() >= minFrequency && link.frequency() <= maxFrequency;
     }
 
-    /** Power of the noise in it, dBm. */
+    /** Power of the noise in the receiver, dBm. */
     public double noise() {
         return THERMAL + 10.0 * Math.log10(bandwidth) + noiseFigure;
     }

@@ -106,7 +106,7 @@ public final class ThermalSensor implements AssessableSensor {
     }
 
     /**
-     * How far a drone stands out of the noise.
+     * Signal-to-noise ratio of a drone.
      *
      * @param excess how much warmer or colder it is than what is behind it, K
      * @param range m

@@ -8,7 +8,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
 /**
- * Which bytes a file had when it was read.
+ * Identifies the bytes that a file had when it was read.
  *
  * @param file what the file is called, without the directories of the machine
  * @param sha256 SHA-256 of its bytes, 64 hexadecimal digits in lower case

@@ -34,7 +34,7 @@ final class FormerNameReader {
             if (!current.equals(name)) {
                 used.add(form, name, here.toString());
             }
-            // What a file says goes before what the entry of the catalogue says that it begins with, by whichever name.
+            // What a file states takes precedence over the catalogue entry that it starts from, under either name.
             boolean isAbove = here.file().equals(written.mark().file());
             Mark other = (isAbove ? above : below).keys().get(current);
             if (other != null) {

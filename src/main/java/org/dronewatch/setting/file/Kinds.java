@@ -32,8 +32,8 @@ public final class Kinds {
         Set<String> names();
 
         /**
-         * The settings that a name stands for together, in a place where there may be several: by what their names there end in.
-         * None unless it is the name of a system.
+         * The parts of the system of this name, by the suffixes of the names that they receive; none unless it is the
+         * name of a system.
          */
         default Map<String, Node.Mapping> partsOf(String name) {
             return Map.of();

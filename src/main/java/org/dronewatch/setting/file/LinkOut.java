@@ -6,9 +6,9 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Links that lead out of a scene's directory: a scene file from another author can read nothing elsewhere. Names that start
- * from the working directory are the user's choice, and so are those that state themselves that they lead elsewhere: scene
- * files may not contain such names.
+ * Links that lead out of a scene's directory: a scene file from another author can read nothing elsewhere. Names that
+ * start from the working directory are the user's choice, and so are names that visibly lead elsewhere: scene files may
+ * not contain such names.
  */
 public final class LinkOut {
     private LinkOut() {}

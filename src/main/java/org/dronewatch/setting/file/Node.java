@@ -12,12 +12,18 @@ public sealed interface Node {
     /** Its location. */
     Mark mark();
 
-    /** Where the value stands whose path a text begins with, if this holds values by name; otherwise where this stands. */
+    /**
+     * The location of the value whose path a text begins with, if this node holds values by name; otherwise the
+     * location of this node.
+     */
     default Mark markOf(String text) {
         return mark();
     }
 
-    /** Number of nodes it consists of, itself included; a node that appears twice counts twice. At most {@link Long#MAX_VALUE}. */
+    /**
+     * Number of nodes it consists of, itself included; a node that appears twice counts twice. At most
+     * {@link Long#MAX_VALUE}.
+     */
     long size();
 
     /**
@@ -33,7 +39,7 @@ public sealed interface Node {
     }
 
     /**
-     * A value that is there already, put into a document by a program.
+     * A ready value that a program put into a document.
      *
      * @param value of the type that is wanted in its place
      */
@@ -76,8 +82,8 @@ public sealed interface Node {
         }
 
         /**
-         * This with another one's values over its own: mappings that both have are joined unless the other one names
-         * another kind, everything else is replaced.
+         * This mapping with the values of another one laid over it: mappings that both have are merged unless the other
+         * one names another kind, everything else is replaced.
          */
         public Mapping overlaidWith(Mapping over) {
             Map<String, Node> all = new LinkedHashMap<>(values);
@@ -116,20 +122,20 @@ public sealed interface Node {
             return of(new LinkedHashMap<>(nodes), places, mark);
         }
 
-        /** What {@code use: NAME} alone is. */
+        /** The mapping {@code use: NAME} alone. */
         public static Mapping ofUse(String name) {
             return ofNodes(name, Map.of(KindChooser.USE, new Scalar(name, new Mark(name, 1, 1))));
         }
 
-        /** What {@code kind: NAME} alone is. */
+        /** The mapping {@code kind: NAME} alone. */
         public static Mapping ofKind(String name) {
             Mark mark = new Mark(name, 1, 1);
             return of(Map.of(KindChooser.KIND, new Scalar(name, mark)), Map.of(KindChooser.KIND, mark), mark);
         }
 
         /**
-         * Where the value stands whose path a text begins with, as in {@code alert.rule.count 5 must be}; of a value that is
-         * not written, where what should hold it stands.
+         * The location of the value whose path a text begins with, as in {@code alert.rule.count 5 must be}; for a
+         * value that is not written, the location of the mapping that should hold it.
          */
         @Override
         public Mark markOf(String text) {
@@ -168,7 +174,7 @@ public sealed interface Node {
             return values.get(name) instanceof Mapping inner ? Optional.of(inner) : Optional.empty();
         }
 
-        /** This without some of its values. */
+        /** This mapping without some of its values. */
         public Mapping without(List<String> names) {
             Map<String, Node> rest = new LinkedHashMap<>(values);
             names.forEach(rest::remove);

@@ -62,7 +62,7 @@ final class Problems {
     }
 
     /**
-     * Ends it if there are any.
+     * Throws if there are any problems.
      *
      * @throws InputException with a line for each, in the order of the file
      */

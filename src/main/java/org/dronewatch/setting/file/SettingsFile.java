@@ -73,14 +73,15 @@ public final class SettingsFile {
     }
 
     /**
-     * An equivalent YAML file for a record: numbers exactly and with their units, omitting what is
-     * as it would be by default.
+     * An equivalent YAML file for a record: numbers exactly and with their units, omitting settings that have their
+     * default value.
      *
      * @param kinds among which to choose where the record has an interface
      * @param from directory where names of files in the settings start
      * @param file that is to hold the text; names of files in it start from its directory
      * @return the text, which has been read back and is equal to the settings
-     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or below it
+     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or
+     *     below it
      */
     public static <T extends Record> String text(T settings, Kinds kinds, Path from, Path file) {
         Path directory = file.toAbsolutePath().resolveSibling("");
@@ -107,7 +108,8 @@ public final class SettingsFile {
      * @param kinds among which to choose
      * @param from directory where names of files in the settings start
      * @param file that is to hold the part; names of files in it start from its directory
-     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or below it
+     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or
+     *     below it
      */
     public static Node.Mapping part(Record settings, Class<?> type, Kinds kinds, Path from, Path file) {
         Record moved = new RelocatedFiles(from, file.toAbsolutePath().resolveSibling("")).of(settings);
@@ -115,13 +117,14 @@ public final class SettingsFile {
     }
 
     /**
-     * A record likewise, but with all its values, also those that are as by default.
+     * A record likewise, but with all its values, including those at their defaults.
      *
      * @param type the type of the setting that holds it: its own, or an interface with kinds
      * @param kinds among which to choose
      * @param from directory where names of files in the settings start
      * @param file that is to hold the part; names of files in it start from its directory
-     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or below it
+     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or
+     *     below it
      */
     public static Node.Mapping wholePart(Record settings, Class<?> type, Kinds kinds, Path from, Path file) {
         Record moved = new RelocatedFiles(from, file.toAbsolutePath().resolveSibling("")).of(settings);

@@ -20,7 +20,8 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Switchable;
 
 /**
- * Makes settings records from nodes. Errors are collected, and reading continues, so that everything else is checked, too.
+ * Makes settings records from nodes. Errors are collected, and reading continues, so that everything else is checked,
+ * too.
  */
 final class SettingsReader {
     /** Stands for a value that could not be read; a problem says why. */
@@ -212,13 +213,13 @@ final class SettingsReader {
             return FAILED;
         }
         if (problems.count() > before) {
-            tellLimits(form, mapping, values, path);
+            reportRejected(form, mapping, values, path);
             return FAILED;
         }
         try {
             return form.create(values);
         } catch (IllegalArgumentException e) {
-            if (!tellLimits(form, mapping, values, path)) {
+            if (!reportRejected(form, mapping, values, path)) {
                 problems.add(mapping.markOf(e.getMessage()), path, e.getMessage());
             }
             return FAILED;
@@ -252,10 +253,10 @@ final class SettingsReader {
     }
 
     /**
-     * Tells of every part that the record does not take, though it is within its limits, so that not only the first is
-     * known; gives whether there is any.
+     * Reports every part, not only the first, that the record rejects although it is within its own limits; returns
+     * whether there is any.
      */
-    private boolean tellLimits(SettingsForm form, Node.Mapping mapping, Map<String, Object> values, String path) {
+    private boolean reportRejected(SettingsForm form, Node.Mapping mapping, Map<String, Object> values, String path) {
         Map<String, Object> needed = new LinkedHashMap<>(values);
         needed.keySet().retainAll(form.required());
         try {

@@ -19,8 +19,8 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Switchable;
 
 /**
- * Makes nodes of settings records, which {@link SettingsReader} makes the same records of. Numbers are written exactly and with
- * their units; what is as it would be by default is left out.
+ * Converts settings records to nodes, from which {@link SettingsReader} makes equal records. Numbers are written
+ * exactly and with their units; settings that have their default value are left out.
  */
 final class SettingsWriter {
     private static final Mark NOWHERE = new Mark("", 1, 1);
@@ -42,7 +42,7 @@ final class SettingsWriter {
         this.withDefaults = withDefaults;
     }
 
-    /** A writer that also writes what is as it would be by default. */
+    /** A writer that also writes settings that have their default value. */
     static SettingsWriter ofAll(Kinds kinds) {
         return new SettingsWriter(kinds, true);
     }
@@ -96,7 +96,7 @@ final class SettingsWriter {
         }
     }
 
-    /** With the switches of those that are off. */
+    /** Adds the switches of those that are off. */
     private static Node switched(SettingsForm form, RecordComponent part, Record settings, Node node) {
         if (!part.isAnnotationPresent(Switchable.class)) {
             return node;
@@ -174,7 +174,10 @@ final class SettingsWriter {
         throw refused(path, nameOf(value));
     }
 
-    /** In the shortest form that a reader understands: numbers in order, the only part that is needed, or all parts by name. */
+    /**
+     * In the shortest form that a reader understands: numbers in order, the only part that is needed, or all parts by
+     * name.
+     */
     private Node record(Record settings, String path) {
         SettingsForm form = SettingsForm.of(settings.getClass());
         if (form.isNumbers() && form.type().isAnnotationPresent(InOrder.class)) {

@@ -9,7 +9,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.Switchable;
 
-/** Takes what is said of being enabled out of settings by name, so that no kind of settings need know of it. */
+/** Removes the {@code enabled} switches from settings by name, so that no kind of settings needs to know about them. */
 final class SwitchReader {
     private final Problems problems;
     private final Set<String> off = new LinkedHashSet<>();

@@ -25,8 +25,8 @@ import tools.jackson.dataformat.yaml.YAMLFactory;
 import tools.jackson.dataformat.yaml.YAMLParser;
 
 /**
- * Reads one YAML document into nodes. Nothing in it names a class of this program; size, depth and what aliases may blow up
- * are bounded.
+ * Reads one YAML document into nodes. Nothing in it names a class of this program; size, depth and the expansion of
+ * aliases are bounded.
  */
 final class YamlFile {
     /** Largest file, bytes. */

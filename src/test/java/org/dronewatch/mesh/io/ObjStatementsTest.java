@@ -68,7 +68,7 @@ class ObjStatementsTest {
     void aWordThatTheFormatDoesNotHaveIsNamedWithItsLine() {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> former("unknown-word-before-a-vertex"))
-                .withMessageContaining("model.obj:1: unknown word 'w'");
+                .withMessageContaining("model.obj:1: unknown keyword 'w'");
     }
 
     @ParameterizedTest
@@ -76,7 +76,7 @@ class ObjStatementsTest {
     void aMistypedWordIsNotSkipped(String line) {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> load(TRIANGLE + line + "\nf 1 2 3\n"))
-                .withMessageContaining("model.obj:4: unknown word '" + line.split(" ")[0].replace(MARK, "\\ufeff"));
+                .withMessageContaining("model.obj:4: unknown keyword '" + line.split(" ")[0].replace(MARK, "\\ufeff"));
     }
 
     @Test
@@ -173,7 +173,7 @@ class ObjStatementsTest {
 
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> load(text))
-                .withMessageContaining("model.obj:6: unknown word 'w'");
+                .withMessageContaining("model.obj:6: unknown keyword 'w'");
         assertThat(load(text.substring(0, text.length() - 1)).mesh().triangleCount())
                 .isEqualTo(1);
     }

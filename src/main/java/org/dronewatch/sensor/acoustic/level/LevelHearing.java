@@ -12,7 +12,10 @@ import org.dronewatch.sensor.acoustic.propagation.Microphone;
 import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.world.World;
 
-/** Hears by the level model: the highest level received, which is not divided among branches. One thread at a time. */
+/**
+ * What a microphone hears in the level model: the highest level received, which is not divided among branches. One
+ * thread at a time.
+ */
 public final class LevelHearing implements SoundTracer {
     /** Name of a figure: fraction of the emitted energy that all rays together bring to the microphone. */
     static final String CUMULATED_ENERGY = "cumulated_energy";

@@ -13,7 +13,7 @@ import java.util.OptionalInt;
  *     rays make it unphysical
  * @param received how many rays reached the sensor
  * @param traced how many ray segments were traced
- * @param cutByOrder how many branches were not followed because of the largest order
+ * @param cutByOrder how many branches were not followed because of the maximum order
  * @param cutByBudget how many branches were not followed because of the ray budget
  * @param cutOrder the lowest order at which the budget cut a branch; empty when it cut none
  */

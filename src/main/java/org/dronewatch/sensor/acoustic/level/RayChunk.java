@@ -160,7 +160,7 @@ final class RayChunk {
         return traced;
     }
 
-    /** How many rays were not made, for their order. */
+    /** How many rays were not created because of the maximum order. */
     long cutByOrder() {
         return cutByOrder;
     }

@@ -10,8 +10,8 @@ import org.dronewatch.world.World;
 
 /**
  * Makes the rays that leave a surface: first the specular one, then one straight at the sensor if it lies on the same
- * side, the rest at random over the hemisphere; and, where the material lets sound through, some on the other side, of which the
- * first is refracted and the rest are scattered. After the thesis, sections 5.2.3 and 6.2.11. One per thread.
+ * side, the rest at random over the hemisphere; and, where the material lets sound through, some on the other side, of
+ * which the first is refracted and the rest are scattered. After the thesis, sections 5.2.3 and 6.2.11. One per thread.
  */
 public final class ReflectionGenerator {
     /**
@@ -58,7 +58,7 @@ public final class ReflectionGenerator {
     @FunctionalInterface
     public interface Branches {
         /**
-         * Receives one.
+         * Receives a ray.
          *
          * @param branch the ray; the carrier is reused, so copy what is to be kept
          */
@@ -66,9 +66,9 @@ public final class ReflectionGenerator {
     }
 
     /**
-     * The rays that leave a triangle that a ray hits. Every reflected ray has the level of the ray that arrives less the loss of
-     * the reflection, every transmitted one less the loss of the wall; their energies divide what is reflected and what is
-     * transmitted.
+     * The rays that leave a triangle that a ray hits. Every reflected ray has the level of the ray that arrives less
+     * the loss of the reflection, every transmitted one less the loss of the wall; their energies divide what is
+     * reflected and what is transmitted.
      *
      * @param ray the ray that arrives
      * @param distance from its origin to the triangle, m
@@ -128,7 +128,10 @@ public final class ReflectionGenerator {
         }
     }
 
-    /** What the specular or the refracted ray of a number of rays carries of their energy; all of it if it is the only one. */
+    /**
+     * What the specular or the refracted ray of a number of rays carries of their energy; all of it if it is the only
+     * one.
+     */
     private double ofStraightRay(double energy, int count) {
         return count == 1 || model.diffraction().isEmpty()
                 ? energy / count

@@ -42,7 +42,7 @@ public final class BandSurfaces {
         this.anyTransmits = surfaces.stream().anyMatch(surface -> !surface.isOpaque());
     }
 
-    /** The fraction that is reflected of sound from all directions alike. */
+    /** The fraction that is reflected in a diffuse field. */
     public double reflected(int material, int band) {
         return reflected[BANDS * material + band];
     }
@@ -62,10 +62,10 @@ public final class BandSurfaces {
     }
 
     /**
-     * What scattered sound in one direction counts for, relative to Lambert's law: a surface that reflects little from a
-     * direction scatters little into it. The fraction reflected in this direction over its mean over all, so that sound
-     * may take every path both ways (Helmholtz), and the surface scatters as much as it should; 1 where absorption does not depend
-     * on the angle.
+     * Weight of sound scattered in one direction, relative to Lambert's law: a surface that reflects little from a
+     * direction scatters little into it. It is the fraction reflected in this direction over its mean over all
+     * directions, so that reciprocity (Helmholtz) holds and energy is conserved; 1 where absorption does not depend on
+     * the angle.
      *
      * @param cosine of the angle between the direction and the normal, 0 to 1
      */
@@ -91,7 +91,7 @@ public final class BandSurfaces {
         return reflected(material, band, cosine) * (1.0 - scattered(material, band));
     }
 
-    /** The fraction that is reflected specularly of sound from all directions alike. */
+    /** The fraction that is reflected specularly in a diffuse field. */
     public double mirrored(int material, int band) {
         return reflected(material, band) * (1.0 - scattered(material, band));
     }
@@ -120,7 +120,7 @@ public final class BandSurfaces {
         return scattered[BANDS * material + band];
     }
 
-    /** The fraction of all energies, by band, that is scattered. */
+    /** The fraction of the energy of all bands together that is scattered; the energies are given by band. */
     public double chanceOfScattering(int material, double[] energies) {
         double all = 0.0;
         double diffuse = 0.0;

@@ -3,8 +3,8 @@ package org.dronewatch.sensor.acoustic.propagation;
 import org.dronewatch.sound.Barrier;
 
 /**
- * How sound bends round edges into a shadow. All are approximations; none has a step at the shadow's border, where they
- * take 4.77 dB: they fade to nothing where the source is seen above the edge, within {@link #reach}.
+ * How sound bends round edges into a shadow. All are approximations; none has a step at the shadow boundary, where the
+ * attenuation is 4.77 dB: it fades to zero where the source is visible above the edge, within {@link #reach}.
  */
 public enum Diffraction {
     /** No diffraction: only transmission through walls reaches the shadow zone. */
@@ -19,7 +19,10 @@ public enum Diffraction {
             return 0.0;
         }
     },
-    /** The curve through Maekawa's measurements, over the whole detour where there are several edges: {@link Barrier#maekawa}. */
+    /**
+     * The curve through Maekawa's measurements, over the whole detour where there are several edges:
+     * {@link Barrier#maekawa}.
+     */
     MAEKAWA {
         @Override
         public double attenuation(double pathDifference, double span, double wavelength) {
@@ -31,7 +34,9 @@ public enum Diffraction {
             return Barrier.MAEKAWA_REACH * wavelength;
         }
     },
-    /** The engineering method of ISO 9613-2, at most 20 dB at one edge and 25 dB at several: {@link Barrier#iso9613}. */
+    /**
+     * The engineering method of ISO 9613-2, at most 20 dB at one edge and 25 dB at several: {@link Barrier#iso9613}.
+     */
     ISO9613 {
         @Override
         public double attenuation(double pathDifference, double span, double wavelength) {
@@ -60,7 +65,7 @@ public enum Diffraction {
      * The attenuation by edges of the sound that would arrive without the obstacle.
      *
      * @param pathDifference how much longer the path over the edges is than the straight one, m; negative where the
-     *     source is seen
+     *     source is visible
      * @param span how long that path is from the first edge to the last, m; 0 for one edge
      * @param wavelength above 0, m
      * @return 0 or more, dB
@@ -68,7 +73,7 @@ public enum Diffraction {
     public abstract double attenuation(double pathDifference, double span, double wavelength);
 
     /**
-     * How far above the edge a line of sight is free of it.
+     * How far above the edge a line of sight must pass to be unaffected by it.
      *
      * @param wavelength above 0, m
      * @return how much longer the path that touches the edge then is than the line, m

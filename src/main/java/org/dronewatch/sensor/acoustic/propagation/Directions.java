@@ -27,7 +27,10 @@ public final class Directions {
         ray.directionZ = z;
     }
 
-    /** Gives a ray a direction by Lambert's law about a unit normal: a uniform point of the sphere that touches it. */
+    /**
+     * Gives a ray a direction by Lambert's law about a unit normal: towards a uniformly distributed point of a unit
+     * sphere that touches the surface.
+     */
     public static void drawLambert(RandomGenerator random, double[] normal, AcousticRay ray) {
         double length;
         do {

@@ -6,9 +6,9 @@ import org.dronewatch.world.World;
 
 /**
  * The ground that reflects sound between two points, as a plane. Within the first Fresnel zone about the point of
- * reflection, where waves of one wavelength add up, a plane or, where that is nearer, a surface that is convex along the
- * path is fitted to the ground; the plane touches it where it reflects. The ground is what lies straight below the line
- * between the points and, within the zone, beside it. One per thread.
+ * reflection, where waves of one wavelength add up, a plane or, where that fits better, a surface that is convex along
+ * the path is fitted to the ground; the plane is tangent to it at the point of reflection. The ground is what lies
+ * straight below the line between the points and, within the zone, beside it. One per thread.
  */
 public final class GroundPlane {
     /** Samples of the surface along the line and on each side of it. */
@@ -16,18 +16,22 @@ public final class GroundPlane {
 
     private static final int ACROSS = 3;
 
-    /** The zone follows from the point of reflection, and that from the surface in the zone: so many rounds. */
+    /** Number of iterations: the zone follows from the point of reflection, and that from the surface in the zone. */
     private static final int ROUNDS = 2;
 
-    /** Parts of the profile below the line in which the first point of reflection is looked for. */
+    /**
+     * Number of parts into which the profile below the line is divided in the search for the first point of reflection.
+     */
     private static final int PROFILE = 32;
 
-    /** Farther from the surface than so many standard deviations of the ground a point is not of the ground. */
+    /** A point farther from the surface than this many standard deviations is not part of the ground. */
     private static final double SPREAD = 3.0;
 
     private static final double TOLERANCE = 1e-3;
 
-    /** How exactly the point of reflection is found, of the length of the zone, and the most steps to it. */
+    /**
+     * Accuracy of the point of reflection, as a fraction of the length of the zone, and the maximum number of steps.
+     */
     private static final double EXACT = 1e-9;
 
     private static final int STEPS = 60;
@@ -60,12 +64,12 @@ public final class GroundPlane {
     }
 
     /**
-     * Looks for the ground between two points that see each other.
+     * Searches for the ground between two points with a line of sight.
      *
      * @param first a point, m
      * @param second another one, m
      * @param wavelength of the sound, which determines the size of the zone, m, above 0
-     * @return whether there is ground that reflects, seen from both points; the figures of this object are then those of it
+     * @return whether there is ground that reflects, seen from both points; this object then holds its figures
      */
     public boolean find(Position first, Position second, double wavelength) {
         from = first;
@@ -85,8 +89,8 @@ public final class GroundPlane {
     }
 
     /**
-     * A first point of reflection: where the path over the ground below the line is shortest (Fermat's principle), with the
-     * plane in which it would be a reflection.
+     * A first point of reflection: where the path over the ground below the line is shortest (Fermat's principle), with
+     * the plane in which it would be a reflection.
      */
     private boolean begin() {
         double shortest = Double.POSITIVE_INFINITY;
@@ -150,8 +154,8 @@ public final class GroundPlane {
     }
 
     /**
-     * Finds the point of the fitted surface whose tangent plane reflects there. On a plane that is where any of its points
-     * leads, on a hill nearer than that.
+     * Finds the point of the fitted surface at which its tangent plane reflects. On a plane, {@link #offset} leads
+     * there from any point; on a hill, it overshoots.
      */
     private boolean reflect() {
         double low = firstU;
@@ -192,8 +196,8 @@ public final class GroundPlane {
     /**
      * Lays the plane through a point of the surface above v = 0.
      *
-     * @return how much farther along u the plane reflects; towards a point that is below the plane, where it is behind the
-     *     hill, and not a number where both are
+     * @return how much farther along u the plane reflects; towards a point that is below the plane, where it is behind
+     *     the hill, and not a number where both are
      */
     private double offset(double u) {
         slopeU = surface.slopeU(u);
@@ -216,7 +220,10 @@ public final class GroundPlane {
         return reflectionU - u;
     }
 
-    /** Bumps that are part of the unevenness hide nothing: waves pass over them. */
+    /**
+     * Whether both points see the point of reflection. Bumps that are part of the unevenness hide nothing: waves pass
+     * over them.
+     */
     private boolean isSeen() {
         double z = profile.z(reflectionU, reflectionV);
         if (Double.isNaN(z)) {
@@ -247,7 +254,7 @@ public final class GroundPlane {
         return Math.hypot(Math.hypot(reflectionU - distance, reflectionV), to.z() - planeZ(reflectionU, reflectionV));
     }
 
-    /** Whether a point is one of the ground in the zone, so that what it reflects is part of what the plane reflects. */
+    /** Whether a point is part of the ground in the zone, so that its reflection is part of the plane's. */
     public boolean covers(double x, double y, double z) {
         double u = profile.u(x, y);
         double v = profile.v(x, y);

@@ -6,8 +6,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The surface below the line between two points and beside it. Its frame: u runs level from below the first point to
- * below the second, v to the left of it. One per thread.
+ * The surface below the line between two points and beside it. Its frame: u runs horizontally from below the first
+ * point to below the second, v to the left of it. One per thread.
  */
 final class GroundProfile {
     /** Points no farther apart than this, m, are straight above each other. */
@@ -36,7 +36,7 @@ final class GroundProfile {
         northOfU = distance > BESIDE ? (to.y() - from.y()) / distance : 0.0;
     }
 
-    /** The level distance of the two points, m. */
+    /** The horizontal distance between the two points, m. */
     double distance() {
         return distance;
     }
@@ -48,8 +48,9 @@ final class GroundProfile {
     }
 
     /**
-     * The height of the surface at a point, m; not a number if there is none. It is looked for downward from the line
-     * between the points; beside it, from as much higher as the point is away, which must be seen from the line.
+     * The height of the surface at a point, m; not a number if there is none. It is searched for downward from the line
+     * between the points; beside the line, from a point that is as much higher as it is away from the line, and that
+     * must be visible from the line.
      */
     double z(double u, double v) {
         double nearest = Math.max(0.0, Math.min(distance, u));

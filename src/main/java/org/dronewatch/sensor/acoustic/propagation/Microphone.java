@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
  * @param position its centre, m
  * @param radius rays that pass within this distance are heard, above 0, m
  * @param threshold how far above the background a sound must be, dB
- * @param arrayGain how much better than one microphone an array hears, 0 or more, dB
+ * @param arrayGain gain of an array over a single microphone, 0 or more, dB
  */
 public record Microphone(Position position, double radius, double threshold, double arrayGain) {
 

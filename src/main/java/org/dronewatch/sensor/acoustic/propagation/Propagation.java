@@ -5,30 +5,30 @@ import org.dronewatch.sensor.Condition;
 import org.dronewatch.world.World;
 
 /**
- * How sound is followed from a drone to a microphone. Implementations are immutable records; {@link org.dronewatch.setting.Kind}
- * explains how scene files can choose a new one.
+ * How sound propagates from a drone to a microphone. Implementations are immutable records;
+ * {@link org.dronewatch.setting.Kind} explains how scene files can choose a new one.
  */
 public interface Propagation {
 
-    /** What follows sound to a microphone in a world. */
+    /** A tracer of sound to a microphone in a world. */
     SoundTracer tracer(Microphone microphone, World world);
 
     /** What is compared with the threshold, in words for a plot: {@code sound level}. */
     String measures();
 
-    /** How fast sound comes to the microphone, m/s; infinity where it is heard at once. */
+    /** The speed at which sound travels to the microphone, m/s; infinity where it is heard at once. */
     default double signalSpeed(World world) {
         return Double.POSITIVE_INFINITY;
     }
 
-    /** What of real sound the models leave out, in a sentence for a report. */
+    /** What this model leaves out of the propagation of real sound, in a sentence for a report. */
     default String leavesOut() {
         return "In the level model, levels are calibrated to measurements rather than physical; neither model accounts"
                 + " for wind or interference.";
     }
 
     /**
-     * Conditions of the site that would matter to real sound but not to this model; none unless a model knows better.
+     * Conditions of the site that would matter to real sound but not to this model; none by default.
      *
      * @return by condition what to do instead, in words
      */

@@ -7,7 +7,7 @@ import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Signal;
 
-/** Follows sound from drones to one microphone in one world. May keep scratch memory: one thread at a time. */
+/** Traces sound from drones to one microphone in one world. May keep scratch memory: one thread at a time. */
 public interface SoundTracer {
 
     /**

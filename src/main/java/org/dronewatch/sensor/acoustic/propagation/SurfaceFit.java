@@ -3,14 +3,14 @@ package org.dronewatch.sensor.acoustic.propagation;
 import java.util.Arrays;
 
 /**
- * The surface {@code z = level + slopeU u + slopeV v + bend u^2} that fits points best, by least squares of z: a plane, or,
- * where that is nearer, one that is convex along u. One per thread.
+ * The surface {@code z = level + slopeU u + slopeV v + bend u^2} that fits points best, by least squares of z: a plane,
+ * or, where that fits better, one that is convex along u. One per thread.
  */
 final class SurfaceFit {
     private static final int PLANE = 3;
     private static final int BENT = 4;
 
-    /** Relative to the largest pivot: of points on one line there is no plane. */
+    /** Relative to the largest pivot: points on one line do not determine a plane. */
     private static final double SINGULAR = 1e-9;
 
     private final double[] us;
@@ -25,7 +25,7 @@ final class SurfaceFit {
     private double scaleU;
     private double scaleV;
 
-    /** A fit to a number of points at most. */
+    /** A fit to at most this many points. */
     SurfaceFit(int most) {
         this.us = new double[most];
         this.vs = new double[most];
@@ -116,12 +116,12 @@ final class SurfaceFit {
         return sum;
     }
 
-    /** How steep the surface is along u. */
+    /** Slope of the surface along u. */
     double slopeU(double u) {
         return (factors[1] + 2.0 * factors[3] * (u - middleU) / scaleU) / scaleU;
     }
 
-    /** How steep the surface is along v. */
+    /** Slope of the surface along v. */
     double slopeV() {
         return factors[2] / scaleV;
     }
