@@ -253,8 +253,7 @@ final class SettingsReader {
     }
 
     /**
-     * Reports every part, not only the first, that the record rejects although it is within its own limits; returns
-     * whether there is any.
+     * Reports each part that the record rejects although it is within its own limits; returns whether there are any.
      */
     private boolean reportRejected(SettingsForm form, Node.Mapping mapping, Map<String, Object> values, String path) {
         Map<String, Object> needed = new LinkedHashMap<>(values);
