@@ -22,7 +22,7 @@ final class Air {
         return Math.exp(-exponents[band] * distance);
     }
 
-    /** m/s. */
+    /** Speed of sound, m/s. */
     double soundSpeed() {
         return soundSpeed;
     }

@@ -5,24 +5,24 @@ import org.dronewatch.sensor.acoustic.mirror.MirrorRun;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
- * How a ray from the sensor came to the surface that it meets: its legs from scattering to scattering, straight, over
- * walls or through them. One per thread.
+ * How a ray from the sensor reached the surface that it hits: its legs between scatterings, straight, over walls or through
+ * them. One per thread.
  */
 final class Arrival {
     private final MirrorRun run = new MirrorRun();
 
     private static final int LEGS = Connections.FROM_SOURCE + 1;
 
-    /** The reluctances of the last legs, the one that ends here first. */
-    private final double[] reluctances = new double[LEGS];
+    /** The inverse densities of the last legs, the one that ends here first. */
+    private final double[] inverseDensities = new double[LEGS];
 
     /** Whether each of these legs went through a wall. */
     private final boolean[] throughWalls = new boolean[LEGS];
 
-    /** Whether rays from the source are not connected at these legs, but may pass the sensor. */
+    /** Whether rays from the source are not connected at these legs but may pass the sensor. */
     private final boolean[] isPassing = new boolean[LEGS];
 
-    /** How many surfaces the ray had met where each of these legs ends, that one included. */
+    /** How many surfaces the ray had hit where each of these legs ends, including the one there. */
     private final int[] orders = new int[LEGS];
 
     private boolean isFromSensor;
@@ -33,27 +33,27 @@ final class Arrival {
     /**
      * A new ray.
      *
-     * @param ofSensor the sphere in which rays from the source are counted that pass the sensor
+     * @param ofSensor the sphere in which rays from the source that pass the sensor are counted
      */
     void start(Ends both, ReceiverSphere ofSensor, AcousticRay ray) {
         ends = both;
         receiver = ofSensor;
         isFromSensor = true;
-        Arrays.fill(reluctances, Connections.NEVER);
+        Arrays.fill(inverseDensities, Connections.NEVER);
         Arrays.fill(throughWalls, false);
         run.begin(ray);
     }
 
     /**
-     * The ray was scattered where it begins.
+     * Records that the ray was scattered where it begins.
      *
      * @param cosine of the angle between the new direction and the surface's normal
      */
     void scatter(AcousticRay ray, double cosine) {
         isFromSensor = false;
         leaving = cosine;
-        for (int leg = reluctances.length - 1; leg > 0; leg--) {
-            reluctances[leg] = reluctances[leg - 1];
+        for (int leg = inverseDensities.length - 1; leg > 0; leg--) {
+            inverseDensities[leg] = inverseDensities[leg - 1];
             throughWalls[leg] = throughWalls[leg - 1];
             orders[leg] = orders[leg - 1];
             isPassing[leg] = isPassing[leg - 1];
@@ -62,25 +62,25 @@ final class Arrival {
     }
 
     /**
-     * The ray met a surface.
+     * Records that the ray hit a surface.
      *
-     * @param distance how far it flew to it, m
+     * @param distance from its origin to the surface, m
      * @param arriving cosine of the angle between the ray and the surface's normal
-     * @param order how many surfaces it has met, this one included
+     * @param order how many surfaces it has hit, including this one
      */
     void meet(double distance, double arriving, int order) {
         run.fly(distance);
         orders[0] = order;
         throughWalls[0] = run.isThroughWalls();
-        reluctances[0] = reluctance(arriving);
+        inverseDensities[0] = inverseDensity(arriving);
     }
 
-    private double reluctance(double arriving) {
+    private double inverseDensity(double arriving) {
         boolean isOverChain = isFromSensor ? run.isChainFrom(ends.ofSensor()) : run.isChainTo(ends.ofSource());
         isPassing[0] = run.order() > 0 && !isOverChain;
         if (isPassing[0]) {
             return isFromSensor && ends.isOpen() && !run.isThroughWalls()
-                    ? receiver.reluctance(run.length())
+                    ? receiver.inverseDensity(run.length())
                     : Connections.NEVER;
         }
         double inAir = isFromSensor
@@ -89,12 +89,12 @@ final class Arrival {
         return run.isThroughWalls() ? Connections.throughWalls(inAir) : inAir;
     }
 
-    /** The ray was reflected specularly. */
+    /** Records that the ray was reflected specularly. */
     void reflect(int wall) {
         run.reflect(wall);
     }
 
-    /** The ray went through a wall. */
+    /** Records that the ray passed through a wall. */
     void passThrough() {
         run.passThrough();
     }
@@ -104,7 +104,7 @@ final class Arrival {
         return run;
     }
 
-    /** Whether what comes straight on from the source is computed exactly, or was connected already. */
+    /** Whether the sound that would arrive straight from the source is computed exactly, or was connected already. */
     boolean isExact() {
         if (!isFromSensor) {
             return run.isChainTo(ends.ofSource());
@@ -117,21 +117,21 @@ final class Arrival {
     }
 
     /**
-     * The sum of the reluctances of the legs so far at which the same path could be connected, too, if rays from the
-     * source came all the way to them.
+     * The sum of the inverse densities of those legs so far at which the same path could also be connected, if rays from the
+     * source reached them.
      *
      * @param scatterings how many times the rest of the path is scattered before it comes here
-     * @param surfaces how many surfaces the rest of the path meets
+     * @param surfaces how many surfaces the rest of the path hits
      */
-    double reluctance(int scatterings, int surfaces) {
+    double inverseDensity(int scatterings, int surfaces) {
         return sum(0, ends.scatterings() - scatterings, surfaces);
     }
 
     /**
-     * The sum of the reluctances of the legs before the ray was scattered last: where it passes the source after specular
-     * reflections, rays from there can be connected at these. None if they cannot come so far.
+     * The sum of the inverse densities of the legs before the ray was scattered last: where the ray passes the source after
+     * specular reflections, rays from the source can be connected at these. 0 if they cannot reach them.
      */
-    double reluctanceBefore() {
+    double inverseDensityBefore() {
         return run.isThroughWalls() ? Connections.NEVER : sum(1, LEGS, 0);
     }
 
@@ -143,7 +143,7 @@ final class Arrival {
             }
             // To pass the sensor a ray from the source must go on from the last surface.
             if (!isPassing[leg] || leg < end - 1 && surfaces + orders[0] < ScatteredSound.MOST) {
-                sum += reluctances[leg];
+                sum += inverseDensities[leg];
             }
             if (throughWalls[leg]) {
                 // Rays from the source end at walls.

@@ -18,7 +18,7 @@ import org.dronewatch.world.World;
  * One ray traced backward from the sensor. A surface absorbs part of its energy; the rest goes on as one ray, reflected
  * specularly, scattered by Lambert's law or transmitted through the wall, drawn at random so that the mean is right.
  * Where the ray is scattered, it is connected to the source; where it passes the source after specular reflections, it is
- * counted in a sphere about the source, unless its path is computed exactly or was connected before. One per thread.
+ * counted in a sphere around the source, unless its path is computed exactly or was connected before. One per thread.
  */
 final class BackwardRay {
     /**
@@ -56,8 +56,8 @@ final class BackwardRay {
     /**
      * Rays from one sensor.
      *
-     * @param ofSource the sphere about the source
-     * @param ofSensor the sphere about the sensor
+     * @param ofSource the sphere around the source
+     * @param ofSensor the sphere around the sensor
      * @param connection connects scattered rays to the source
      * @param energy of the ray
      */
@@ -140,7 +140,7 @@ final class BackwardRay {
         for (int band = 0; band < emitted.length; band++) {
             emitted[band] = energy.byBand()[band] * ends.source().factor(band, ofSource.rise());
         }
-        ofSource.count(ray, emitted, arrival.reluctanceBefore());
+        ofSource.count(ray, emitted, arrival.inverseDensityBefore());
     }
 
     private void recordFlight(double length) {
@@ -174,7 +174,7 @@ final class BackwardRay {
         double cosine = -along();
         arrival.meet(distance, cosine, ray.order);
         if (ray.medium == material) {
-            // Out of a solid: its loss was taken on entry.
+            // Out of a solid: its loss was applied on entry.
             ray.medium = AcousticRay.AIR;
             arrival.passThrough();
             ray.standOff(normal, -1.0);
@@ -214,7 +214,7 @@ final class BackwardRay {
         traced += connection.add(ray, normal, material, leaving, arrival, scattered);
     }
 
-    /** The part of the ray's direction along the normal. */
+    /** The component of the ray's direction along the normal. */
     private double along() {
         return ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2];
     }

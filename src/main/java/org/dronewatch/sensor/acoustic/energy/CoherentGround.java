@@ -13,9 +13,9 @@ import org.dronewatch.sound.TurbulentCoherence;
 import org.dronewatch.world.World;
 
 /**
- * The interference of direct sound with what the ground below it reflects. It takes the place of the first-order
- * reflections within the ground's Fresnel zone, unless walls dominate: where other reflections bring more than both
- * together, their phases are as random as those of the reflection in the ground. What rough ground scatters is left to
+ * The interference of direct sound with sound reflected by the ground below it. It takes the place of the first-order
+ * reflections within the ground's Fresnel zone, unless walls dominate: where other reflections carry more energy than both
+ * together, phases are taken as random, that of the ground reflection included. Sound scattered by rough ground is left to
  * the rays. One per thread.
  */
 final class CoherentGround {
@@ -44,16 +44,16 @@ final class CoherentGround {
     }
 
     /**
-     * Looks for the ground between a source and a sensor.
+     * Searches for the ground between a source and a sensor.
      *
-     * @param isFree whether they see each other; without direct sound there is nothing with which ground could interfere
+     * @param isFree whether there is a line of sight; without direct sound there is nothing for the ground reflection to interfere with
      */
     void find(SoundSource source, Position sensor, boolean isFree) {
         replaced.clear();
         isFound = isOn && isFree && plane.find(source.position(), sensor, air.soundSpeed() / ZONE_FREQUENCY);
     }
 
-    /** Whether there is ground that interferes: its bumps are no edges then, but a part of what it reflects. */
+    /** Whether there is ground that interferes: then its bumps are not edges but part of the reflection. */
     boolean isFound() {
         return isFound;
     }
@@ -64,9 +64,9 @@ final class CoherentGround {
     }
 
     /**
-     * Adds what the ground reflects to the direct sound, or, where walls dominate, to the other reflections.
+     * Adds the ground reflection to the direct sound, or, where walls dominate, to the other reflections.
      *
-     * @param direct the direct sound; that and the ground's together afterwards
+     * @param direct the direct sound; afterwards, direct and ground-reflected sound together
      * @param mirrored all other reflections
      */
     void addTo(FoundPaths direct, FoundPaths mirrored, SoundSource source, Position sensor) {

@@ -26,10 +26,10 @@ final class ConnectingLeg {
     }
 
     /**
-     * Looks for a leg from a point to another one, of which the images are given.
+     * Searches for a leg from a point to another one, whose images are given.
      *
-     * @param chain over which it goes; the straight leg goes over {@link MirrorChains#EMPTY}, and whether it is open
-     *     only {@link #isOpen} tells
+     * @param chain over which it goes; the chain of the straight leg is {@link MirrorChains#EMPTY}, and only {@link #isOpen}
+     *     states whether that is open
      * @return whether there is one
      */
     boolean find(MirrorChains chains, double[] images, int chain, double fromX, double fromY, double fromZ) {
@@ -50,7 +50,7 @@ final class ConnectingLeg {
     }
 
     /**
-     * Whether any sound passes. Of a straight leg it is traced only now, since surfaces that face away need no tracing.
+     * Whether any sound passes. A straight leg is traced only here, since surfaces that face away need no tracing.
      *
      * @param x of the end from which it is traced, m
      * @param toX of the other end, m
@@ -69,7 +69,7 @@ final class ConnectingLeg {
         return isStraight && !walls.isFree();
     }
 
-    /** The fraction of a band's energy that passes walls, or that walls reflect. */
+    /** The fraction of a band's energy that walls transmit, or that they reflect. */
     double passed(int band) {
         return isStraight ? walls.passed(band) : path.reflected(band);
     }
@@ -96,7 +96,7 @@ final class ConnectingLeg {
         return isStraight ? -z / length : path.riseFromEnd();
     }
 
-    /** How many segments have been traced since this was called last. */
+    /** How many segments have been traced since the last call. */
     int takeTraced() {
         int count = traced;
         traced = 0;

@@ -1,18 +1,18 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 /**
- * How paths count that can be found in several ways. Sound from a drone to a sensor that is scattered n times follows n +
- * 1 legs. Rays from the sensor may find the path up to any of these legs, rays from the source the rest, and the leg is
- * where both are connected. Each way counts with its fraction of the probability with which all of them find the path
- * (Veach and Guibas, SIGGRAPH 1995, the balance heuristic), so that together they count once, and no path is rare, whether
- * its surfaces lie near the sensor or near the source.
+ * The weights of paths that can be found in several ways. Sound from a drone to a sensor that is scattered n times follows n
+ * + 1 legs. Rays from the sensor may find the path up to any of these legs, rays from the source the rest, and that leg
+ * connects the two. Each of these strategies is weighted by its fraction of the probability density with which all of them
+ * find the path (Veach and Guibas, SIGGRAPH 1995, the balance heuristic), so that the path counts once, and no path is rare,
+ * whether its surfaces lie near the sensor or near the source.
  *
- * <p>By Lambert's law a ray from one end of a leg finds the other end with the same density both ways. So the density of
- * a way is the product of those of all legs but the one at which it connects, and its weight is in proportion to the
- * reciprocal of that leg's density: the <em>reluctance</em> here, m2.
+ * <p>By Lambert's law a ray from one end of a leg finds the other end with the same density both ways. So the density of a
+ * strategy is the product of the densities of all legs but the one at which it connects, and its weight is proportional to
+ * the reciprocal of that leg's density, here called the <em>inverse density</em>, m2.
  */
 final class Connections {
-    /** The most times that a ray from the source is scattered, or connected where it is, in the open. */
+    /** In the open, the maximum number of times that a ray from the source is scattered, and connected there. */
     static final int FROM_SOURCE = 3;
 
     /** A leg that rays cannot connect. */
@@ -26,7 +26,7 @@ final class Connections {
     private Connections() {}
 
     /**
-     * The reluctance of a leg from a source or a sensor, from which rays leave in all directions alike.
+     * The inverse density of a leg from a source or a sensor, from which rays leave isotropically.
      *
      * @param arriving cosine of the angle between the leg and the normal of the surface at which it ends
      * @param length of the leg, m
@@ -36,7 +36,7 @@ final class Connections {
     }
 
     /**
-     * The reluctance of a leg between two surfaces.
+     * The inverse density of a leg between two surfaces.
      *
      * @param leaving cosine of the angle between the leg and the normal of one surface
      * @param arriving cosine of the angle between the leg and the normal of the other one
@@ -46,15 +46,15 @@ final class Connections {
         return Math.PI * length * length / (leaving * arriving);
     }
 
-    /** The reluctance of a leg that goes through walls instead of air alone. */
-    static double throughWalls(double reluctance) {
-        return THROUGH_WALLS * reluctance;
+    /** The inverse density of a leg that goes through walls instead of air alone. */
+    static double throughWalls(double inverseDensity) {
+        return THROUGH_WALLS * inverseDensity;
     }
 
     /**
-     * The weight of a way.
+     * The weight of a strategy.
      *
-     * @param mine the reluctance of the leg where it connects
+     * @param mine the inverse density of the leg where it connects
      * @param others the sum of those of all other legs at which the same path could be connected
      */
     static double weight(double mine, double others) {

@@ -6,7 +6,7 @@ import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * How sound dies away at a sensor after the source stops, in each octave band and in all of them: received energy by time of
+ * The decay of sound at a sensor after the source stops, in each octave band and in all of them: received energy by time of
  * arrival, integrated backward (Schroeder, "New method of measuring reverberation time", JASA 37, 1965).
  */
 public final class DecayCurve {
@@ -24,7 +24,7 @@ public final class DecayCurve {
     /** The bins from this one on are empty. */
     private int used;
 
-    /** Adds energy in each band that arrives at a time, s; what comes after the last bin, 16 s, is left out. */
+    /** Adds energy in each band that arrives at a time, s; energy after the last bin, 16 s, is left out. */
     void add(double time, double[] inBand) {
         int bin = (int) (time / BIN);
         if (bin < BINS) {
@@ -48,11 +48,11 @@ public final class DecayCurve {
         }
     }
 
-    /** This curve less another one that is a part of it. */
+    /** This curve minus another one that is part of it. */
     DecayCurve without(DecayCurve part) {
         DecayCurve rest = scaled(1.0);
         for (int i = 0; i < part.used * BANDS; i++) {
-            // Rounding must not leave less than nothing.
+            // Rounding must not leave negative energy.
             rest.received[i] = Math.max(0.0, rest.received[i] - part.received[i]);
         }
         return rest;
@@ -95,7 +95,7 @@ public final class DecayCurve {
 
     /**
      * Reverberation time T30 of all bands, s: twice the time that the regression line from -5 to -35 dB takes (ISO 3382-1);
-     * empty when the curve does not reach so far down.
+     * empty when the curve does not fall that far.
      */
     public OptionalDouble t30() {
         return t30(levels());

@@ -10,8 +10,8 @@ import org.dronewatch.world.World;
 
 /**
  * Connects a point where a ray from the sensor is scattered to the source, and to the points where a ray from the source
- * was scattered first: straight, through the walls in between, and over the chains of walls seen from the source. What
- * is connected here must not be counted in the sphere again. One per thread.
+ * was scattered first: straight, through the walls in between, and over the chains of walls seen from the source. Paths that
+ * are connected here must not be counted again in the sphere. One per thread.
  */
 final class DiffuseConnection {
     private static final int BANDS = OctaveBands.COUNT;
@@ -49,13 +49,13 @@ final class DiffuseConnection {
     }
 
     /**
-     * Adds what a surface scatters towards the source.
+     * Adds the sound that a surface scatters towards the source.
      *
      * @param ray at the point where it hits the surface
      * @param normal of the surface, on the ray's side
      * @param material of the surface
      * @param leaving the energy that leaves by Lambert's law, in each band
-     * @param arrival how the ray came there
+     * @param arrival how the ray reached that point
      * @param scattered where a ray from the source was scattered first
      * @return how many connections were tried
      */
@@ -97,7 +97,7 @@ final class DiffuseConnection {
                 ? 1.0
                 : Connections.weight(
                         Connections.fromPoint(cosine, distance),
-                        arrival.reluctance(0, ends.ofSource().order(chain)));
+                        arrival.inverseDensity(0, ends.ofSource().order(chain)));
         double geometry = weight * cosine / (Math.PI * distance * distance);
         for (int band = 0; band < BANDS; band++) {
             brought[band] = leaving[band]
@@ -131,13 +131,13 @@ final class DiffuseConnection {
             return;
         }
         double distance = leg.length();
-        double reluctance = Connections.betweenSurfaces(here, there, distance);
+        double inverseDensity = Connections.betweenSurfaces(here, there, distance);
         double weight = leg.isThroughWalls()
-                ? Connections.weight(Connections.throughWalls(reluctance), point.reluctance)
+                ? Connections.weight(Connections.throughWalls(inverseDensity), point.inverseDensity)
                 : Connections.weight(
-                        reluctance,
-                        point.reluctance
-                                + arrival.reluctance(
+                        inverseDensity,
+                        point.inverseDensity
+                                + arrival.inverseDensity(
                                         point.scatterings,
                                         point.order + ends.ofSource().order(chain)));
         double geometry = weight * 4.0 * here * there / (Math.PI * distance * distance);
@@ -154,7 +154,7 @@ final class DiffuseConnection {
     }
 
     /**
-     * Adds what the points where a ray from the source was scattered first send to the sensor.
+     * Adds the sound that reaches the sensor from the points where a ray from the source was scattered first.
      *
      * @return how many connections were tried
      */
@@ -183,9 +183,9 @@ final class DiffuseConnection {
             return;
         }
         double distance = leg.length();
-        double reluctance = Connections.fromPoint(cosine, distance);
+        double inverseDensity = Connections.fromPoint(cosine, distance);
         double weight = Connections.weight(
-                leg.isThroughWalls() ? Connections.throughWalls(reluctance) : reluctance, point.reluctance);
+                leg.isThroughWalls() ? Connections.throughWalls(inverseDensity) : inverseDensity, point.inverseDensity);
         double geometry = weight * cosine / (Math.PI * distance * distance);
         for (int band = 0; band < BANDS; band++) {
             brought[band] = ends.source().fraction(band)

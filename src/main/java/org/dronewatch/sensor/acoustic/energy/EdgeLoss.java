@@ -12,27 +12,27 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * What the edges of obstacles leave of the sound between two points: of that which goes round them, where they hide the
- * source, and of the direct sound that passes them closely.
+ * The attenuation of sound between two points by the edges of obstacles: of sound diffracted round them, where they hide the
+ * source, and of direct sound that passes close to them.
  *
  * <p>An edge at which the outline bends by less than {@value #FULL_BEND} degrees counts in proportion, up to N = {@value
- * #FULL_SHADOW} in its shadow, from where it counts in full: flat ground has no edges, and ground of many slight bends takes
- * little as long as it hides nothing. Several edges count as one until the path turns at the first and the last by {@value
- * #FULL_TURN} degrees, so that an edge which the path just begins to touch makes no step. One per thread.
+ * #FULL_SHADOW} in its shadow, from where it counts in full: flat ground has no edges, and ground of many slight bends
+ * attenuates little as long as it hides nothing. Several edges count as one until the path bends by {@value #FULL_TURN}
+ * degrees at the first and at the last, so that an edge which the path just begins to touch causes no step. One per thread.
  */
 final class EdgeLoss {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** Degrees by which the outline must bend for an edge to count in full at the shadow's border. */
+    /** Degrees by which the outline must bend for an edge to count in full at the shadow boundary. */
     private static final double FULL_BEND = 5.0;
 
     /** Fresnel number from which every edge counts in full. */
     private static final double FULL_SHADOW = 0.1;
 
-    /** Degrees by which a path must turn at an edge for it to be the first or the last of several. */
+    /** Degrees by which a path must bend at an edge for it to be the first or the last of several. */
     private static final double FULL_TURN = 0.5;
 
-    /** Up to so many degrees, a surface is flat: coordinates of single precision are not exactly in a plane. */
+    /** Up to this bend, in degrees, a surface is flat: coordinates of single precision are not exactly in a plane. */
     private static final double FLAT = 0.1;
 
     private final Diffraction diffraction;
@@ -51,7 +51,7 @@ final class EdgeLoss {
         this.near = new NearEdges(world);
     }
 
-    /** Looks for the path round what hides a source; false where there is none, or no diffraction. */
+    /** Searches for the path round the obstacles that hide a source; false if there is none, or no diffraction. */
     boolean findPath(Position source, Position sensor) {
         if (diffraction == Diffraction.OFF || !path.find(source, sensor)) {
             return false;
@@ -70,14 +70,14 @@ final class EdgeLoss {
         return path;
     }
 
-    /** The fraction of the energy that went round the edges of the path found last. */
+    /** The fraction of the energy that is diffracted round the edges of the path found last. */
     double round(int band) {
         return Math.pow(10.0, -0.1 * losses[band]);
     }
 
     /**
-     * Looks for edges that the line between two points that see each other passes closely. Of several, that counts which
-     * takes most.
+     * Searches for edges close to the line between two points with a line of sight. If there are several, the one with the
+     * greatest attenuation counts.
      */
     void findNear(Position source, Position sensor) {
         Arrays.fill(past, 1.0);
@@ -90,19 +90,22 @@ final class EdgeLoss {
             for (int band = 0; band < BANDS; band++) {
                 double loss = weight * diffraction.attenuation(-edge.detour(), 0.0, wavelength(band));
                 double left = Math.pow(10.0, -0.1 * loss);
-                // The obstacle lets through its share of what its edge takes, as it does in its shadow.
+                // The obstacle transmits its fraction of the energy that the edge removes, as it does in its shadow.
                 double through = surfaces.transmitted(edge.material(), band);
                 past[band] = Math.min(past[band], left + (1.0 - left) * through);
             }
         }
     }
 
-    /** The fraction of the energy that the edges found last leave of the direct sound; 1 where none is near. */
+    /** The fraction of the direct sound's energy that is left by the edges found last; 1 if none is near. */
     double past(int band) {
         return past[band];
     }
 
-    /** What the edges of the path take, dB: of all pairs of a first and a last edge, that counts which takes most. */
+    /**
+     * The attenuation by the edges of the path, dB: of all pairs of a first and a last edge, the one with the greatest
+     * attenuation counts.
+     */
     private double loss(double wavelength) {
         double ofOne = diffraction.attenuation(path.pathDifference(), 0.0, wavelength);
         double most = ofOne;

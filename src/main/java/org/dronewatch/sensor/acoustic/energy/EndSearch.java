@@ -18,35 +18,34 @@ import org.dronewatch.world.World;
 
 /**
  * Finds the chains of walls that matter between a sensor and a source. Rays from either end find chains, over which pure
- * mirror paths are looked for. In the open, where few rays pass an end, those few are kept, too, over which most of what is
- * scattered near one end is heard at the other. One per thread.
+ * mirror paths are searched for. In the open, where few rays pass an end, those chains are also kept over which most of the
+ * sound that is scattered near one end reaches the other. One per thread.
  */
 final class EndSearch {
     private static final int RAYS_OF_SENSOR = 4000;
     private static final int RAYS_OF_SOURCE = 1000;
 
-    /** The most chains over which pure mirror paths are looked for. */
+    /** Maximum number of chains over which pure mirror paths are searched for. */
     private static final int MOST_PURE = 8000;
 
-    /** The most walls of each end that exact paths are tried to meet, too. */
+    /** Maximum number of walls of each end that are tried as additional reflections of exact paths. */
     private static final int MOST_EXTRA = 6;
 
-    /** The most chains among which those are chosen over which scattered sound is joined to an end. */
+    /** Maximum number of chains from which those that join scattered sound to an end are chosen. */
     private static final int MOST_CANDIDATES = 200;
 
-    /** The most chains over which scattered sound is joined to an end. */
+    /** Maximum number of chains that join scattered sound to an end. */
     private static final int MOST_JOINED = 64;
 
     /**
-     * Chains are left to the rays that happen to pass the source if those make the variance of a reading, relative to its
-     * square, greater by less than this.
+     * Chains are left to the rays that happen to pass the source if they increase the relative variance of a reading by less than this.
      */
     private static final double NEGLIGIBLE = 3e-3;
 
     /** The same for a single chain over which a pure mirror path may lead: there may be thousands. */
     private static final double HARDLY_ANYTHING = 1e-6;
 
-    /** Nearer to an end than this a sample says nothing of others, m. */
+    /** A sample nearer to an end than this does not represent others, m. */
     private static final double NEAREST = 1.0;
 
     /** Where less than this fraction of rays leaves the site, sound comes from all sides. */
@@ -114,7 +113,7 @@ final class EndSearch {
         ChainTree pure = new ChainTree();
         ChainTree near = new ChainTree();
         ChainTree far = new ChainTree();
-        // What is reflected towards one end after the other is reflected back in the reverse order.
+        // Sound that walls reflect from one end to the other returns over the same walls in reverse order.
         MirrorChains candidatesOfSource = found.best(MOST_CANDIDATES, 0.0);
         addAll(candidatesOfSource, near, far);
         addAll(candidatesOfSensor, far, near);
@@ -136,7 +135,7 @@ final class EndSearch {
     }
 
     /**
-     * The chains over which pure mirror paths are worth looking for.
+     * The chains over which it is worth searching for pure mirror paths.
      *
      * @param from where they were found
      * @param to where they may lead
@@ -159,13 +158,13 @@ final class EndSearch {
         return chains.kept(isWorthwhile);
     }
 
-    /** What is heard straight, 1/m2. */
+    /** Direct sound, as intensity over power, 1/m2. */
     private double straight(Position drone) {
         double distance = Math.max(NEAREST, drone.distance(sensor));
         return visibility.isFree(drone, sensor) ? 1.0 / (4.0 * Math.PI * distance * distance) : 0.0;
     }
 
-    /** A rough idea of what is scattered straight from some points to an end, 1/m2. */
+    /** A rough estimate of the sound scattered straight from some points to an end, 1/m2. */
     private double scattered(Position end, Samples near) {
         double sum = 0.0;
         for (Sample point : near.points()) {
@@ -188,10 +187,10 @@ final class EndSearch {
     }
 
     /**
-     * The chains over which most of what is scattered at some points is heard at an end.
+     * The chains over which most of the sound that is scattered at some points reaches an end.
      *
      * @param known what is heard without them
-     * @param first what is heard over a chain that comes before all scattering
+     * @param first what is heard over a chain that precedes all scattering
      */
     private MirrorChains chosen(
             ChainTree candidates, Position end, Samples near, double known, ToDoubleFunction<int[]> first) {

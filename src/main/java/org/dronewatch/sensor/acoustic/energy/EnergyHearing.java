@@ -20,7 +20,7 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Hears by the energy model: the A-weighted sound pressure level, or the signal-to-noise ratio of the best band. One
+ * What a microphone hears in the energy model: the A-weighted sound pressure level, or the signal-to-noise ratio of the best band. One
  * thread at a time.
  */
 public final class EnergyHearing implements SoundTracer {
@@ -87,7 +87,7 @@ public final class EnergyHearing implements SoundTracer {
         return signal(read(drone, random, RayRecorder.NONE));
     }
 
-    /** A reading that stands on few rays does not decide: what is known without them does. */
+    /** A reading that rests on too few rays is not used for the decision: the exact paths alone decide. */
     private Signal signal(EnergyReading whole) {
         EnergyReading reading = whole.settled();
         double value = reading.aWeightedLevel();
@@ -111,7 +111,7 @@ public final class EnergyHearing implements SoundTracer {
         read(drone, random, recorder);
     }
 
-    /** In a space that keeps at least half of the sound: how it dies away, and how long that takes in each octave band. */
+    /** In a space that retains at least half of the sound: its decay, and the reverberation time in each octave band. */
     @Override
     public List<Curve> curves(Drone drone, RandomGenerator random) {
         EnergyTracer patient =

@@ -18,7 +18,7 @@ final class EnergyLedger {
         residual = 0.0;
     }
 
-    /** Adds the account of other rays. */
+    /** Adds the entries of another ledger. */
     void add(EnergyLedger others) {
         gained += others.gained;
         absorbed += others.absorbed;
@@ -28,27 +28,27 @@ final class EnergyLedger {
         residual += others.residual;
     }
 
-    /** Stays in a surface. */
+    /** Records energy that a surface absorbs. */
     void absorb(double energy) {
         absorbed += energy;
     }
 
-    /** Stays in the air. */
+    /** Records energy that the air absorbs. */
     void leaveToAir(double energy) {
         air += energy;
     }
 
-    /** Leaves the site. */
+    /** Records energy that leaves the site. */
     void escape(double energy) {
         escaped += energy;
     }
 
-    /** Is truncated at the maximum order. */
+    /** Records energy that is truncated at the maximum order. */
     void giveUp(double energy) {
         residual += energy;
     }
 
-    /** Chance has turned one energy into another: by a choice among branches, or by the roulette. */
+    /** Records that a random choice turned one energy into another: among branches, or by the roulette. */
     void exchange(double before, double after) {
         gained += Math.max(0.0, after - before);
         lost += Math.max(0.0, before - after);

@@ -16,8 +16,8 @@ import org.dronewatch.world.World;
 
 /**
  * How the energy model propagates sound: levels in octave bands fall by spreading, in the air and at surfaces, as in
- * reality. The straight path, specular reflections and the path round edges are computed exactly; what is scattered is
- * estimated by rays, with its standard error.
+ * reality. The straight path, specular reflections and the path round edges are computed exactly; scattered sound is
+ * estimated by ray tracing, with its standard error.
  *
  * @param rays maximum number of rays that one look traces, 1 to 10,000,000
  * @param accuracy tracing stops once the standard error of the level is below this, 0 to 10 dB; with 0 all rays are
@@ -29,11 +29,11 @@ import org.dronewatch.world.World;
  *     50: those in any one surface, and those over several that rays from the microphone or from the drone find
  * @param diffraction how diffraction round edges is computed
  * @param criterion which level is compared with the background
- * @param ground whether direct sound and what the ground reflects interfere
+ * @param ground whether direct and ground-reflected sound interfere
  * @param turbulence with {@code ground: coherent}, the variance of the air's refractive index, 0 to 0.001: 0 in still
  *     air, about 1e-8 in calm, 1e-4 in very turbulent air
  * @param turbulenceScale with {@code ground: coherent}, the correlation length of the turbulence, above 0 to 1000 m
- * @param pressure which sound pressure belongs to an intensity
+ * @param pressure how intensity is converted to sound pressure
  */
 public record EnergyModel(
         @In(value = Quantity.NUMBER, from = 1, to = 10_000_000) int rays,
@@ -76,21 +76,20 @@ public record EnergyModel(
         BEST_BAND
     }
 
-    /** Which sound pressure belongs to an intensity. */
+    /** How intensity is converted to sound pressure. */
     public enum Pressure {
-        /** That in air of 400 Pa s/m, in which the levels of both are equal: as standards have it. */
+        /** With the reference impedance of the standards, 400 Pa s/m, at which pressure level and intensity level are equal. */
         REFERENCE,
-        /** That in the scene's air: 0.1 dB more at 20 degrees Celsius, less on a mountain. */
+        /** With the impedance of the scene's air: 0.1 dB more at 20 degrees Celsius, less on a mountain. */
         PHYSICAL
     }
 
-    /** How direct sound and what the ground reflects of it add up. */
+    /** How direct and ground-reflected sound are added. */
     public enum Ground {
-        /** Their energies add, as those of all paths. */
+        /** Their energies add, as do those of all other paths. */
         INCOHERENT,
         /**
-         * They interfere: a spherical wave over the ground's impedance, in the mean over each band, as far as turbulence
-         * leaves them in step.
+         * They interfere: a spherical wave over the ground's impedance, averaged over each band, as far as turbulence leaves them coherent.
          */
         COHERENT
     }
@@ -121,7 +120,7 @@ public record EnergyModel(
         return SettingsForm.with(this, "rays", number);
     }
 
-    /** This model with another standard error at which no more rays are followed, dB. */
+    /** This model with another standard error at which tracing stops, dB. */
     public EnergyModel withAccuracy(double decibels) {
         return SettingsForm.with(this, "accuracy", decibels);
     }
@@ -131,7 +130,7 @@ public record EnergyModel(
         return SettingsForm.with(this, "roulette", fraction);
     }
 
-    /** This model with another number of surfaces that a ray may meet. */
+    /** This model with another number of surfaces that a ray may hit. */
     public EnergyModel withMaxOrder(int orders) {
         return SettingsForm.with(this, "maxOrder", orders);
     }

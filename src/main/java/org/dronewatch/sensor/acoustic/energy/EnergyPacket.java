@@ -27,7 +27,7 @@ final class EnergyPacket {
         this.ledger = ledger;
     }
 
-    /** Gives it all that one ray carries at first. */
+    /** Sets the energies to those that a ray carries at first. */
     void fill(SoundSource source) {
         for (int band = 0; band < BANDS; band++) {
             energy[band] = source.fraction(band);
@@ -35,7 +35,7 @@ final class EnergyPacket {
         first = all();
     }
 
-    /** The energies by band; for reading. */
+    /** The energies by band; not to be modified. */
     double[] byBand() {
         return energy;
     }
@@ -49,7 +49,7 @@ final class EnergyPacket {
         return sum;
     }
 
-    /** Takes what the air absorbs over a distance, m. */
+    /** Deducts what the air absorbs over a distance, m. */
     void fly(double distance) {
         double before = all();
         for (int band = 0; band < BANDS; band++) {
@@ -58,18 +58,18 @@ final class EnergyPacket {
         ledger.leaveToAir(before - all());
     }
 
-    /** Leaves the site. */
+    /** Records that the packet has left the site. */
     void escape() {
         ledger.escape(all());
     }
 
-    /** Is truncated at the maximum order. */
+    /** Records that the packet is truncated at the maximum order. */
     void giveUp() {
         ledger.giveUp(all());
     }
 
     /**
-     * Leaves a surface what it absorbs, and draws whether the rest is transmitted or reflected.
+     * Deducts what a surface absorbs, and draws whether the rest is transmitted or reflected.
      *
      * @param cosine of the angle between the sound and the normal
      * @return whether it is transmitted
@@ -95,7 +95,7 @@ final class EnergyPacket {
         return isTransmitted;
     }
 
-    /** What a surface would scatter of it, by band; valid until the next question. */
+    /** The energy that a surface would scatter, by band; valid until the next call. */
     double[] scatteredBy(int material) {
         for (int band = 0; band < BANDS; band++) {
             scattered[band] = energy[band] * surfaces.scattered(material, band);
@@ -125,7 +125,7 @@ final class EnergyPacket {
     }
 
     /**
-     * Is scattered in a direction that was drawn by Lambert's law.
+     * Scatters the packet in a direction that was drawn by Lambert's law.
      *
      * @param cosine of the angle between the direction and the normal
      */

@@ -15,12 +15,12 @@ import org.dronewatch.sound.OctaveBands;
  * relative to a sound pressure of 20 uPa squared, so that {@code 10 lg} of them are sound pressure levels.
  *
  * @param direct by the straight path, through walls that let sound pass; exact
- * @param diffracted round the nearest edge of what obstructs the drone
+ * @param diffracted round the edges of the obstacles that hide the drone
  * @param mirrored by specular reflections alone, exact
- * @param reverberant by all that comes later, estimated
+ * @param reverberant by all other paths, estimated
  * @param traced how many ray segments were traced
- * @param standardError of the level that decides, dB, from the scatter among rays
- * @param isConverged whether what the rays brought stands on enough of them
+ * @param standardError of the level on which detection is based, dB, from the scatter among rays
+ * @param isConverged whether enough rays contributed to the reverberant part
  * @param audit where the rays' energy went
  * @param decay how the sound decays
  */
@@ -43,7 +43,7 @@ public record EnergyReading(
         reverberant = List.copyOf(reverberant);
     }
 
-    /** This reading without what the rays brought where too few of them did: what is known for certain. */
+    /** This reading, without the contribution of rays if too few contributed: the exact paths alone. */
     public EnergyReading settled() {
         return isConverged ? this : SettingsForm.with(this, "reverberant", Collections.nCopies(OctaveBands.COUNT, 0.0));
     }
@@ -71,12 +71,12 @@ public record EnergyReading(
         return aWeighted(this::energy);
     }
 
-    /** A-weighted level of what comes first: straight or round an edge, dB. */
+    /** A-weighted level of the direct and diffracted sound, dB. */
     public double directLevel() {
         return aWeighted(band -> direct.get(band) + diffracted.get(band));
     }
 
-    /** A-weighted level of all that comes by reflections, dB. */
+    /** A-weighted level of all reflected sound, dB. */
     public double reverberantLevel() {
         return aWeighted(band -> mirrored.get(band) + reverberant.get(band));
     }

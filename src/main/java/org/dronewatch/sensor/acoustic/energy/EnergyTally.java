@@ -12,7 +12,7 @@ import org.dronewatch.sound.OctaveBands;
 final class EnergyTally {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** Besides the bands, all of them A-weighted. */
+    /** Index of the A-weighted sum of all bands, which follows those of the bands. */
     static final int A_WEIGHTED = BANDS;
 
     private static final int QUANTITIES = BANDS + 1;
@@ -46,9 +46,9 @@ final class EnergyTally {
     /**
      * The contribution of a ray.
      *
-     * @param ray where it comes from
+     * @param ray that contributes
      * @param inBand its contribution in each band, 1/m2
-     * @param onward how far it still was from its last surface, m
+     * @param onward distance from the ray's last surface to the receiver, m
      */
     void add(AcousticRay ray, double[] inBand, double onward) {
         double weighted = 0.0;
@@ -105,7 +105,7 @@ final class EnergyTally {
         return squares[quantity] > 0.0 ? sums[quantity] * sums[quantity] / squares[quantity] : 0.0;
     }
 
-    /** When it arrives; keeps its own figures. */
+    /** The decay curve, by time of arrival; not a copy. */
     DecayCurve decay() {
         return decay.scaled(1.0 / rays);
     }

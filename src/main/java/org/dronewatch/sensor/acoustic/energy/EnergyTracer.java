@@ -22,8 +22,8 @@ import org.dronewatch.world.World;
 /**
  * The energy model. Deterministic paths come from {@link ExactPaths}. The rest is found by tracing rays backward from
  * the sensor: they reach what the sensor can hear, however far away the source is, and by reciprocity the fraction of
- * their energy that reaches the source is the fraction that the source would have sent to the sensor. A few surfaces from
- * the source on are sampled from there, too, and both are joined: see {@link Connections}.
+ * their energy that reaches the source is the fraction that the source would have sent to the sensor. The first few surfaces
+ * of a path from the source are also sampled from there, and both parts are connected: see {@link Connections}.
  *
  * <p>Rays are traced in batches, on the calling {@link Workers}. Each batch has a separate random stream, and batches
  * count in their order up to the one that makes the reading accurate: the reading is the same for any number of
@@ -39,10 +39,10 @@ public final class EnergyTracer {
      */
     private static final int BATCH = 500;
 
-    /** Where rays bring less than this fraction of what is heard, it does not matter how many they are. */
+    /** If rays contribute less than this fraction of what is heard, their number does not matter. */
     private static final double INSIGNIFICANT = 0.1;
 
-    /** Fewer contributions than this do not show how much they scatter. */
+    /** With fewer effective contributions than this, their scatter is not known. */
     private static final double ENOUGH = 20.0;
 
     /** Characteristic impedance at which levels of sound pressure and of intensity are equal, Pa s/m (ISO 1683). */
@@ -70,7 +70,7 @@ public final class EnergyTracer {
      * A tracer to one sensor.
      *
      * @param sensor where it is, m; just in front of a surface that it lies on
-     * @param radius of the sphere about the source in which specularly reflected rays are counted, m
+     * @param radius of the sphere around the source in which specularly reflected rays are counted, m
      */
     public EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {
         BandSurfaces surfaces = new BandSurfaces(world.surfaces());
@@ -128,7 +128,7 @@ public final class EnergyTracer {
         return reading(source, traced);
     }
 
-    /** Tells in which noise sound is to be heard: that decides which band is the best one. */
+    /** Sets the noise against which sound must be detected: it determines which band is the best one. */
     void listenIn(BandLevels noise) {
         background = noise;
     }
@@ -181,7 +181,7 @@ public final class EnergyTracer {
         return best;
     }
 
-    /** What comes over exact paths and by rays, 1/m2. */
+    /** The sum of exact paths and rays, as intensity over power, 1/m2. */
     private double heard(int quantity) {
         return exactly(quantity) + tally.received(quantity);
     }
@@ -230,7 +230,7 @@ public final class EnergyTracer {
                 decay);
     }
 
-    /** Energies over that of 20 uPa, from intensities over the source's power. */
+    /** Energies relative to that of 20 uPa, from intensities over the source's power. */
     private List<Double> energies(SoundSource source, IntToDoubleFunction intensities) {
         List<Double> energies = new ArrayList<>(OctaveBands.COUNT);
         for (int band = 0; band < OctaveBands.COUNT; band++) {

@@ -10,8 +10,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * The deterministic paths: straight from source to sensor, through walls that transmit sound; round the edges of
- * what obstructs the source; and over specular reflections. One per thread.
+ * The deterministic paths: straight from source to sensor, through walls that transmit sound; round the edges of the
+ * obstacles that hide the source; and over specular reflections. One per thread.
  */
 final class ExactPaths {
     private static final int BANDS = OctaveBands.COUNT;
@@ -29,7 +29,7 @@ final class ExactPaths {
     private final FoundPaths mirrored = new FoundPaths();
     private final double[] heard = new double[BANDS];
 
-    /** Whether any sound comes straight. */
+    /** Whether any sound arrives by the straight path. */
     private boolean isThrough;
 
     ExactPaths(EnergyModel model, World world, WallPlanes planes, BandSurfaces surfaces, Air air) {
@@ -46,7 +46,7 @@ final class ExactPaths {
      *
      * @param ofSensor chains of walls that are seen from the sensor
      * @param ofSource chains of walls that are seen from the source
-     * @param extra walls that a path may meet besides those of the chains
+     * @param extra walls that a path may hit besides those of the chains
      */
     void find(SoundSource source, Position sensor, MirrorChains ofSensor, MirrorChains ofSource, int[] extra) {
         direct.clear();
@@ -72,22 +72,22 @@ final class ExactPaths {
         return specular.found();
     }
 
-    /** What comes over all exact paths in a band. */
+    /** The sum over all exact paths in a band. */
     double heard(int band) {
         return direct.heard(band) + diffracted.heard(band) + mirrored.heard(band);
     }
 
-    /** What comes straight: power over the sphere, less air and walls. */
+    /** Sound by the straight path: power over the sphere, reduced by air and walls. */
     FoundPaths direct() {
         return direct;
     }
 
-    /** What comes round an edge. */
+    /** Sound diffracted round edges. */
     FoundPaths diffracted() {
         return diffracted;
     }
 
-    /** What arrives over specular reflections. */
+    /** Sound by specular reflections. */
     FoundPaths mirrored() {
         return mirrored;
     }
@@ -107,7 +107,7 @@ final class ExactPaths {
         direct.add(length, heard);
     }
 
-    /** What walls on the straight line let through. */
+    /** The fraction that walls on the straight line transmit. */
     private double passed(int band) {
         return isThrough ? walls.passed(band) : 0.0;
     }
@@ -132,8 +132,7 @@ final class ExactPaths {
         double length = straight + edges.path().pathDifference();
         for (int band = 0; band < BANDS; band++) {
             // The edges' loss is relative to what would arrive by the straight path; only the air attenuates over the
-            // longer one. What walls let through is no longer there to go round: both together never exceed the sound
-            // in
+            // longer one. Transmitted energy is not available for diffraction: both together never exceed the sound in
             // the open.
             heard[band] = (1.0 - passed(band))
                     * edges.round(band)

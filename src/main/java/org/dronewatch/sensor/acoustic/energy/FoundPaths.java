@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.Arrays;
 import org.dronewatch.sound.OctaveBands;
 
-/** Paths that were found one by one: what arrives along them, as intensity over the source's power in all bands, 1/m2. */
+/** Paths that were found one by one: the sound that arrives along them, as intensity over the source's power in all bands, 1/m2. */
 final class FoundPaths {
     private static final int BANDS = OctaveBands.COUNT;
 
@@ -19,10 +19,10 @@ final class FoundPaths {
     }
 
     /**
-     * One path.
+     * Adds a path.
      *
      * @param length its length, m
-     * @param inBand what is heard by it, by band
+     * @param inBand what arrives along it, by band
      */
     void add(double length, double[] inBand) {
         for (int band = 0; band < BANDS; band++) {

@@ -7,7 +7,7 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.world.World;
 
-/** Traces some rays of a reading and keeps what they found until it is asked for. One per thread. */
+/** Traces a batch of a reading's rays and keeps the results. One per thread. */
 final class RayBatch {
     private final EnergyModel model;
     private final WallPlanes planes;

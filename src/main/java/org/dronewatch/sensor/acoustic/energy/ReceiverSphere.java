@@ -14,11 +14,11 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * A sphere about the source in which passing rays from the sensor are counted, or one about the sensor for rays from the
- * source: each contributes its energy times the length of its
- * chord, and the sum divided by the sphere's volume is the mean intensity in it. In the open, where few rays come by, the
- * sphere is wider, so that none of them brings much of what is heard anyway, but not wide for the distance of a ray. Only what its centre sees is part of it: the far side of a wall is not. One per
- * thread.
+ * A sphere around the source in which passing rays from the sensor are counted, or one around the sensor for rays from the
+ * source: each contributes its energy times the length of its chord, and the sum divided by the sphere's volume is the mean
+ * intensity in it. In the open, where few rays pass, the sphere is wider, so that no single ray contributes much of the
+ * total, but it is never large compared with the ray's length. Only the part in line of sight of its centre counts: the far
+ * side of a wall does not. One per thread.
  */
 final class ReceiverSphere {
     private static final int BANDS = OctaveBands.COUNT;
@@ -26,10 +26,10 @@ final class ReceiverSphere {
     /** Number of directions sampled to estimate the unobstructed volume of the sphere; accurate to about 1 %. */
     private static final int LOOKS = 100;
 
-    /** Up to this radius what passes the centre is as strong as what reaches it, m. */
+    /** Within this radius a passing ray is taken to be as strong as one that reaches the centre, m. */
     private static final double NEAR = 1.0;
 
-    /** The largest fraction of what is heard anyway that one of the fewest rays of a reading should bring. */
+    /** The largest fraction of the known sound that a single ray should contribute when the fewest rays are traced. */
     private static final double APPRECIABLE = 0.002;
 
     /** The largest radius relative to the length of a ray since it was scattered. */
@@ -59,7 +59,7 @@ final class ReceiverSphere {
     /**
      * A sphere.
      *
-     * @param radius for rays that come from near, m
+     * @param radius for rays from nearby, m
      */
     ReceiverSphere(double radius, World world, WallPlanes planes, BandSurfaces surfaces, Air air, EnergyTally tally) {
         this.radius = radius;
@@ -75,12 +75,12 @@ final class ReceiverSphere {
     /**
      * Centres the sphere at a point.
      *
-     * @param known about what is heard without rays that pass, in all bands, as intensity over the source's
-     *     power, 1/m2; infinite where the sphere is not to be widened, since enough rays pass
+     * @param known estimate of what is heard without the passing rays, in all bands, as intensity over the source's power,
+     *     1/m2; infinite if the sphere is not to be widened, since enough rays pass
      */
     void surround(Position point, double known) {
         centre = point;
-        // A ray brings at most its energy over the cross-section of the sphere.
+        // A ray contributes at most its energy over the cross-section of the sphere.
         wanted = Math.sqrt(BANDS / (Math.PI * EnergyTracer.FEWEST * APPRECIABLE * known));
         for (int i = 0; i < LOOKS; i++) {
             Directions.ofLattice(i, LOOKS, look);
@@ -91,8 +91,8 @@ final class ReceiverSphere {
     }
 
     /**
-     * The volume of what the centre sees within a radius. What a surface cuts off contributes nothing, and does not count
-     * in the volume either: a drone just above a floor has half a sphere.
+     * The volume in line of sight of the centre within a radius. A part that a surface cuts off contributes nothing, and is
+     * not part of the volume either: a drone just above a floor has half a sphere.
      *
      * @param within at most the widest radius, m
      * @return m3
@@ -109,7 +109,7 @@ final class ReceiverSphere {
     /**
      * Whether a ray crosses the sphere, over walls that lead to its centre.
      *
-     * @param run how the ray came here since it left its beginning or was scattered
+     * @param run the ray's specular reflections since it began or was last scattered
      * @param end how far the ray goes on from its origin, m
      */
     boolean isCrossed(AcousticRay ray, MirrorRun run, double end, RandomGenerator random) {
@@ -135,7 +135,7 @@ final class ReceiverSphere {
         if (reach <= Math.max(radius, NEAR) || run.isThroughWalls()) {
             return true;
         }
-        // What passes far from the centre need not reach it, nor is it as far from the ray's beginning.
+        // A ray that passes far from the centre need not reach it, and the path to the centre has another length.
         if (!run.leadsTo(centre, path, planes)) {
             return false;
         }
@@ -145,7 +145,7 @@ final class ReceiverSphere {
         return true;
     }
 
-    /** Sine of the elevation at which a ray from the centre would have left it to come back the same way. */
+    /** Sine of the elevation at which a ray would leave the centre along the same path in reverse. */
     double rise() {
         return rise;
     }
@@ -154,10 +154,10 @@ final class ReceiverSphere {
      * Counts a ray that crosses the sphere.
      *
      * @param energy in each band, at the ray's origin
-     * @param others the sum of the reluctances of legs at which the same path could be connected
+     * @param others the sum of the inverse densities of legs at which the same path could be connected
      */
     void count(AcousticRay ray, double[] energy, double others) {
-        double counted = fraction * (wanted > 0.0 ? Connections.weight(reluctance(length), others) : 1.0);
+        double counted = fraction * (wanted > 0.0 ? Connections.weight(inverseDensity(length), others) : 1.0);
         for (int band = 0; band < BANDS; band++) {
             brought[band] = energy[band] * air.left(band, at) * counted;
         }
@@ -169,12 +169,12 @@ final class ReceiverSphere {
     }
 
     /**
-     * The reluctance of a leg that is found because it passes the centre (see {@link Connections}): like one that is
-     * connected, a ray brings its energy over this.
+     * The inverse density of a leg that is found because it passes the centre (see {@link Connections}): as with a connected
+     * leg, a ray contributes its energy over this.
      *
      * @param length of the leg, m
      */
-    double reluctance(double length) {
+    double inverseDensity(double length) {
         return Math.PI * reach(length) * reach(length);
     }
 

@@ -9,9 +9,8 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.sensor.RayRecorder;
 
 /**
- * How long sound takes to die away between a drone and a microphone: groups of rays are traced until the standard error of
- * the reverberation time is small, which is that of the jackknife over the groups (Tukey 1958; Efron and Stein, Annals of
- * Statistics 9, 1981).
+ * The reverberation time of sound from a drone at a microphone: groups of rays are traced until its standard error is small,
+ * estimated by the jackknife over the groups (Tukey 1958; Efron and Stein, Annals of Statistics 9, 1981).
  */
 final class Reverberation {
     /** Rays of one group. */
@@ -20,7 +19,7 @@ final class Reverberation {
     private static final int FEWEST_GROUPS = 10;
     private static final int MOST_GROUPS = 30;
 
-    /** Groups are added until the standard error over the reverberation time is below this. */
+    /** Groups are added until the relative standard error of the reverberation time is below this. */
     private static final double ACCURATE = 0.02;
 
     /** Fraction of its initial energy down to which every ray is followed: late sound is faint. */
@@ -40,7 +39,7 @@ final class Reverberation {
     /**
      * Measures.
      *
-     * @param most fraction of the sound that may leave the site: where more does, one group tells
+     * @param most fraction of the sound that may leave the site: if more does, one group is enough
      */
     static Reverberation measure(EnergyTracer tracer, SoundSource drone, RandomGenerator random, double most) {
         Reverberation found = new Reverberation();
@@ -80,7 +79,7 @@ final class Reverberation {
         return sum;
     }
 
-    /** The reverberation time of all bands; empty where the sound does not die away far enough. */
+    /** The reverberation time of all bands; empty if the decay does not reach far enough. */
     Optional<Time> time() {
         return time(DecayCurve::t30);
     }

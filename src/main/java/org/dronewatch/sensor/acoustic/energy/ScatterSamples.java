@@ -13,9 +13,9 @@ import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
-/** Where a few rays from a point are scattered: a rough picture of from where sound is scattered to it. One per thread. */
+/** Where a few rays from a point are scattered: a rough picture of where the sound that is scattered to it comes from. One per thread. */
 final class ScatterSamples {
-    /** The same point has the same samples: they choose what is computed how, and not what is computed. */
+    /** The same point has the same samples: they affect how sound is computed, not its expected value. */
     private static final long SEED = 20181126;
 
     private static final double FAINT = 1e-3;
@@ -63,7 +63,7 @@ final class ScatterSamples {
      * Samples of a point.
      *
      * @param rays how many rays leave it
-     * @param most how many surfaces each of them meets
+     * @param most how many surfaces each of them hits
      */
     Samples from(Position point, int rays, int most) {
         SplittableRandom random = new SplittableRandom(SEED);
@@ -79,7 +79,7 @@ final class ScatterSamples {
         return new Samples(List.copyOf(samples), rays, (double) escaped / rays);
     }
 
-    /** Follows the ray; whether it left the site. */
+    /** Follows the ray; returns whether it left the site. */
     private boolean follow(SplittableRandom random, int most, List<Sample> samples) {
         double left = 1.0;
         int times = 0;

@@ -15,13 +15,13 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Where one ray from the source is scattered. Each such point is a source for rays from the sensor: those rays alone
- * almost never meet what is near the source, where a drone flies low or lies on the ground. One per thread.
+ * Where one ray from the source is scattered. Each such point is a source for rays from the sensor: those rays alone almost
+ * never hit the surfaces near the source when a drone flies low or lies on the ground. One per thread.
  */
 final class ScatteredSound {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** The most surfaces that a ray meets. */
+    /** Maximum number of surfaces that a ray hits. */
     static final int MOST = 6;
 
     private final TriangleMesh mesh;
@@ -59,12 +59,12 @@ final class ScatteredSound {
         }
     }
 
-    /** A point of a surface that scatters what comes from the source. */
+    /** A point of a surface that scatters sound from the source. */
     static final class Point {
         /** Unit normal of the surface, on the side of the sound. */
         final double[] normal = new double[3];
 
-        /** What it scatters, by band: of a source of one watt, all of which had come here, W. */
+        /** What it scatters, by band, W, as if all the power of a one-watt source had arrived here. */
         final double[] energy = new double[BANDS];
 
         /** Images of this point in the chains of the source. */
@@ -82,14 +82,14 @@ final class ScatteredSound {
         /** Length of the path from the source, m. */
         double distance;
 
-        /** How many surfaces the sound has met, this one included. */
+        /** How many surfaces the sound has hit, including this one. */
         int order;
 
-        /** How many times the sound is scattered, here included. */
+        /** How many times the sound has been scattered, including here. */
         int scatterings;
 
-        /** The sum of the reluctances of all legs from the source to here. */
-        double reluctance;
+        /** The sum of the inverse densities of all legs from the source to here. */
+        double inverseDensity;
     }
 
     /** Number of points. */
@@ -145,21 +145,21 @@ final class ScatteredSound {
                 energy[band] *= air.left(band, flown) * surfaces.reflected(material, band, arriving);
             }
             boolean isOverChain = run.order() == 0 || run.isChainFrom(ends.ofSource());
-            double reluctance = before;
+            double inverseDensity = before;
             if (isOverChain) {
-                reluctance += scatterings == 0
+                inverseDensity += scatterings == 0
                         ? Connections.fromPoint(arriving, run.length())
                         : Connections.betweenSurfaces(leaving, arriving, run.length());
             } else if (scatterings == 0 && ends.isOpen()) {
                 // Rays from the sensor may pass the source.
-                reluctance = ofSource.reluctance(run.length());
+                inverseDensity = ofSource.inverseDensity(run.length());
             } else if (scatterings == 0) {
                 // Indoors, enough of them do.
                 return order;
             }
             boolean isScattered = false;
             if (surfaces.scatters(material)) {
-                add(material, order, scatterings + 1, reluctance, ends.ofSource());
+                add(material, order, scatterings + 1, inverseDensity, ends.ofSource());
                 double chance = surfaces.chanceOfScattering(material, energy);
                 isScattered = random.nextDouble() < chance;
                 for (int band = 0; band < BANDS; band++) {
@@ -177,7 +177,7 @@ final class ScatteredSound {
                 for (int band = 0; band < BANDS; band++) {
                     energy[band] *= surfaces.scatteredTo(material, band, leaving);
                 }
-                before = reluctance;
+                before = inverseDensity;
                 run.begin(ray);
             } else if (surfaces.mirrors(material)) {
                 ray.reflect(normal);
@@ -189,23 +189,23 @@ final class ScatteredSound {
         return Math.min(MOST, maxOrder);
     }
 
-    /** Counts the ray in the sphere about the sensor. */
-    private void countPassing(double end, double reluctance, RandomGenerator random) {
+    /** Counts the ray in the sphere around the sensor. */
+    private void countPassing(double end, double inverseDensity, RandomGenerator random) {
         if (!ofSensor.isCrossed(ray, run, end, random)) {
             return;
         }
         for (int band = 0; band < BANDS; band++) {
             sent[band] = energy[band] * ends.source().fraction(band);
         }
-        ofSensor.count(ray, sent, reluctance);
+        ofSensor.count(ray, sent, inverseDensity);
     }
 
-    /** The part of the ray's direction along the normal. */
+    /** The component of the ray's direction along the normal. */
     private double along() {
         return ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2];
     }
 
-    private void add(int material, int order, int scatterings, double reluctance, MirrorChains chains) {
+    private void add(int material, int order, int scatterings, double inverseDensity, MirrorChains chains) {
         Point point = points[count++];
         System.arraycopy(normal, 0, point.normal, 0, normal.length);
         point.x = ray.originX;
@@ -214,7 +214,7 @@ final class ScatteredSound {
         point.distance = ray.travelled;
         point.order = order;
         point.scatterings = scatterings;
-        point.reluctance = reluctance;
+        point.inverseDensity = inverseDensity;
         point.material = material;
         for (int band = 0; band < BANDS; band++) {
             point.energy[band] = energy[band] * surfaces.scattered(material, band);

@@ -25,7 +25,7 @@ final class SiteNoise {
      * Levels by band, dB re 20 uPa.
      *
      * @param listener where the microphone is, m
-     * @param tracer that follows sound to it
+     * @param tracer that traces sound to it
      */
     static BandLevels at(Position listener, World world, EnergyTracer tracer) {
         BandLevels background = world.backgroundNoise().spectrum();

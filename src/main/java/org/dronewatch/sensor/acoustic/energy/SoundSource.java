@@ -58,7 +58,7 @@ public final class SoundSource {
     }
 
     /**
-     * What the power in a band counts for in one direction: 1 in the mean of all directions.
+     * Directivity factor of a band in one direction: its mean over all directions is 1.
      *
      * @param rise sine of the elevation at which the sound leaves
      */
@@ -67,7 +67,7 @@ public final class SoundSource {
     }
 
     /**
-     * What arrives of the power in a band over the source's power, 1/m2: spread over the sphere, less what the air takes.
+     * Intensity in a band over the source's power, 1/m2: spread over the sphere and attenuated by the air.
      *
      * @param rise sine of the elevation at which the sound leaves
      * @param length of the path, m

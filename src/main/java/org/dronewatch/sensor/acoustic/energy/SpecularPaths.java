@@ -19,10 +19,10 @@ import org.dronewatch.world.World;
 final class SpecularPaths {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** Images nearer to each other than so many tolerances of the planes are one. */
+    /** Images nearer to each other than this multiple of the planes' tolerance count as one. */
     private static final double ALIKE = 100.0;
 
-    /** With so many paths no neighbours are looked for. */
+    /** From this number of paths on, no neighbours are searched for. */
     private static final int MOST_NEIGHBOURS = 64;
 
     private final WallPlanes planes;
@@ -86,11 +86,11 @@ final class SpecularPaths {
     }
 
     /**
-     * Adds paths that have one wall more than those added last, or one less: near a wall, a path that meets it, too, is seen
-     * from there in so narrow a range of directions that rays may miss it.
+     * Adds paths that have one wall more than those added last, or one less: near a wall, a path that also hits that wall
+     * lies in so narrow a range of directions that rays may miss it.
      *
-     * @param extra the walls that may be met, too
-     * @param maxOrder the most walls of a path
+     * @param extra the walls that may be added
+     * @param maxOrder maximum number of walls of a path
      */
     void addNeighbours(FoundPaths paths, SoundSource source, Position sensor, int[] extra, int maxOrder) {
         for (int i = 0; i < found.size() && found.size() < MOST_NEIGHBOURS; i++) {
@@ -156,7 +156,7 @@ final class SpecularPaths {
     }
 
     /**
-     * Over the edge of two walls at a right angle, both orders of the walls give the same path.
+     * At the edge of two perpendicular walls, both orders of the walls give the same path.
      *
      * @param walls from the source on
      * @param side positive where the path was followed from the source, negative where from the sensor

@@ -28,7 +28,7 @@ final class WallTransmission {
     }
 
     /**
-     * Follows the straight line from one point to another through all that obstructs it.
+     * Follows the straight line from one point to another through everything that obstructs it.
      *
      * @param medium number of the material in which the path begins, or {@link AcousticRay#AIR}
      * @return whether any of the sound arrives; {@link #isFree} and {@link #passed} then describe this line

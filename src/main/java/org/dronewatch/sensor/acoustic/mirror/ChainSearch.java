@@ -18,22 +18,22 @@ import org.dronewatch.world.World;
  * than that of one ray may be missed. The same point has the same chains. One per thread.
  */
 public final class ChainSearch {
-    /** A ray that has less than this fraction of its energy left after reflections is given up. */
+    /** A ray that has less than this fraction of its energy left after reflections is abandoned. */
     private static final double FAINT = 1e-3;
 
-    /** How many times rays look more closely about those that have found something alone. */
+    /** How many times the search is refined around rays that alone have found a chain. */
     private static final int DEEPEST = 3;
 
-    /** How many rays look about one of them. */
+    /** How many rays are sent around one of them. */
     private static final int AROUND = 8;
 
-    /** How much nearer to each other they are each time: so many rays share a disc. */
+    /** Factor by which their spacing shrinks each time: this many rays share a disc. */
     private static final double FINER = 1.0 / Math.sqrt(AROUND);
 
-    /** Chains that keep less of a ray's energy are not looked for more closely. */
+    /** Chains that keep less of a ray's energy than this are not refined. */
     private static final double WORTH_A_LOOK = 0.03;
 
-    /** A chain found by so few rays has neighbours that were missed. */
+    /** A chain found by this few rays has neighbours that were missed. */
     private static final double FEW = 2.0;
 
     private final TriangleMesh mesh;
@@ -56,12 +56,11 @@ public final class ChainSearch {
     }
 
     /**
-     * The chains of a point. Where a ray has found a chain of several walls that few others have, more rays look about
-     * it.
+     * The chains of a point. Where a ray has found a chain of several walls that few others have found, more rays are sent around it.
      *
      * @param from the point, m
      * @param rays how many rays are spread over all directions
-     * @param maxOrder the most walls of one chain
+     * @param maxOrder maximum number of walls of a chain
      */
     public ChainTree from(Position from, int rays, int maxOrder) {
         ChainTree tree = new ChainTree();
@@ -70,7 +69,7 @@ public final class ChainSearch {
             Directions.ofLattice(i, rays, ray);
             follow(tree, from, maxOrder, lonely);
         }
-        // The lattice's points are about so far from each other.
+        // The approximate spacing of the lattice's points.
         double spacing = Math.sqrt(4.0 * Math.PI / rays);
         int left = rays;
         for (int depth = 0; depth < DEEPEST && !lonely.isEmpty(); depth++) {

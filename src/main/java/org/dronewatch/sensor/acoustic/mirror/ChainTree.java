@@ -30,7 +30,7 @@ public final class ChainTree {
         return chain;
     }
 
-    /** Adds a chain of walls, the first one first, and all that it begins with. */
+    /** Adds a chain of walls, the first one first, and all chains that it begins with. */
     public void add(int[] sequence, double worth) {
         int chain = MirrorChains.EMPTY;
         for (int wall : sequence) {

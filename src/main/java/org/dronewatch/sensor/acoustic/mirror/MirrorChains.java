@@ -39,7 +39,7 @@ public final class MirrorChains {
         Arrays.sort(keys);
     }
 
-    /** A sequence of walls, the first one first, and all that it begins with. */
+    /** A sequence of walls, the first one first, and all chains that it begins with. */
     public static MirrorChains of(int... sequence) {
         int[] itsParents = new int[sequence.length + 1];
         int[] itsWalls = new int[sequence.length + 1];
@@ -51,7 +51,7 @@ public final class MirrorChains {
     }
 
     /**
-     * Some of these chains, and all that they begin with.
+     * Some of these chains, and all chains that they begin with.
      *
      * @param isKept for each chain whether it is
      */

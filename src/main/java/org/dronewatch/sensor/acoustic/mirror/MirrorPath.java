@@ -8,13 +8,13 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The path from one point over a chain of walls to another, by its images: it must meet every wall where it should, with
- * nothing between (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). One per thread.
+ * The path from one point over a chain of walls to another, by its images: it must hit every wall at the right point,
+ * unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). One per thread.
  */
 public final class MirrorPath {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** How far beside the edge of two walls it is looked for each of them, as a multiple of the planes' tolerance. */
+    /** Distance from the edge of two walls at which each of them is searched for, as a multiple of the planes' tolerance. */
     private static final double BESIDE = 30.0;
 
     private final TriangleMesh mesh;
@@ -41,7 +41,7 @@ public final class MirrorPath {
      * Follows the path from a point to that of the images, over the chain's last wall first.
      *
      * @param images of the other point in each chain: {@link MirrorChains#images}
-     * @return whether there is a path; the figures of this object are then those of it
+     * @return whether there is a path; this object then holds its figures
      */
     public boolean follow(MirrorChains chains, double[] images, int chain, double fromX, double fromY, double fromZ) {
         double x = fromX;
@@ -98,7 +98,7 @@ public final class MirrorPath {
     }
 
     /**
-     * Whether a path would meet a wall twice in one corner.
+     * Whether a path would hit a wall twice in one corner.
      *
      * @param corner the chain whose last wall is met first in the corner
      */
@@ -127,10 +127,10 @@ public final class MirrorPath {
     }
 
     /**
-     * The triangle in which a leg of a path meets a wall.
+     * The triangle at which a leg of a path hits a wall.
      *
      * @param fraction of the vector at which it should
-     * @return its number; negative if something else is met before
+     * @return its number; negative if something else is hit first
      */
     private int met(double x, double y, double z, double dx, double dy, double dz, double fraction, int from, int to) {
         if (!findFirst(x, y, z, dx, dy, dz, Double.POSITIVE_INFINITY, from)) {

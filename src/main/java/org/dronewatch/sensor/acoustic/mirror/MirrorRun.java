@@ -33,12 +33,12 @@ public final class MirrorRun {
         isThroughWalls = false;
     }
 
-    /** The ray flew on, m. */
+    /** Records that the ray travelled a distance, m. */
     public void fly(double distance) {
         length += distance;
     }
 
-    /** One more reflection. */
+    /** Records a reflection. */
     public void reflect(int wall) {
         key = MirrorChains.appended(key, wall);
         reverse = MirrorChains.prepended(reverse, wall, weight);
@@ -50,22 +50,22 @@ public final class MirrorRun {
         order++;
     }
 
-    /** One more wall through which the ray went. */
+    /** Records a wall through which the ray passed. */
     public void passThrough() {
         isThroughWalls = true;
     }
 
-    /** How far the ray has flown, m. */
+    /** How far the ray has travelled, m. */
     public double length() {
         return length;
     }
 
-    /** How many reflections. */
+    /** Number of reflections. */
     public int order() {
         return order;
     }
 
-    /** Whether a path over the same walls leads to a point, and not only past it. Not known of rays through walls. */
+    /** Whether a path over the same walls leads to a point, and not only past it. Not known for rays through walls. */
     public boolean leadsTo(Position point, MirrorPath path, WallPlanes planes) {
         MirrorChains backward = backward();
         double[] images = new double[3 * backward.count()];
@@ -73,7 +73,7 @@ public final class MirrorRun {
         return path.follow(backward, images, order, fromX, fromY, fromZ);
     }
 
-    /** The walls in the order in which sound from the point where the ray ends would meet them. */
+    /** The walls in the order in which sound from the point where the ray ends would hit them. */
     private MirrorChains backward() {
         int[] sequence = new int[order];
         for (int i = 0; i < order; i++) {
@@ -82,12 +82,12 @@ public final class MirrorRun {
         return MirrorChains.of(sequence);
     }
 
-    /** Whether the ray went through a wall on the way. */
+    /** Whether the ray has passed through a wall. */
     public boolean isThroughWalls() {
         return isThroughWalls;
     }
 
-    /** Whether the ray went straight on, through air alone. */
+    /** Whether the ray has travelled straight, through air alone. */
     public boolean isStraight() {
         return order == 0 && !isThroughWalls;
     }

@@ -21,7 +21,7 @@ public final class WallPlanes {
     public static final int NONE = -1;
 
     /**
-     * How far a corner may lie off the plane that its triangle is counted to, relative to the size of the mesh:
+     * How far a corner may lie off the plane to which its triangle is assigned, relative to the size of the mesh:
      * coordinates of single precision are exact to 6e-8 of it, and a small triangle's plane is extended over the wall.
      */
     private static final double RELATIVE_TOLERANCE = 1e-6;
@@ -36,7 +36,7 @@ public final class WallPlanes {
     /** The normal of a plane is the one on this side, whatever the winding of its triangles; any direction would do. */
     private static final double[] SIDE = {0.6, 0.48, 0.64};
 
-    /** Normals that are at a right angle to it may have been counted to either side. */
+    /** Normals that are perpendicular to it may have been assigned to either side. */
     private static final double EITHER_SIDE = 0.05;
 
     /** The planes of worlds in use: many sensors share one world. */
@@ -121,7 +121,7 @@ public final class WallPlanes {
         return triangleOf[wall];
     }
 
-    /** How far a point may lie off a plane that it is counted to, m. */
+    /** How far a point may lie off a plane to which it is assigned, m. */
     public double tolerance() {
         return tolerance;
     }
@@ -137,7 +137,7 @@ public final class WallPlanes {
         return planes[NUMBERS * wall + axis];
     }
 
-    /** Whether two planes meet at an edge rather than lie almost in each other: corners of one wall are never quite flat. */
+    /** Whether two planes meet at an edge rather than nearly coincide: one wall is never perfectly flat. */
     public boolean meet(int some, int other) {
         int a = NUMBERS * some;
         int b = NUMBERS * other;
@@ -165,7 +165,7 @@ public final class WallPlanes {
                 && z <= bounds[at + 5];
     }
 
-    /** Counts triangles to planes, one after another. */
+    /** Assigns triangles to planes, one after another. */
     private final class Grouping {
         private final TriangleMesh mesh;
         private final double[] normal = new double[3];
