@@ -29,8 +29,8 @@ final class Picture {
     }
 
     /**
-     * The four corners of a picture lie in one plane and make a parallelogram there: the one at the bottom right is the
-     * sum of its neighbours less the one across, for the right lengths of the four.
+     * The four corners of a picture lie in one plane and make a parallelogram there: the one at the bottom right is the sum
+     * of its neighbours minus the one across, for the right lengths of the four.
      */
     private boolean find() {
         Vector3d a = direction(0, 0);

@@ -12,7 +12,7 @@ import org.jogamp.vecmath.Vector3d;
 
 /**
  * Makes rays for a model without a ray file: those of a camera inside the model's box that looks at its middle, and those
- * that diffuse walls send on from what the camera sees.
+ * that diffuse walls reflect from what the camera sees.
  */
 public final class RayGenerator {
     private static final int WIDTH = 1024;
@@ -23,7 +23,7 @@ public final class RayGenerator {
     private static final int DIFFUSE_RAYS = 1_000_000;
     private static final int MAX_BOUNCES = 10;
     private static final int MAX_PATHS = 50 * DIFFUSE_RAYS;
-    /** How far a bounced ray starts above its surface, as a fraction of the box's diagonal. */
+    /** How far a reflected ray starts above its surface, as a fraction of the box's diagonal. */
     private static final double OFFSET = 1e-5;
 
     private final KDTree tree;
@@ -78,7 +78,7 @@ public final class RayGenerator {
     }
 
     /**
-     * A million rays of paths that start where the camera's rays hit and bounce up to ten times, each in a direction
+     * A million rays of paths that start where the camera's rays hit and are reflected up to ten times, each in a direction
      * drawn by Lambert's cosine law. None when the camera sees nothing.
      */
     public RaySet diffuse(RaySet camera) {

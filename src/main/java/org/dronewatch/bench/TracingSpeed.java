@@ -7,7 +7,7 @@ package org.dronewatch.bench;
  * @param traversal how they were traced
  * @param rays how many rays
  * @param hits how many of them hit
- * @param median million rays per second, median of the passes
+ * @param median millions of rays per second, median of the passes
  * @param slowest the slowest pass
  * @param fastest the fastest pass
  */

@@ -5,8 +5,8 @@ import org.dronewatch.geometry.Position;
 
 /**
  * Finds the triangles of a tree that come near an ellipsoid of two foci: the points whose distances from both foci add up
- * to no more than a limit, such as the places that a detour of bounded length between two points can touch. The answer
- * holds every triangle that reaches into the ellipsoid, and a few beside it: boxes are tested, not the triangles' own
+ * to no more than a limit, such as the points that a detour of bounded length between two points can touch. The result
+ * contains every triangle that reaches into the ellipsoid, and a few beside it: boxes are tested, not the triangles' own
  * shapes. Allocates nothing but for more triangles than in any query before. One per thread.
  */
 public final class EllipsoidQuery {
@@ -59,7 +59,7 @@ public final class EllipsoidQuery {
      * @param b the other, m
      * @param sum of the distances from both of a point on the ellipsoid, m
      * @param normal of the plane, of length 1
-     * @param slack triangles up to this distance from the plane are taken along, m
+     * @param slack triangles up to this distance from the plane are included, m
      */
     public void findAtPlane(Position a, Position b, double sum, Position normal, double slack) {
         cuts = true;

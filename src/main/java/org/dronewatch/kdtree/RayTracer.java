@@ -7,7 +7,7 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * Finds what a ray meets in a mesh. One per thread: it holds the ray and the hit of its last query. The methods that
+ * Finds what a ray hits in a mesh. One per thread: it holds the ray and the hit of its last query. The methods that
  * take primitives allocate nothing.
  *
  * <p>Origins are in metres in the mesh's frame. A direction may have any length but zero; distances are ray parameters,
@@ -28,14 +28,14 @@ public abstract class RayTracer {
     /**
      * A tracer without a ray; for the kernel's packages.
      *
-     * @param triangles what rays can meet
+     * @param triangles what rays can hit
      */
     protected RayTracer(LeafOrderTriangles triangles) {
         this.intersection = new TriangleIntersection(triangles);
     }
 
     /**
-     * Looks for the nearest triangle along a ray. Of several with the same corners it reports the one with the lowest
+     * Finds the nearest triangle along a ray. Of several with the same corners it reports the one with the lowest
      * number. Where a ray hits an edge or a corner of several, which of them is reported may depend on the tracer.
      *
      * @param tMin the smallest ray parameter that counts, 0 or more

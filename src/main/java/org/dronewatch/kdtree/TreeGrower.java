@@ -7,7 +7,7 @@ import org.dronewatch.parallel.Workers;
 
 /**
  * Grows parts of a tree. A split duplicates the references to the triangles that cross its plane; a bundle of long thin
- * triangles aslant to the axes would so fill any memory. Each part therefore has a limit on its duplicates:
+ * triangles oblique to the axes would thus fill any memory. Each part therefore has a limit on its duplicates:
  *
  * <ul>
  *   <li>A part that stays within its limit is the one without any limit.

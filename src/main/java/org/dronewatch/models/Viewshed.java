@@ -1,6 +1,6 @@
 package org.dronewatch.models;
 
-/** What of the ground can be seen from a point above the plan origin. */
+/** The part of the ground that is visible from a point above the plan origin. */
 public final class Viewshed {
 
     private static final int AZIMUTHS = 1440;
@@ -8,7 +8,7 @@ public final class Viewshed {
 
     private final HillTerrain terrain;
 
-    /** Looks at a terrain. */
+    /** The view over a terrain. */
     public Viewshed(HillTerrain terrain) {
         this.terrain = terrain;
     }

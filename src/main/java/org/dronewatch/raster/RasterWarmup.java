@@ -25,7 +25,7 @@ public final class RasterWarmup {
     /** A count that begins at zero. */
     public RasterWarmup() {}
 
-    /** Whether enough pixels have been drawn for vectors to pay. */
+    /** Whether enough pixels have been drawn for vectors to pay off. */
     public boolean isOver() {
         return pixels.get() > PIXELS;
     }

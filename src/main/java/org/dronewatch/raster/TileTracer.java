@@ -50,7 +50,7 @@ public final class TileTracer {
     }
 
     /**
-     * A tracer that traces each pixel's ray by itself, for the use of one thread.
+     * A tracer that traces each pixel's ray separately, for the use of one thread.
      *
      * @param single traces rays in the tree
      */
@@ -116,7 +116,7 @@ public final class TileTracer {
     }
 
     /**
-     * Looks for the nearest triangle of each pixel of a tile, at the ray parameters that count.
+     * Finds the nearest triangle for each pixel of a tile, among the ray parameters that count.
      *
      * @param firstColumn column of its left pixels
      * @param firstRow row of its top pixels

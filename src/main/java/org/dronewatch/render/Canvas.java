@@ -6,7 +6,7 @@ import java.util.Arrays;
 
 /** An unfinished image: colour, depth and triangle of each pixel. For one painter at a time. */
 final class Canvas {
-    /** What a pixel shows where it shows no triangle of the world. */
+    /** Value of a pixel that shows no triangle of the world. */
     static final int NOTHING = -1;
 
     final int width;

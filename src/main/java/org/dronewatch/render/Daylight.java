@@ -28,7 +28,7 @@ final class Daylight {
      * @param dx from the eye to it, of unit length
      * @param dy from the eye to it
      * @param dz from the eye to it
-     * @param sun how much of the sun it sees, 0 to 1
+     * @param sun visible fraction of the sun, 0 to 1
      */
     static int shade(int colour, double nx, double ny, double nz, double dx, double dy, double dz, double sun) {
         double facing = nx * dx + ny * dy + nz * dz;

@@ -4,18 +4,18 @@ import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
 import org.dronewatch.sensor.optics.DronePixels;
 
-/** The frame about a drone's pixels in a picture of what a camera sees. */
+/** The frame around a drone's pixels in a picture of what a camera sees. */
 public final class DroneFrame {
-    /** Between the significant pixels and the frame, in the camera's pixels. */
+    /** Margin between the significant pixels and the frame, in the camera's pixels. */
     private static final int MARGIN = 1;
 
-    /** From the edge of the picture, so that the whole line is inside. */
+    /** Distance from the edge of the picture, so that the whole line is inside. */
     private static final double INSET = 1.0;
 
     private DroneFrame() {}
 
     /**
-     * A frame about the significant pixels, inside the picture even when the drone is at its edge.
+     * A frame around the significant pixels, inside the picture even when the drone is at its edge.
      *
      * @param width pixels in a row of the camera's image
      * @param height rows of the camera's image

@@ -5,7 +5,7 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /** The appearance of a mesh's triangles: their unit normals and colours. Immutable. */
 final class Facets {
-    /** Of materials that name no colour: a pale stone. */
+    /** Colour of materials that state none: pale stone. */
     private static final int UNNAMED = 0xb9b4aa;
 
     /** Screens show the dull colours of materials darker than daylight does. */
@@ -15,7 +15,7 @@ final class Facets {
     private final int[] colourOfMaterial;
     private final TriangleMesh mesh;
 
-    /** Facets of a mesh whose materials look as named. */
+    /** Facets of a mesh, with the colours of its materials by name. */
     Facets(TriangleMesh mesh, Map<String, Integer> colours) {
         this.mesh = mesh;
         this.normals = new float[3 * mesh.triangleCount()];

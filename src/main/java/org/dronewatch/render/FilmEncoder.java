@@ -136,7 +136,7 @@ final class FilmEncoder {
                         media.getTimescale(), media.getDuration(), media.getLanguage(), 0L, 0L, media.getQuality()));
     }
 
-    /** Says in the stream what the colours are: players guess by the size of the picture unless it does. */
+    /** States the colour space in the stream: otherwise players guess it from the size of the picture. */
     private static final class ColouredEncoder extends H264Encoder {
         private static final int UNSPECIFIED = 5;
         private static final int BT709 = 1;

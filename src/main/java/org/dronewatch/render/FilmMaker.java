@@ -17,7 +17,7 @@ public final class FilmMaker {
     private final DoubleFunction<BufferedImage> pictures;
 
     /**
-     * Of pictures, all of one size.
+     * A film of pictures, all of the same size.
      *
      * @param pictures returns the image at a simulated time, s; called once for each frame, in order of time
      */

@@ -12,12 +12,12 @@ import org.dronewatch.scenario.SceneSettings;
 
 /**
  * The paths of a scene's drones, sampled evenly in time. While a run with steered drones goes on, they are sampled as far as
- * they have flown. Any thread may ask.
+ * they have flown. Thread-safe.
  */
 public final class Flights {
     private static final int STEPS = 600;
 
-    /** A site is looked at with this much about its sensors and drones at least, m. */
+    /** Least margin around sensors and drones in a view of a site, m. */
     private static final double ROOM = 5.0;
 
     private final Map<String, List<Position>> positions = new LinkedHashMap<>();
@@ -59,7 +59,7 @@ public final class Flights {
         return new DroneMark(drone, flown, toCome, detected);
     }
 
-    /** The box around all sensors and all flights as far as they are known, with some room about it. */
+    /** The box around all sensors and all flights as far as they are known, with some room around it. */
     public synchronized AABB interest(SceneSettings settings) {
         sample();
         if (boxed != sampled) {

@@ -12,8 +12,8 @@ import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * One colour for each kind of sensor: for those that the class path has the same in all pictures of all scenes, for
- * others the same in all pictures of a scene. Immutable.
+ * One colour for each kind of sensor: kinds on the class path have the same colour in all pictures of all scenes, others in
+ * all pictures of a scene. Immutable.
  */
 public final class KindColours {
     /** Drones and their paths have this colour in all pictures. */
@@ -36,7 +36,7 @@ public final class KindColours {
         }
     }
 
-    /** For the kinds of some sensors, in the order of their first. */
+    /** Colours for the kinds of some sensors, in the order in which the kinds first occur. */
     public static KindColours of(Collection<SensorSettings<?>> sensors) {
         return new KindColours(sensors);
     }

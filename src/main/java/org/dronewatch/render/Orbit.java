@@ -5,7 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.optics.CameraObject;
 
 /**
- * The viewpoint of a site view, on a sphere about its target. Immutable.
+ * The viewpoint of a site view, on a sphere around its target. Immutable.
  *
  * @param target the point in the middle of the picture, m
  * @param bearing where the eye stands as seen from the target, clockwise from north, rad
@@ -78,7 +78,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return new Orbit(target, bearing, elevation, distance * factor, fov);
     }
 
-    /** This orbit about another point. */
+    /** This orbit around another point. */
     public Orbit at(Position point) {
         return new Orbit(point, bearing, elevation, distance, fov);
     }

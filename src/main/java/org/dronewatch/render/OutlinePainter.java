@@ -4,7 +4,7 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
 
-/** Draws the sensors' fields of view as lines in the world: pyramids, sectors and spheres. */
+/** Draws the sensors' fields of view as lines in the world: frustums, sectors and spheres. */
 final class OutlinePainter {
     /** The number of straight lines with which a full turn is drawn. */
     private static final int STEPS = 72;
@@ -15,7 +15,7 @@ final class OutlinePainter {
     /**
      * A painter of one picture.
      *
-     * @param length how far pyramids and sectors are drawn at most, m, because they have no natural end
+     * @param length how far frustums and sectors are drawn at most, m, because they have no natural end
      */
     OutlinePainter(LinePainter lines, double length) {
         this.lines = lines;

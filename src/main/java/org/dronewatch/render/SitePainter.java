@@ -16,7 +16,7 @@ import org.dronewatch.raster.TileTracer;
 import org.dronewatch.sensor.optics.CameraObject;
 
 /**
- * Paints the site, traced as cameras trace it, in tiles on the threads at hand. Where the site is cut open, rays go one by
+ * Paints the site, traced as cameras trace it, in tiles on the available threads. Where the site is cut open, rays go one by
  * one, from the cut or up to it; walls that the cut goes through show as dark sections. One picture at a time.
  */
 final class SitePainter {
@@ -61,7 +61,7 @@ final class SitePainter {
      * Paints the world and the sky.
      *
      * @param cut clipping plane, or null for none
-     * @param shadows whether surfaces are to be asked for the sun: about as much work again as single rays
+     * @param shadows whether surfaces are tested for the sun's shadows: about as much work again as single rays
      * @param abandoned asked before each tile: once it says true, the rest stays unpainted
      */
     void paint(CameraObject camera, Cut cut, boolean shadows, Canvas canvas, BooleanSupplier abandoned) {

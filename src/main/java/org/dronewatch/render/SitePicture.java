@@ -39,7 +39,7 @@ public final class SitePicture {
     /** The protected zone. */
     static final Color ZONE = new Color(0xc0392b);
 
-    /** How far pyramids of cameras are drawn, as a fraction of the framed box. */
+    /** How far the frustums of cameras are drawn, as a fraction of the framed box. */
     private static final double OUTLINE = 0.16;
 
     private final SitePainter painter;
@@ -95,7 +95,7 @@ public final class SitePicture {
         return new SiteState(title, time, sensorMarks, droneMarks, selected, rays);
     }
 
-    /** The box that matters: all sensors, all flights, and some room about them; the whole site where there are none, m. */
+    /** The box that matters: all sensors, all flights, and some room around them; the whole site where there are none, m. */
     public AABB interest() {
         boolean empty = settings.enabledSensors().isEmpty() && drones.isEmpty();
         return empty ? world.bounds() : flights.interest(settings);

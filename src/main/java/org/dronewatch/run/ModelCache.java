@@ -28,7 +28,8 @@ import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
 
 /**
- * Loads each model and builds each tree once, however many runs need them, and measures how long that takes; reads each file of recorded flights once. Thread-safe; calls are serialised.
+ * Loads each model and builds each tree once, however many runs need them, and measures how long that takes; reads each file
+ * of recorded flights once. Thread-safe; calls are serialised.
  */
 public final class ModelCache {
     private static final double NANO = 1e-9;

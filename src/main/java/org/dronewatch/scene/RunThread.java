@@ -21,7 +21,10 @@ final class RunThread implements EventListener {
         this.simulator = simulator;
     }
 
-    /** The calling thread steers the drones of a run until the simulator starts; from then on the thread that runs its events does. */
+    /**
+     * The calling thread steers the drones of a run until the simulator starts; from then on the thread that runs its events
+     * does.
+     */
     static void follow(Stage stage, DevsSimulatorInterface<Double> simulator) {
         stage.steerHere();
         RunThread follower = new RunThread(stage, simulator);

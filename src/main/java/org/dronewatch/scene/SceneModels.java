@@ -19,7 +19,8 @@ final class SceneModels {
     /**
      * No models yet.
      *
-     * @param notes receives one line for each file read and for each warning; first, warnings about settings that do not fit together
+     * @param notes receives one line for each file read and for each warning; first, warnings about settings that do not fit
+     *     together
      */
     SceneModels(ConfiguredScene scene, Consumer<String> notes) {
         this.scene = scene;

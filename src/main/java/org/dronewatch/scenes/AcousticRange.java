@@ -43,7 +43,7 @@ public final class AcousticRange extends Scene {
         sweep("world.backgroundNoise", 30.0, 25.0, 20.0, 15.0, 10.0);
     }
 
-    /** Where the air has taken what the drone is louder than the level of detection. */
+    /** The range at which the air has attenuated the drone's sound to the level of detection. */
     @Override
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
         if (!(settings.sensors().get(sensor) instanceof AcousticSettings microphone)) {
@@ -63,7 +63,7 @@ public final class AcousticRange extends Scene {
                 settings -> loudness(settings) - settings.world().backgroundNoise()));
     }
 
-    /** What the chosen propagation takes for the drone's level, dB. */
+    /** The drone's level in the chosen propagation model, dB. */
     private static double loudness(SceneSettings settings) {
         DroneSettings drone = settings.drones().get("quadrotor");
         boolean physical = settings.sensors().get("microphone") instanceof AcousticSettings microphone

@@ -14,7 +14,7 @@ import org.dronewatch.sensor.camera.CameraSettings;
  * comes along its axis at 5 m/s. The flight is repeated for five fields of view.
  */
 public final class CameraRange extends Scene {
-    /** What the quadrotor shows to the camera: its silhouette from the front, m2. */
+    /** The quadrotor's silhouette from the front, as the camera sees it, m2. */
     public static final double FRONTAL_AREA = 0.0528;
 
     /** On a mast of 12 m on the hill's level top, from where it sees over the edge into the valleys. */

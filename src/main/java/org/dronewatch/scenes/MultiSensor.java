@@ -76,7 +76,7 @@ public final class MultiSensor extends Scene {
         }
     }
 
-    /** Where the air has taken what the drone is louder than the level of detection. */
+    /** The range at which the air has attenuated the drone's sound to the level of detection. */
     @Override
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
         if (settings.sensors().get(sensor) instanceof AcousticSettings microphone

@@ -4,8 +4,8 @@ import java.util.Optional;
 import org.dronewatch.positioner.Sighting;
 
 /**
- * What a sensor reports from one look, without the truth: it does not say which drone was measured, or whether it was a drone at
- * all.
+ * What a sensor reports from one look, without the truth: it does not say which drone was measured, or whether it was a
+ * drone at all.
  *
  * @param look which look of which sensor it was made in
  * @param reading the measured value, and its threshold

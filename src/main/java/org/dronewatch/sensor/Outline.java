@@ -10,7 +10,8 @@ import org.dronewatch.geometry.Position;
  */
 public sealed interface Outline {
     /**
-     * Tolerance, rad: rounding must not cut off what lies on an edge, least of all directly behind a radar that scans all round.
+     * Tolerance, rad: rounding must not cut off what lies on an edge, least of all directly behind a radar that scans all
+     * round.
      */
     double ROUNDING = 1e-9;
 

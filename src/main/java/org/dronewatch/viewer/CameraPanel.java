@@ -85,7 +85,7 @@ final class CameraPanel extends JPanel {
         return visual;
     }
 
-    /** Enlarges the camera of a name, or shows all when there is none. */
+    /** Enlarges the camera with a name, or shows all if there is none. */
     void enlarge(String id) {
         enlarge(visuals.stream()
                 .filter(visual -> visual.eye().id().equals(id))
@@ -179,7 +179,7 @@ final class CameraPanel extends JPanel {
         }
     }
 
-    /** Whether all that was asked for is drawn. */
+    /** Whether everything that was requested is drawn. */
     boolean isIdle() {
         return looks.isIdle();
     }

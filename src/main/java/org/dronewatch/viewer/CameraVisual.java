@@ -24,9 +24,10 @@ import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.sensor.optics.PictureSettings;
 
 /**
- * The view of one camera: distances in blues, nearer darker, the sky pale, the drone's pixels in orange, its significant pixels
- * framed, and how many there are against how many it takes. A frame of a drone far away is drawn larger than it is; a large
- * view magnifies it in a corner. For your own window, and for Swing's event thread as any of its components:
+ * The view of one camera: distances in blues, darker where nearer, the sky pale, the drone's pixels in orange, its
+ * significant pixels framed, and the number of its pixels beside the number required. The frame of a distant drone is drawn
+ * larger than it is; a large view magnifies it in a corner. For your own window, and for Swing's event thread as any of its
+ * components:
  *
  * <pre>{@code
  * CameraVisual visual = CameraVisual.of("gate", cameraSettings, stage);
@@ -43,7 +44,7 @@ public final class CameraVisual extends JPanel {
     private static final double PLATES = 0.88;
     private static final Color BORDER = new Color(0x10141a);
 
-    /** The smallest frame about a drone's pixels, in pixels of the panel. */
+    /** The smallest frame around a drone's pixels, in pixels of the panel. */
     private static final double SMALLEST = 14.0;
 
     /** Pictures that are lower than this have room for the camera's name only. */

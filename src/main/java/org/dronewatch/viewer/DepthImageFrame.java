@@ -15,8 +15,8 @@ import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.world.World;
 
 /**
- * A window with what a camera of your own program sees: distances in blues, nearer darker, drones orange. It needs no scene.
- * Closing it ends nothing else.
+ * A window with what a camera of your own program sees: distances in blues, darker where nearer, drones orange. It needs no
+ * scene. Closing it ends nothing else.
  *
  * <pre>{@code
  * DepthImageFrame frame = new DepthImageFrame("gate");

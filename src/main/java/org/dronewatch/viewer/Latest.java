@@ -34,7 +34,7 @@ final class Latest implements AutoCloseable {
         thread.start();
     }
 
-    /** Asks for work; it is given a condition that becomes true once its result is of no use any more. */
+    /** Requests work; it receives a condition that becomes true once its result is no longer needed. */
     synchronized void ask(Consumer<BooleanSupplier> work) {
         next = work;
         asked++;

@@ -16,7 +16,7 @@ final class LogPanel extends JPanel {
     /** Older lines are dropped. */
     private static final int MOST = 5000;
 
-    /** So many detections of one run are written at once: a long run must not hold up the window. */
+    /** Maximum number of detections of one run that are written at once: a long run must not hold up the window. */
     private static final int AT_ONCE = 200;
 
     private final JTextArea text = new JTextArea();

@@ -32,7 +32,7 @@ final class Notice extends JPanel {
         add(dismiss, BorderLayout.LINE_END);
     }
 
-    /** Tells something. */
+    /** Shows a message. */
     void tell(String problem) {
         text.setText(problem);
         setVisible(true);

@@ -9,7 +9,7 @@ import org.dronewatch.sensor.Observation;
  * one is forgotten. Guarded by its owner.
  */
 final class Readings {
-    /** So many are kept: 3 MB. */
+    /** Maximum number kept: 3 MB. */
     static final int MOST = 1 << 17;
 
     private double[] times = new double[64];

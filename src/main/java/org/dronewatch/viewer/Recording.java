@@ -8,7 +8,7 @@ import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.Stage;
 
-/** The runs of a scene while they are simulated. Told by the thread that simulates, read by any. */
+/** The runs of a scene while they are simulated. Written by the thread that simulates, read by any. */
 final class Recording implements SceneListener {
     private final List<RecordedRun> runs = new ArrayList<>();
     private RecordedRun current;
@@ -33,7 +33,7 @@ final class Recording implements SceneListener {
         current.add(event);
     }
 
-    /** No more comes: all runs are over, or the last was cut short. */
+    /** Records that nothing more will come: all runs are over, or the last was cut short. */
     synchronized void finish(boolean complete) {
         if (complete) {
             finishCurrent();

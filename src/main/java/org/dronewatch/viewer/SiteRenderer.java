@@ -125,7 +125,7 @@ final class SiteRenderer implements AutoCloseable {
         return Optional.ofNullable(backdrop);
     }
 
-    /** Whether all that was asked for has been drawn. */
+    /** Whether everything that was requested has been drawn. */
     boolean isIdle() {
         return backdrops.isIdle() && overlays.isIdle();
     }

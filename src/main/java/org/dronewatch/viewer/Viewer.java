@@ -15,8 +15,8 @@ import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 
 /**
- * A window in which a scene is looked at while it runs and afterwards. It listens to a run as a report does and changes
- * nothing in it: results are the same with it and without.
+ * A window that shows a scene while it runs and afterwards. It listens to a run as a report does and changes nothing in it:
+ * results are the same with it and without.
  *
  * <pre>{@code
  * SceneRunner runner = new SceneRunner(scene);
@@ -44,10 +44,10 @@ public final class Viewer implements AutoCloseable {
     private volatile boolean ended;
 
     /**
-     * A scene to be looked at.
+     * A scene to be shown.
      *
-     * @param scene it
-     * @param runner the one that will run it; it also provides the settings and the stage of the view
+     * @param scene the scene
+     * @param runner the runner that will run it; it also provides the settings and the stage of the view
      * @param file the file that describes it, which a window then offers again; empty when there is none
      */
     public record Subject(Scene scene, SceneRunner runner, Optional<Path> file) {}
@@ -71,10 +71,10 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Opens the window, as the user left it the last time. The thread that calls is expected to run the scene: when the
-     * window is closed while it is still reading models, it is interrupted.
+     * Opens the window, as the user last left it. The calling thread is expected to run the scene: if the window is closed
+     * while that thread is still reading models, it is interrupted.
      *
-     * @param runner the one that will run the scene; it also provides the settings and the stage of the view
+     * @param runner the runner that will run the scene; it also provides the settings and the stage of the view
      * @param threads number of threads that render
      * @throws IllegalStateException when there is no display
      */
@@ -83,8 +83,8 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Opens the window as {@link #open(Scene, SceneRunner, int)}, with a menu that opens other scenes in it. The thread that
-     * calls is expected to run them one after the other: {@link #awaitNext} gives the next.
+     * Opens the window as {@link #open(Scene, SceneRunner, int)}, with a menu that opens other scenes in it. The calling
+     * thread is expected to run them one after the other: {@link #awaitNext} returns the next.
      *
      * @param reader reads and checks a scene file; it throws InputException where there are mistakes
      * @throws IllegalStateException when there is no display
@@ -129,7 +129,7 @@ public final class Viewer implements AutoCloseable {
         return new ViewerPane(subject.scene().name(), recording, threads);
     }
 
-    /** Whoever reads models for a window that is gone need not go on. */
+    /** Stops the reading of models for a window that is gone. */
     private void closing() {
         synchronized (this) {
             closing = true;
@@ -138,7 +138,7 @@ public final class Viewer implements AutoCloseable {
         }
     }
 
-    /** The user wants to see another scene: the run that goes on is of no use any more. */
+    /** The user wants to see another scene: the current run is no longer needed. */
     private void choose(Subject subject) {
         synchronized (this) {
             next = subject;
@@ -155,8 +155,8 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Waits until the user opens another scene or closes the window. Another scene then replaces the one
-     * before, whose threads have ended; it is for the caller to run.
+     * Waits until the user opens another scene or closes the window. Another scene then replaces the previous one, whose
+     * threads have ended; the caller is to run it.
      *
      * @return the other scene; empty when the window is closed
      */
@@ -192,7 +192,7 @@ public final class Viewer implements AutoCloseable {
         return Optional.of(chosen);
     }
 
-    /** Whether a run is of no use any more: the user has closed the window or opened another scene. */
+    /** Whether a run is no longer needed: the user has closed the window or opened another scene. */
     public boolean isLeft() {
         return closing || next != null;
     }
@@ -217,7 +217,7 @@ public final class Viewer implements AutoCloseable {
         }
     }
 
-    /** The messages of the run. */
+    /** The listener through which the window receives the run. */
     public SceneListener listener() {
         return recording;
     }
@@ -228,7 +228,7 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * No more comes.
+     * Records that nothing more will come.
      *
      * @param complete whether all of the scene has been simulated
      */
@@ -242,7 +242,7 @@ public final class Viewer implements AutoCloseable {
         pane.tell(problem);
     }
 
-    /** Whether the user has closed the window: a run is then of no use any more. */
+    /** Whether the user has closed the window: a run is then no longer needed. */
     public boolean isClosed() {
         return closing;
     }

@@ -296,7 +296,7 @@ final class ViewerPane extends JPanel {
         return Optional.ofNullable(rays);
     }
 
-    /** Whether all that was asked for is drawn. */
+    /** Whether everything that was requested is drawn. */
     boolean isIdle() {
         return !changed && world().isIdle() && cameras.isIdle() && rayPanel.isIdle() && staging.isIdle();
     }

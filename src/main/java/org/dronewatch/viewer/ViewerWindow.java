@@ -18,7 +18,7 @@ import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.dronewatch.scenario.SceneSettings;
 
-/** The window about a pane: menus, look, clock, and where the user left it. All methods are for the event thread. */
+/** The window around a pane: menus, look, clock, and where the user left it. All methods are for the event thread. */
 final class ViewerWindow {
     /** Update interval of the pane, ms. */
     private static final int TICK = 33;

@@ -10,7 +10,7 @@ import org.dronewatch.render.Orbit;
 
 /** Mouse control of the site view. */
 final class WorldMouse extends MouseAdapter {
-    /** Dragging over the whole width turns by so much, rad. */
+    /** Dragging over the whole width turns by this angle, rad. */
     private static final double TURN = Math.toRadians(240.0);
 
     /** One click of the wheel brings the eye nearer by this factor. */

@@ -29,7 +29,7 @@ import org.jogamp.vecmath.Point2d;
 final class WorldPanel extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** So long after the last movement the site is at rest, ms. */
+    /** Time after the last movement from which the site counts as at rest, ms. */
     private static final int REST = 180;
 
     /** A symbol is hit this near, in pixels. */
@@ -197,7 +197,7 @@ final class WorldPanel extends JPanel {
         return image;
     }
 
-    /** Whether all that was asked for is drawn. */
+    /** Whether everything that was requested is drawn. */
     boolean isIdle() {
         return !rest.isRunning() && renderer.isIdle();
     }

@@ -46,7 +46,8 @@ final class CoherentGround {
     /**
      * Searches for the ground between a source and a sensor.
      *
-     * @param isFree whether there is a line of sight; without direct sound there is nothing for the ground reflection to interfere with
+     * @param isFree whether there is a line of sight; without direct sound there is nothing for the ground reflection to
+     *     interfere with
      */
     void find(SoundSource source, Position sensor, boolean isFree) {
         replaced.clear();

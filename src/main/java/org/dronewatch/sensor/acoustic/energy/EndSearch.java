@@ -38,7 +38,8 @@ final class EndSearch {
     private static final int MOST_JOINED = 64;
 
     /**
-     * Chains are left to the rays that happen to pass the source if they increase the relative variance of a reading by less than this.
+     * Chains are left to the rays that happen to pass the source if they increase the relative variance of a reading by less
+     * than this.
      */
     private static final double NEGLIGIBLE = 3e-3;
 

@@ -13,7 +13,8 @@ import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
  * @param pureOfSource the chains that were found from the source: paths over specular reflections alone are exact
  * @param pureOfSensor the chains that were found from the sensor
  * @param exactly the chains of exact paths, from the source on, and what they begin with
- * @param known estimate of what is heard without the rays that pass the source, in all bands, as intensity over the source's power, 1/m2
+ * @param known estimate of what is heard without the rays that pass the source, in all bands, as intensity over the source's
+ *     power, 1/m2
  * @param isOpen whether an appreciable part of the sound leaves the site
  */
 record Ends(

@@ -20,8 +20,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * What a microphone hears in the energy model: the A-weighted sound pressure level, or the signal-to-noise ratio of the best band. One
- * thread at a time.
+ * What a microphone hears in the energy model: the A-weighted sound pressure level, or the signal-to-noise ratio of the best
+ * band. One thread at a time.
  */
 public final class EnergyHearing implements SoundTracer {
     private static final String UNIT = "dB";

@@ -89,7 +89,8 @@ public record EnergyModel(
         /** Their energies add, as do those of all other paths. */
         INCOHERENT,
         /**
-         * They interfere: a spherical wave over the ground's impedance, averaged over each band, as far as turbulence leaves them coherent.
+         * They interfere: a spherical wave over the ground's impedance, averaged over each band, as far as turbulence leaves
+         * them coherent.
          */
         COHERENT
     }

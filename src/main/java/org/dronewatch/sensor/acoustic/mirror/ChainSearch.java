@@ -56,7 +56,8 @@ public final class ChainSearch {
     }
 
     /**
-     * The chains of a point. Where a ray has found a chain of several walls that few others have found, more rays are sent around it.
+     * The chains of a point. Where a ray has found a chain of several walls that few others have found, more rays are sent
+     * around it.
      *
      * @param from the point, m
      * @param rays how many rays are spread over all directions
