@@ -32,8 +32,8 @@ import org.dronewatch.world.WorldSettings;
  * @param settings of the scene, or of that run
  * @param sensor name of the sensor
  * @param drone name of the drone
- * @param range the range asked for, m
- * @param probability the probability asked for
+ * @param range the requested range, m
+ * @param probability the requested probability
  */
 public record CalibratedEntry(
         String scene,

@@ -30,10 +30,10 @@ import picocli.CommandLine.Spec;
         name = "calibrate",
         mixinStandardHelpOptions = true,
         description =
-                "Fits the threshold of a microphone or a radio receiver, or the pixel count of a camera, so that with a"
-                        + " clear line of sight R is the greatest range at which it detects a drone, and writes the sensor"
-                        + " as a file that scenes refer to with 'use'. Air, background noise, rain and light are those of"
-                        + " the scene; its models and noise sources are left out. The file states range and conditions.",
+                "Fits the threshold of a microphone or a radio receiver, or the pixel count of a camera, to a known range:"
+                        + " the greatest at which the sensor detects a drone with a clear line of sight. Writes the sensor as a"
+                        + " file that scenes refer to with 'use'. Air, background noise, rain and light are those of the scene;"
+                        + " its models and noise sources are left out. The file states range and conditions.",
         footer = {
             "",
             "Example:",

@@ -51,7 +51,7 @@ public final class Main implements Runnable {
 
     private static final String HEADLESS = "java.awt.headless";
 
-    /** The words with which a window is asked for. */
+    /** The words that request a window. */
     private static final Set<String> WINDOWED = Set.of("view", "--view");
 
     /** What {@code --version} prints. */

@@ -33,7 +33,7 @@ abstract class Rendering {
     /**
      * Makes a film of it; says in words what is drawn.
      *
-     * @param cancelled asked again and again: once it is true, there is no film
+     * @param cancelled queried repeatedly: once it is true, there is no film
      * @throws java.util.concurrent.CancellationException when it is given up
      */
     final String film(Film film, WholeFile target, ThreadsOption threads, BooleanSupplier cancelled) {

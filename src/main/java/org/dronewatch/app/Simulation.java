@@ -47,7 +47,7 @@ final class Simulation {
      * Simulates the run from its start.
      *
      * @param until time of the last looks, s
-     * @param cancelled asked before each look: once it is true, the rest is left out
+     * @param cancelled queried before each look: once it is true, the rest is left out
      */
     RunHistory until(double until, BooleanSupplier cancelled) {
         RunHistory history = new RunHistory();

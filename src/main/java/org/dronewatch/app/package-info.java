@@ -1,2 +1,2 @@
-/** The command line: reads what is asked, runs it, reports. It has no logic. */
+/** The command line: reads the command, runs it, reports. It has no logic. */
 package org.dronewatch.app;

@@ -61,7 +61,7 @@ public final class BuiltInKinds implements KindGroup {
                 flight("dive", Dive.class, "level towards a target, then dives onto it"),
                 flight("pop-up", PopUp.class, "hovers behind cover, then rises"),
                 flight("steered", Steered.class, "is steered by a program during the run"),
-                flight("recorded", Recorded.class, "flies as in an earlier run, by its flights.csv"));
+                flight("recorded", Recorded.class, "flies as in an earlier run, from its flights.csv"));
     }
 
     private static List<Kind<?>> propagations() {

@@ -223,7 +223,7 @@ public final class Drone {
         return settings.soundPower(settings.soundPowerLevel() - quieter());
     }
 
-    /** Its apparent temperature difference to the background as it flies now, K: with its motors off it cools. */
+    /** Its apparent temperature difference from the background as it flies now, K: with its motors off it cools. */
     public double heat() {
         return settings.heat().after(gliding.orElse(0.0));
     }

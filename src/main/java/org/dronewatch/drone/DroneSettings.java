@@ -52,7 +52,7 @@ import org.dronewatch.world.World;
  *     one another, as in the table; {@code soundPowerLevel} sets how loud it is
  * @param directivity how the sound radiated depends on elevation, for the energy model
  * @param swarm how many such drones fly in formation; a single drone if empty
- * @param label what it means to the site, for readers of the results; no sensor uses it
+ * @param label its role, purpose and properties, for readers of the results; no sensor uses it
  */
 public record DroneSettings(
         ModelSettings model,
@@ -275,7 +275,7 @@ public record DroneSettings(
     }
 
     /**
-     * A drone named {@code drone}, whose model is looked for in the working directory: as {@link #create(String, Path)}.
+     * A drone named {@code drone}, whose model is in the working directory: as {@link #create(String, Path)}.
      *
      * @throws IllegalArgumentException when the flight follows the ground
      * @throws org.dronewatch.setting.InputException when the model cannot be loaded

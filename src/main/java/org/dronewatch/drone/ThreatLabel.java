@@ -7,7 +7,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * What a drone means to the site, for readers of the results. No sensor uses it: it changes no detection.
+ * The role, purpose and properties of a drone, for readers of the results. No sensor uses it: it changes no detection.
  *
  * @param role its role in the scene
  * @param purpose what its owner intends

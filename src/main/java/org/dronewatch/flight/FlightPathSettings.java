@@ -40,7 +40,7 @@ public interface FlightPathSettings {
     /**
      * Stays at one point.
      *
-     * @param position where, m
+     * @param position where it hovers, m
      * @param heading where the nose points, clockwise from north, rad
      */
     record Hover(Position position, @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading)

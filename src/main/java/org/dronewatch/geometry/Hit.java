@@ -1,7 +1,7 @@
 package org.dronewatch.geometry;
 
 /**
- * Where a ray meets a triangle.
+ * Where a ray hits a triangle.
  *
  * @param distance the ray parameter of the meeting point: metres for a ray of unit direction
  * @param triangle the triangle's number in its mesh

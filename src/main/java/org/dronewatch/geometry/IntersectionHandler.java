@@ -6,7 +6,7 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * Where a ray meets a triangle, a box or a sphere: the readable reference, one shape at a time. The tree's traversals
+ * Where a ray hits a triangle, a box or a sphere: the readable reference, one shape at a time. The tree's traversals
  * have their own, faster triangle test, which the tests check against this one.
  */
 public final class IntersectionHandler {

@@ -50,7 +50,7 @@ final class SitePainter {
         /** Depth and triangle of what a single ray found. */
         private final double[] found = new double[2];
 
-        /** Whether the sun was seen in each block of the tile: 0 not asked, 1 seen, 2 not seen. */
+        /** Whether the sun was seen in each block of the tile: 0 not tested, 1 seen, 2 not seen. */
         private final byte[] sun = new byte[TileTracer.WIDTH / BLOCK * (TileTracer.HEIGHT / BLOCK)];
     }
 
@@ -62,7 +62,7 @@ final class SitePainter {
      *
      * @param cut clipping plane, or null for none
      * @param shadows whether surfaces are tested for the sun's shadows: about as much work again as single rays
-     * @param abandoned asked before each tile: once it says true, the rest stays unpainted
+     * @param abandoned queried before each tile: once it is true, the rest stays unpainted
      */
     void paint(CameraObject camera, Cut cut, boolean shadows, Canvas canvas, BooleanSupplier abandoned) {
         Position from = camera.position();

@@ -228,7 +228,7 @@ public final class SitePicture {
         return image;
     }
 
-    /** A backdrop with rays, kept until others are asked for: rays stay as they are while time goes on. */
+    /** A backdrop with rays, kept until others are requested: rays stay as they are while time goes on. */
     private record Rayed(Backdrop backdrop, RecordedRays rays, RayFilter filter, double pixel, Canvas canvas) {
         boolean is(Backdrop other, RecordedRays otherRays, RayFilter otherFilter, double otherPixel) {
             return backdrop == other && rays == otherRays && filter.equals(otherFilter) && pixel == otherPixel;

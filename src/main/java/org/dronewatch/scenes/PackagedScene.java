@@ -24,7 +24,7 @@ public record PackagedScene(String name, String summary, Supplier<Scene> factory
                     CameraRange::new),
             new PackagedScene(
                     "acoustic-range",
-                    "a quadrotor flies towards a microphone on a hill; range of first detection for five background noises",
+                    "a quadrotor flies towards a microphone on a hill; range of first detection for five levels of background noise",
                     AcousticRange::new),
             new PackagedScene(
                     "multi-sensor",

@@ -16,7 +16,7 @@ public interface Outlined {
 
     /**
      * The field of view of any sensor, outside which it detects nothing; empty for a sensor without one. A
-     * {@linkplain Outline.Ball sphere} about a microphone is not a field of view: it also hears what is outside.
+     * {@linkplain Outline.Ball sphere} around a microphone is not a field of view: it also hears what is outside.
      *
      * @param pointing where a positioner points the sensor; empty for its own aim
      */

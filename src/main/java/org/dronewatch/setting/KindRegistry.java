@@ -57,7 +57,7 @@ public final class KindRegistry {
     }
 
     /**
-     * The kinds of this program's class path; they are looked for once.
+     * The kinds of this program's class path; the search runs once.
      *
      * @throws InputException when a provider cannot be loaded, declares an invalid kind, or a name is duplicated
      */

@@ -9,9 +9,9 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * Air at rest, the same everywhere.
  *
- * @param temperature 213.15 to 333.15 K (-60 to 60 degrees Celsius)
+ * @param temperature air temperature, 213.15 to 333.15 K (-60 to 60 degrees Celsius)
  * @param humidity relative humidity, 0 to 1
- * @param pressure 50,000 to 120,000 Pa
+ * @param pressure air pressure, 50,000 to 120,000 Pa
  */
 public record Atmosphere(
         @In(value = Quantity.TEMPERATURE, from = 213.15, to = 333.15) double temperature,

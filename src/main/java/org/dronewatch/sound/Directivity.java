@@ -31,7 +31,7 @@ public enum Directivity {
      * Gain as published, dB, relative to a level that is not the mean over all directions.
      *
      * @param band 0 for 63 Hz to 7 for 8 kHz
-     * @param elevation from the rotors' plane, -pi/2 to pi/2 rad; above and below are alike
+     * @param elevation from the rotors' plane, -pi/2 to pi/2 rad; the same above and below
      */
     public abstract double publishedGain(int band, double elevation);
 
@@ -40,7 +40,7 @@ public enum Directivity {
      * is 0 dB, so that the sound power is unchanged.
      *
      * @param band 0 for 63 Hz to 7 for 8 kHz
-     * @param elevation from the rotors' plane, -pi/2 to pi/2 rad; above and below are alike
+     * @param elevation from the rotors' plane, -pi/2 to pi/2 rad; the same above and below
      */
     public double index(int band, double elevation) {
         return publishedGain(band, elevation) - mean[band];

@@ -34,8 +34,8 @@ public record GroundInterference(
      * The mean energy in a band.
      *
      * @param band 0 for 63 Hz to 7 for 8 kHz
-     * @param directEnergy what the direct path brings alone, a1 squared
-     * @param reflectedEnergy what the reflected path would bring alone from rigid ground, a2 squared
+     * @param directEnergy energy of the direct path alone, a1 squared
+     * @param reflectedEnergy energy of the reflected path alone, over rigid ground, a2 squared
      * @return in the unit of the two energies
      */
     public double inBand(int band, double directEnergy, double reflectedEnergy) {
@@ -51,8 +51,8 @@ public record GroundInterference(
      * The energy at one frequency.
      *
      * @param frequency Hz, above 0
-     * @param directEnergy what the direct path brings alone, a1 squared
-     * @param reflectedEnergy what the reflected path would bring alone from rigid ground, a2 squared
+     * @param directEnergy energy of the direct path alone, a1 squared
+     * @param reflectedEnergy energy of the reflected path alone, over rigid ground, a2 squared
      * @return in the unit of the two energies
      */
     public double atFrequency(double frequency, double directEnergy, double reflectedEnergy) {

@@ -40,7 +40,7 @@ final class FrameExport {
      * Writes them.
      *
      * @param progress receives how many are written
-     * @param cancelled asked before each: once it says true, the rest is left out
+     * @param cancelled queried before each: once it is true, the rest is left out
      * @return how many were written
      */
     int write(IntConsumer progress, BooleanSupplier cancelled) {

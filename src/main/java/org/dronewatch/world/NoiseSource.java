@@ -80,7 +80,7 @@ public record NoiseSource(
      * A piece of a source, so short that it is a point to a listener.
      *
      * @param position of its middle, m
-     * @param share its fraction of the source's power, 0 to 1
+     * @param share fraction of the source's power, 0 to 1
      */
     public record Piece(Position position, double share) {}
 

@@ -19,7 +19,8 @@ import org.dronewatch.sound.SurfaceMaterials;
  * The acoustic surfaces of the materials in the model files. A material that is not listed here but whose name is
  * that of a surface in {@code own} or in the table uses that surface; all others use the {@code defaultSurface}.
  *
- * @param materials names of surfaces, from {@code own} or the table of surfaces, by names of materials in the model files
+ * @param materials the surface of each material in the model files: names of surfaces, from {@code own} or the table of
+ *     surfaces, by name of the material
  * @param defaultSurface name of the surface for all other materials
  * @param own surfaces defined in the scene, by name; they replace those of the same name in the table
  */

@@ -16,7 +16,7 @@ final class Surroundings {
     }
 
     /**
-     * Whether most surfaces about a position show their backs: then it is inside a wall or under the ground, in a mesh
+     * Whether most surfaces around a position show their backs: then it is inside a wall or under the ground, in a mesh
      * whose triangles are wound counter-clockwise seen from where sound and light are.
      */
     boolean showTheirBacks(Position position) {

@@ -19,19 +19,19 @@ import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.BandLevels;
 
 /**
- * What a site is made of.
+ * The site: its models, its surfaces, and the conditions in which sensors work.
  *
  * @param models the meshes, merged into one; at least one
  * @param backgroundNoise sound pressure level of the background, A-weighted, -20 to 140 dB re 20 uPa
  * @param noiseShape spectrum of the background: the levels of the octave bands relative to one another, dB
- * @param noiseSources what makes noise on the site in addition to the background, by name
+ * @param noiseSources sources of noise on the site in addition to the background, by name
  * @param surfaces acoustic surfaces of the models' materials
  * @param atmosphere the air
  * @param rain rain rate, 0 to 500 mm/h; it affects radars, not sound
  * @param light visibility and daylight
  * @param origin geographic position of the scene's origin (WGS 84); omit it if unknown; if given, a run writes maps and records it in the
  *     summary
- * @param tracing how rays are traced; it changes speed, not results
+ * @param tracing how rays are traced; it affects speed, not results
  */
 public record WorldSettings(
         List<ModelSettings> models,

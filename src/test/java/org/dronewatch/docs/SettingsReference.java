@@ -47,7 +47,7 @@ final class SettingsReference {
                                 + " without a unit is\nin radians, although ranges and defaults are given in degrees here. A setting"
                                 + " without a default is required. Where a\nsetting has several kinds, `kind` selects one; it may be"
                                 + " omitted where the other fields determine it.\n\n"
-                                + "Former names of settings still work, with a warning; `save` writes the present ones.\n");
+                                + "Former names of settings still work, with a warning; `save` writes the current ones.\n");
         waiting.add(SceneSettings.class);
         while (!waiting.isEmpty()) {
             Class<?> next = waiting.iterator().next();

@@ -54,7 +54,7 @@ public final class MeshReaders {
     }
 
     /**
-     * The readers of this program's class path; they are looked for once.
+     * The readers of this program's class path; the search runs once.
      *
      * @throws InputException when one cannot be loaded or is wrong, or two read the same extension
      */

@@ -1,6 +1,6 @@
 package org.dronewatch.mesh.io;
 
-/** What a model is to the site. */
+/** What kind of object a model is on the site. */
 public enum ModelRole {
     /** The ground: hills, dams, pits. */
     TERRAIN,

@@ -18,7 +18,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param scale length of the file's unit, 1e-6 to 1e6 m
  * @param position where the model's origin goes, m
  * @param heading rotation about the vertical, clockwise as seen from above, rad
- * @param role what it is to the site, so that reports can say what kind of object hides a drone; has no meaning for a drone's model
+ * @param role what kind of object it is on the site, so that reports can say what hides a drone; it has no meaning for a drone's model
  */
 public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,

@@ -3,9 +3,9 @@ package org.dronewatch.render.photo;
 import org.dronewatch.geometry.Position;
 
 /**
- * What the sky, and the ground that it and the sun light, give a surface without obstructions, by the direction of its
- * normal: nine coefficients of spherical harmonics for each channel, which give the irradiance within a few percent
- * (Ramamoorthi and Hanrahan, "An efficient representation for irradiance environment maps", SIGGRAPH 2001). Immutable.
+ * Irradiance of an unobstructed surface by the sky and the sunlit ground, as a function of its normal: nine coefficients of
+ * spherical harmonics for each channel, which give the irradiance within a few percent (Ramamoorthi and Hanrahan, "An
+ * efficient representation for irradiance environment maps", SIGGRAPH 2001). Immutable.
  */
 final class AmbientLight {
     /** Fraction of the light that ordinary ground reflects. */
@@ -57,7 +57,7 @@ final class AmbientLight {
         terms[8] = 0.546274 * (x * x - y * y);
     }
 
-    /** Adds to a colour what a surface receives, relative to the illuminance of level ground. */
+    /** Adds the irradiance of a surface to a colour, relative to the illuminance of level ground. */
     void addTo(double[] rgb, double weight, double[] normal, double[] terms) {
         set(terms, normal[0], normal[1], normal[2]);
         for (int i = 0; i < Daylight.CHANNELS; i++) {

@@ -14,11 +14,11 @@ import org.dronewatch.world.World;
 /**
  * Takes the pictures that a camera would take: the colours of the materials, Lambert's cosine law and shadows for
  * the sun, light from the sky, and haze by Koschmieder's law, all according to the world's {@link org.dronewatch.world.Light}.
- * Surfaces are matt; drones throw no shadows. No detection depends on it: the pixels that a sensor counts are those
- * whose centres show the drone, whatever is seen here.
+ * Surfaces are matt; drones throw no shadows. No detection depends on it: the pixels that a sensor counts are those whose
+ * centres show the drone, whatever a picture shows.
  *
- * <p>The site without drones is exposed once and kept, so further pictures of a camera that stands still cost little.
- * The same pixels for any number of {@link Workers}. One thread at a time.
+ * <p>The site without drones is exposed once and kept, so further pictures of a camera that stands still cost little. Pixels
+ * are the same for any number of {@link Workers}. One thread at a time.
  */
 public final class ColourCamera {
     /** The largest number of parts into which a pixel is divided along each axis. */
@@ -30,7 +30,7 @@ public final class ColourCamera {
     /** Pixels that are metered along each axis. */
     private static final int METERED = 24;
 
-    /** Least brightness that is metered: the logarithm needs an end. */
+    /** Lowest metered brightness, because the logarithm of 0 is infinite. */
     private static final double DARKEST = 1e-3;
 
     private final CameraObject camera;

@@ -5,11 +5,11 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Light;
 
 /**
- * How the daylight of a world is divided into that of the sun and that of the sky. All light is relative: 1 is the
+ * How the daylight of a world is divided between sun and sky. All light is relative: 1 is the
  * illuminance of level ground, {@link Light#illuminance()}, and the radiance of a white, matt surface that receives it.
  * Immutable.
  *
- * <p>Of a clear sky: direct normal illuminance {@code 127.5 klx exp(-0.21 m)} and diffuse horizontal illuminance {@code
+ * <p>For a clear sky: direct normal illuminance {@code 127.5 klx exp(-0.21 m)} and diffuse horizontal illuminance {@code
  * 0.8 + 15.5 sqrt(sin h) klx} (IESNA Lighting Handbook, 9th ed., ch. 8), scaled so that both together give the world's
  * illuminance. The air mass m is that of Kasten and Young (Applied Optics 28, 1989, 4735). Without a sun, or with one
  * below the horizon, all light is that of the sky.
@@ -18,7 +18,7 @@ final class Daylight {
     /** Red, green, blue. */
     static final int CHANNELS = 3;
 
-    /** What the channels contribute to brightness (ITU-R BT.709). */
+    /** The channels' contributions to brightness (ITU-R BT.709). */
     private static final double[] BRIGHTNESS = {0.2126, 0.7152, 0.0722};
 
     /** Optical depths of the clear air at 610, 550 and 465 nm, for light from the zenith (Bucholtz 1995). */
@@ -58,7 +58,7 @@ final class Daylight {
         return sun.map(Light.Sun::elevation).orElse(-0.5 * Math.PI);
     }
 
-    /** Whether the sun shines on anything. */
+    /** Whether the sun shines. */
     boolean isSunny() {
         return direct > 0.0;
     }
@@ -68,15 +68,15 @@ final class Daylight {
         return diffuse;
     }
 
-    /** What the sun alone gives a surface that faces it, relative to the illuminance of level ground. */
+    /** Irradiance by the sun alone of a surface that faces it, relative to the illuminance of level ground. */
     double direct(int channel) {
         return direct * colour[channel];
     }
 
     /**
-     * The air through which light at an elevation passes, 1 for the zenith.
+     * The air mass that light at an elevation passes through, 1 for the zenith.
      *
-     * @param elevation rad; below the horizon it counts as on it
+     * @param elevation rad; below the horizon, that of the horizon is used
      */
     static double airMass(double elevation) {
         double above = Math.max(0.0, elevation);
@@ -88,12 +88,12 @@ final class Daylight {
         return AIR[channel];
     }
 
-    /** What is left of a channel after an air mass. */
+    /** The fraction of a channel that is left after an air mass. */
     static double left(int channel, double mass) {
         return Math.exp(-AIR[channel] * mass);
     }
 
-    /** White light after an air mass, as bright as before. */
+    /** The colour of white light after an air mass, at the same brightness. */
     private static double[] tint(double mass) {
         double[] rgb = new double[CHANNELS];
         for (int i = 0; i < CHANNELS; i++) {
@@ -102,7 +102,7 @@ final class Daylight {
         return equallyBright(rgb);
     }
 
-    /** How bright a colour is; 1 for white. */
+    /** Brightness of a colour; 1 for white. */
     static double brightness(double[] rgb) {
         return BRIGHTNESS[0] * rgb[0] + BRIGHTNESS[1] * rgb[1] + BRIGHTNESS[2] * rgb[2];
     }

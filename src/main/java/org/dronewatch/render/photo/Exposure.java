@@ -1,26 +1,26 @@
 package org.dronewatch.render.photo;
 
 /**
- * From light to the numbers of a picture. The logarithmic mean of what is seen becomes a middle tone, as by a camera's
+ * Converts light to the numbers of a picture. The logarithmic mean of what is seen becomes a middle tone, as by a camera's
  * automatic exposure (Reinhard et al., "Photographic tone reproduction for digital images", SIGGRAPH 2002), but in poor
- * light a darker one. What is too bright fades to white instead of being cut off: brightness is {@code 1 - exp(-k x)}, and then comes the
- * transfer function of sRGB (IEC 61966-2-1). Immutable.
+ * light a darker one. Excessive brightness fades to white instead of being clipped: brightness is {@code 1 - exp(-k x)},
+ * followed by the transfer function of sRGB (IEC 61966-2-1). Immutable.
  */
 final class Exposure {
-    /** In less light than this, pictures get darker, lx. */
+    /** In less light than this, lx, pictures are darker. */
     private static final double AMPLE = 1000.0;
 
     private static final double DARKER = 0.15;
 
-    /** The middle tone, of the largest one. */
+    /** The middle tone, as a fraction of the largest value. */
     private static final double MIDDLE = 0.32;
 
-    /** Limits of what cameras can do: snow in sunshine is bright, a dark room is dark. */
+    /** Limits of automatic exposure: snow in sunshine stays bright, a dark room stays dark. */
     private static final double LEAST = 0.3;
 
     private static final double MOST = 6.0;
 
-    /** What red, green and blue contribute to brightness (ITU-R BT.709). */
+    /** The contributions of red, green and blue to brightness (ITU-R BT.709). */
     private static final double[] BRIGHTNESS = {0.2126, 0.7152, 0.0722};
 
     private static final int[][] BAYER = bayer();
@@ -28,7 +28,7 @@ final class Exposure {
     private final double gain;
 
     /**
-     * For a picture.
+     * The exposure of a picture.
      *
      * @param mean logarithmic mean of its brightness, relative to a white, matt, level surface
      * @param illuminance of level ground, lx
@@ -40,8 +40,8 @@ final class Exposure {
 
     /**
      * The pixel for a radiance of three channels: red, green and blue in the lowest 24 bits. Hue is kept as it gets
-     * brighter, and fades to white where it would be brighter than a screen can show. What lies between two numbers is one
-     * or the other by a fixed pattern (Bayer, ICC 1973), so that an even sky shows no bands.
+     * brighter, and fades to white where it would be brighter than a screen can show. Values between two levels are dithered
+     * with a fixed pattern (Bayer, ICC 1973), so that a smooth sky shows no bands.
      */
     int pixel(double red, double green, double blue, int column, int row) {
         double brightness = BRIGHTNESS[0] * red + BRIGHTNESS[1] * green + BRIGHTNESS[2] * blue;

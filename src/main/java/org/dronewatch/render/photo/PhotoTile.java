@@ -11,7 +11,7 @@ import org.dronewatch.raster.TileTracer;
 final class PhotoTile {
     private static final int NONE = -1;
 
-    /** Rays into the hemisphere above what a pixel shows, spread over its parts. */
+    /** Rays into the hemisphere above the surface that a pixel shows, divided among its parts. */
     private static final int RAYS_PER_PIXEL = 32;
 
     private final PartGrid grid;

@@ -4,29 +4,29 @@ import java.util.Arrays;
 
 /**
  * The colour of a clear sky: sunlight that the air of a round earth has scattered once (after Nishita, Sirai, Tadamura and
- * Nakamae, "Display of the earth taking into account atmospheric scattering", SIGGRAPH 1993), with what is scattered more
- * often in the mean colour of it, less near the horizon, and the light of the night. So the sky is blue at noon, red where the sun sets, blue again
- * at dusk, where ozone takes the red and the yellow, and dark. By table. Immutable.
+ * Nakamae, "Display of the earth taking into account atmospheric scattering", SIGGRAPH 1993), with multiple scattering in
+ * its mean colour, less near the horizon, and the light of the night. So the sky is blue at noon, red where the sun sets,
+ * blue again at dusk, when ozone absorbs red and yellow, and then dark. Tabulated. Immutable.
  */
 final class ScatteredLight {
     private static final int CHANNELS = Daylight.CHANNELS;
 
-    /** Radius of the earth, and height of the air that is lit, km. */
+    /** Radius of the earth, and height of the sunlit air, km. */
     private static final double EARTH = 6371.0;
 
     private static final double TOP = 100.0;
 
-    /** Height over which density falls to 1/e: air and haze, km. */
+    /** Scale heights, over which density falls to 1/e, of air and haze, km. */
     private static final double AIR_SCALE = 8.0;
 
     private static final double HAZE_SCALE = 1.2;
 
-    /** The layer of ozone, as a triangle: its middle and how far it reaches to either side, km. */
+    /** The layer of ozone, as a triangle: its middle, and its extent to either side, km. */
     private static final double OZONE_HEIGHT = 25.0;
 
     private static final double OZONE_REACH = 15.0;
 
-    /** Optical depth of haze for light from the zenith, and the part of what it takes that it scatters. */
+    /** Optical depth of haze for light from the zenith, and its single-scattering albedo. */
     private static final double HAZE = 0.03;
 
     private static final double HAZE_SCATTERS = 0.9;
@@ -40,16 +40,16 @@ final class ScatteredLight {
      */
     private static final double[] OZONE = {0.037, 0.027, 0.004};
 
-    /** What is scattered more often, over the mean of what is scattered once. */
+    /** Multiple scattering, relative to the mean of single scattering. */
     private static final double MORE_OFTEN = 0.35;
 
     /** The thick air near the horizon hides the blue light above it: up to about this sine of the elevation. */
     private static final double THICK = 0.1;
 
-    /** The sky of a moonless night, over the light of the sun outside the air: about a millionth of dusk. */
+    /** The sky of a moonless night, relative to sunlight outside the atmosphere: about a millionth of dusk. */
     private static final double[] NIGHT = {0.8e-8, 1.0e-8, 1.3e-8};
 
-    /** The sine of the least elevation at which colours are told apart. */
+    /** The sine of the least elevation at which colours are distinguished. */
     private static final double LOWEST = 0.01;
 
     private static final int ELEVATIONS = 33;
@@ -128,7 +128,7 @@ final class ScatteredLight {
         return (row * AZIMUTHS + column) * CHANNELS;
     }
 
-    /** What is scattered towards an observer on the ground, over the light of the sun outside the air. */
+    /** Light scattered towards an observer on the ground, relative to sunlight outside the atmosphere. */
     private static void scatter(double x, double y, double z, double[] sun, double[] rgb) {
         Arrays.fill(rgb, 0.0);
         double cosine = x * sun[0] + y * sun[1] + z * sun[2];
@@ -175,12 +175,12 @@ final class ScatteredLight {
         column[2] += length * ozone;
     }
 
-    /** Density of ozone, of which the whole layer is 1. */
+    /** Density of ozone, with an integral of 1 over the whole layer. */
     private static double ozone(double height) {
         return Math.max(0.0, 1.0 - Math.abs(height - OZONE_HEIGHT) / OZONE_REACH) / OZONE_REACH;
     }
 
-    /** How far a line from a height, in a direction of which the sine of the elevation is given, goes to another height. */
+    /** Distance along a line from one height to another, in a direction given by the sine of its elevation. */
     private static double toHeight(double height, double up, double other) {
         double radius = EARTH + height;
         double outer = EARTH + other;
@@ -188,7 +188,7 @@ final class ScatteredLight {
         return Math.sqrt(Math.max(0.0, outer * outer - across)) - radius * up;
     }
 
-    /** What lies between a place and the sun; false if the earth does. */
+    /** Finds the air between a point and the sun; false if the earth is in between. */
     private static boolean light(double height, double up, double[] column) {
         double radius = EARTH + height;
         if (up < 0.0 && radius * Math.sqrt(1.0 - up * up) < EARTH) {
@@ -196,7 +196,7 @@ final class ScatteredLight {
         }
         Arrays.fill(column, 0.0);
         double end = toHeight(height, up, TOP);
-        // Where the line is lowest the air is densest: steps are short about there.
+        // Where the line is lowest the air is densest: steps are short around there.
         double lowest = Math.max(0.0, -radius * up);
         double from = 0.0;
         for (int step = 0; step < STEPS_TO_SUN; step++) {
@@ -214,7 +214,7 @@ final class ScatteredLight {
         return true;
     }
 
-    /** A place on a line by a share from 0 to 1: most of them are near its lowest point. */
+    /** A point on a line by a fraction from 0 to 1: most points are near its lowest one. */
     private static double place(double share, double lowest, double end) {
         double border = Math.min(0.5, lowest / end);
         if (share < border) {

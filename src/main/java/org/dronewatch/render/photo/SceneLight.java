@@ -3,10 +3,10 @@ package org.dronewatch.render.photo;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.World;
 
-/** All light that a world has: sun, sky, what the ground gives back, and the air in between. Immutable. */
+/** All the light of a world: sun, sky, light reflected by the ground, and the air in between. Immutable. */
 record SceneLight(World world, Daylight daylight, Sky sky, AmbientLight ambient) {
 
-    /** That of a world. */
+    /** The light of a world. */
     static SceneLight of(World world) {
         Daylight daylight = new Daylight(world.light());
         Sky sky = new Sky(daylight);
@@ -24,8 +24,8 @@ record SceneLight(World world, Daylight daylight, Sky sky, AmbientLight ambient)
     }
 
     /**
-     * Puts the air before a surface: of its difference to the sky at the horizon, which is what air without end shows,
-     * {@link Light#contrastLeft} is left (Koschmieder 1924).
+     * Puts the air in front of a surface: the fraction {@link Light#contrastLeft} is left of its difference from the sky at
+     * the horizon, which is what an infinitely long path through air would show (Koschmieder 1924).
      *
      * @param direction of the line of sight, of unit length
      * @param distance m

@@ -6,18 +6,18 @@ import org.dronewatch.world.Clearance;
 import org.dronewatch.world.Visibility;
 
 /**
- * The light that matt surfaces send to the camera: Lambert's cosine law for the sun, with a shadow ray, and the light of
- * the sky, of which corners receive less. How much less is their obscurance: rays into the hemisphere count the more the
- * farther they get (Zhukov, Iones and Kronin, "An ambient light illumination model", 1998). One per thread.
+ * The light that matt surfaces send to the camera: Lambert's cosine law for the sun, with a shadow ray, and the light of the
+ * sky, of which corners receive less. How much less is their obscurance: rays into the hemisphere count more the farther
+ * they get (Zhukov, Iones and Kronin, "An ambient light illumination model", 1998). One per thread.
  */
 final class Shading {
-    /** Distance at which what a ray meets takes away 1/e of its light, m. */
+    /** Distance at which a hit takes away 1/e of a ray's light, m. */
     private static final double REACH = 4.0;
 
-    /** Hits are that exact, as a fraction of their distance: pixels are traced in single precision. */
+    /** Accuracy of hits, as a fraction of their distance: pixels are traced in single precision. */
     private static final double ROUNDING = 1e-6;
 
-    /** Turns each ray of a spiral by so much against the last that none are behind each other, rad. */
+    /** Golden angle, rad: successive rays of a spiral are rotated by it, so that they do not line up. */
     private static final double GOLDEN_ANGLE = Math.PI * (3.0 - Math.sqrt(5.0));
 
     private final SceneLight light;
@@ -29,7 +29,7 @@ final class Shading {
     private final double[] scratch = new double[Daylight.CHANNELS];
     private final double[] point = new double[3];
 
-    /** @param rays into the hemisphere above what a part of a pixel shows */
+    /** @param rays into the hemisphere above the surface that a part of a pixel shows */
     Shading(SceneLight light, int rays) {
         this.light = light;
         this.visibility = new Visibility(light.world());
@@ -39,14 +39,14 @@ final class Shading {
     }
 
     /**
-     * Writes what comes to the camera from a surface.
+     * Writes the radiance of a surface towards the camera.
      *
      * @param from the camera, m
      * @param direction of unit length
      * @param distance to the surface, m
      * @param normal of the surface, to either side and of any length; afterwards of unit length and towards the camera
      * @param surfaces of the mesh to which it belongs
-     * @param part number of the part of a pixel that is looked at
+     * @param part number of the part of a pixel that is shaded
      * @param parts how many parts a pixel has, which share the rays into the hemisphere
      * @param corners whether corners are darker, as those of the world are
      */
@@ -100,9 +100,9 @@ final class Shading {
                 point[0], point[1], point[2], sun.x(), sun.y(), sun.z(), Double.POSITIVE_INFINITY);
     }
 
-    /** The fraction of the light from all around that reaches the point, by rays spread after the cosine law. */
+    /** The fraction of the light from all around that reaches the point, by rays distributed by the cosine law. */
     private double openness(double[] normal, int part, int of) {
-        // An orthonormal frame about the normal (Duff et al., JCGT 6, 2017).
+        // An orthonormal frame around the normal (Duff et al., JCGT 6, 2017).
         double sign = normal[2] < 0.0 ? -1.0 : 1.0;
         double a = -1.0 / (sign + normal[2]);
         double b = normal[0] * normal[1] * a;

@@ -6,18 +6,18 @@ import org.dronewatch.geometry.Position;
 /**
  * How bright the sky is in each direction, relative to a white, matt, level surface. Its brightness is distributed as
  * that of the standard general skies of ISO 15469:2004 (CIE S 011): type 12, clear, where the sun is known, type 3,
- * overcast and moderately graded, where it is not; scaled so that all of it gives level ground the share of the light that {@link Daylight}
- * says. A clear sky has the colours of {@link ScatteredLight}. Below the horizon it is what air without end would show.
- * Immutable.
+ * overcast and moderately graded, where it is not; scaled so that the whole sky gives level ground the fraction of the light
+ * stated by {@link Daylight}. A clear sky has the colours of {@link ScatteredLight}. Below the horizon it is what an
+ * infinitely long path through air would show. Immutable.
  */
 final class Sky {
-    /** Half the angle that the sun fills, rad. */
+    /** Angular radius of the sun, rad. */
     private static final double SUN_RADIUS = Math.toRadians(0.2666);
 
-    /** Radiance of the sun's disc: far beyond what a picture can show. */
+    /** Radiance of the sun's disc: far more than a picture can show. */
     private static final double SUN_DISC = 60.0;
 
-    /** The sky changes smoothly into the horizon over elevations of about this sine, to what air without end shows. */
+    /** Sine of the elevation over which the sky changes smoothly into what an infinitely long path through air shows. */
     private static final double HORIZON = 0.02;
 
     private static final double[] OVERCAST = {0.94, 1.0, 1.05};
@@ -38,7 +38,7 @@ final class Sky {
         this.scale = daylight.diffuse() / onLevelGround();
     }
 
-    /** The light that a sky of the relative distribution gives level ground, over pi: by the midpoint rule. */
+    /** Irradiance of level ground by a sky of the relative distribution, over pi, by the midpoint rule. */
     private double onLevelGround() {
         int steps = SkyDirections.STEPS;
         double sum = 0.0;
@@ -57,7 +57,7 @@ final class Sky {
      * @param x of a unit vector
      */
     void radiance(double x, double y, double z, double[] rgb) {
-        // Of a direction below the horizon, one just above it.
+        // For a direction below the horizon, one just above it.
         double up = Math.min(1.0, 0.5 * (z + Math.sqrt(z * z + 4.0 * HORIZON * HORIZON)));
         double level = Math.sqrt(Math.max(0.0, 1.0 - up * up) / Math.max(Double.MIN_NORMAL, x * x + y * y));
         double east = level * x;
@@ -73,7 +73,7 @@ final class Sky {
         }
     }
 
-    /** Adds the sun where a direction meets its disc. */
+    /** Adds the sun if a direction hits its disc. */
     void addSun(double x, double y, double z, double[] rgb) {
         if (daylight.isSunny() && x * sun.x() + y * sun.y() + z * sun.z() > Math.cos(SUN_RADIUS)) {
             for (int i = 0; i < Daylight.CHANNELS; i++) {

@@ -10,7 +10,7 @@ final class SkyDirections {
     /** Directions in each band. */
     static final int AROUND = 96;
 
-    /** For which each direction stands, sr. */
+    /** Solid angle that each direction represents, sr. */
     static final double SOLID_ANGLE = 2.0 * Math.PI / (STEPS * AROUND);
 
     private SkyDirections() {}

@@ -5,7 +5,7 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /** What the triangles of a mesh reflect. Immutable. */
 final class Surfaces {
-    /** Of materials that name no colour: a pale stone. */
+    /** Colour of materials that state none: pale stone. */
     private static final int UNNAMED = 0xb9b4aa;
 
     private final TriangleMesh mesh;

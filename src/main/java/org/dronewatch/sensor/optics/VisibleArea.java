@@ -16,7 +16,7 @@ import org.jogamp.vecmath.Matrix4d;
  */
 public final class VisibleArea {
     /**
-     * Number of rays over the square about a drone, as a Fibonacci lattice: no edge of a drone runs along its rows, as
+     * Number of rays over the square around a drone, as a Fibonacci lattice: no edge of a drone runs along its rows, as
      * edges run along those of a grid.
      */
     private static final int RAYS = 987;

@@ -149,12 +149,12 @@ public record RadarSettings(
         return SettingsForm.with(this, Map.of("azimuthWidth", azimuth, "elevationWidth", elevation));
     }
 
-    /** These settings with other ranges between which drones are looked for, m. */
+    /** These settings with other minimum and maximum ranges, m. */
     public RadarSettings withRanges(double least, double most) {
         return SettingsForm.with(this, Map.of("minRange", least, "maxRange", most));
     }
 
-    /** These settings with other radial speeds between which drones are looked for, m/s. */
+    /** These settings with other minimum and maximum radial speeds, m/s. */
     public RadarSettings withSpeeds(double least, double most) {
         return SettingsForm.with(this, Map.of("minSpeed", least, "maxSpeed", most));
     }

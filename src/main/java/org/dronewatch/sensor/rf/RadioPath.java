@@ -80,7 +80,7 @@ public final class RadioPath {
                 at = fraction;
             }
         }
-        // Once more, finely, about the worst: edges are sharp.
+        // Once more, finely, around the worst: edges are sharp.
         double step = 1.0 / STEPS;
         double middle = at;
         for (int i = -STEPS / 2; i <= STEPS / 2; i++) {

@@ -27,7 +27,7 @@ final class BackwardRay {
      */
     private static final int ALWAYS_JOINED = 2;
 
-    /** How far rays that meet nothing are drawn, m. */
+    /** How far rays that hit nothing are drawn, m. */
     private static final double DRAWN = 1000.0;
 
     private final EnergyModel model;

@@ -17,7 +17,7 @@ import org.dronewatch.world.World;
  * thread at a time.
  */
 public final class LevelHearing implements SoundTracer {
-    /** Name of a figure: fraction of the emitted energy that all rays together bring to the microphone. */
+    /** Name of a figure: fraction of the emitted energy that all rays together carry to the microphone. */
     static final String CUMULATED_ENERGY = "cumulated_energy";
 
     private final LevelModel model;

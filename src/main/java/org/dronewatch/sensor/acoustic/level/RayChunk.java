@@ -13,7 +13,7 @@ import org.dronewatch.world.World;
  * hit. One per thread.
  */
 final class RayChunk {
-    /** How far rays that meet nothing are drawn, m. */
+    /** How far rays that hit nothing are drawn, m. */
     private static final double DRAWN = 1000.0;
 
     private final LevelModel model;

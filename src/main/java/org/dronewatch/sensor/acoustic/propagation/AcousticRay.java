@@ -45,7 +45,7 @@ public final class AcousticRay {
     /** Number of the material that it propagates in, or {@link #AIR}. */
     public int medium;
 
-    /** Whether it meets a surface; the tracer then states which, and how far away. */
+    /** Whether it hits a surface; the tracer then states which, and how far away. */
     public boolean meets(RayTracer tracer) {
         return tracer.closestHit(
                 originX, originY, originZ, directionX, directionY, directionZ, 0.0, Double.POSITIVE_INFINITY);

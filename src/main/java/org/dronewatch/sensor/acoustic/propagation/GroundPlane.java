@@ -5,10 +5,10 @@ import org.dronewatch.world.Clearance;
 import org.dronewatch.world.World;
 
 /**
- * The ground that reflects sound between two points, as a plane. Within the first Fresnel zone about the point of
- * reflection, where waves of one wavelength add up, a plane or, where that fits better, a surface that is convex along
- * the path is fitted to the ground; the plane is tangent to it at the point of reflection. The ground is what lies
- * straight below the line between the points and, within the zone, beside it. One per thread.
+ * The ground that reflects sound between two points, as a plane. Within the first Fresnel zone around the point of
+ * reflection, where waves of one wavelength add up, a plane or, where that fits better, a surface that is convex along the
+ * path is fitted to the ground; the plane is tangent to it at the point of reflection. The ground is what lies straight
+ * below the line between the points and, within the zone, beside it. One per thread.
  */
 public final class GroundPlane {
     /** Samples of the surface along the line and on each side of it. */

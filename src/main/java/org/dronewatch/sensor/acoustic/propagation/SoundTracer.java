@@ -30,7 +30,7 @@ public interface SoundTracer {
      */
     default void traceRays(Drone drone, RandomGenerator random, RayRecorder recorder) {}
 
-    /** Curves about the sound of a drone; none unless a model has some. */
+    /** Curves about the sound of a drone; none by default. */
     default List<Curve> curves(Drone drone, RandomGenerator random) {
         return List.of();
     }
