@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -11,8 +13,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dronewatch.app.Main;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.Positioners;
+import org.dronewatch.examples.Patrol;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.SceneResult;
@@ -86,6 +90,37 @@ class GuideTest {
         assertThat(result.firstDetectionRange("radar", "watcher")).isEmpty();
     }
 
+    /** The program of the guide flies the scene of the guide, and with its other flight the scene repeats that. */
+    @Test
+    void thePatrolIsFlownRecordedAndReplayed() throws IOException {
+        String guide = Files.readString(PAGES.resolve("guide.md"));
+        Path scene = directory.resolve("patrol.yaml");
+        Files.writeString(scene, firstExample(guide.substring(guide.indexOf("### Fly and record a scene file"))));
+        Path flown = directory.resolve("patrol");
+        Path replayed = directory.resolve("replayed");
+        Patrol.record(scene, flown);
+        assertThat(Files.readString(flown.resolve("flights.csv")).lines())
+                .as("the header, four sides of five seconds and what begins with the last look")
+                .hasSize(6);
+
+        String steered = lineWith(guide, "flight: {kind: steered, ");
+        String recorded = lineWith(guide, "flight: {kind: recorded, file: patrol/");
+        Files.writeString(scene, Files.readString(scene).replace(steered, recorded));
+        List<String> command = List.of("run", scene.toString(), "--observations", "--out", replayed.toString());
+        StringWriter said = new StringWriter();
+        PrintWriter writer = new PrintWriter(said);
+        assertThat(Main.execute(writer, writer, command.toArray(String[]::new)))
+                .as("%s", said)
+                .isZero();
+        assertThat(Files.readString(replayed.resolve("observations.csv")))
+                .contains(",guard,")
+                .isEqualTo(Files.readString(flown.resolve("observations.csv")));
+    }
+
+    private static String lineWith(String text, String part) {
+        return text.lines().filter(line -> line.contains(part)).findFirst().orElseThrow();
+    }
+
     /** Pages whose first example is a whole scene. */
     @ParameterizedTest
     @CsvSource({"positioner, eye", "alert, radar", "thermal, heat"})
@@ -104,7 +139,7 @@ class GuideTest {
         assertThat(Catalog.beside(directory).entry("mine").orElseThrow().kind()).isEqualTo("radar");
     }
 
-    /** The first is the inside of a class, the second a whole file. */
+    /** The first is the inside of a class, the others are whole files. */
     @Test
     void theJavaOfTheGuideIsThatOfTheExamples() throws IOException {
         Path examples = Path.of("src/examples/java/org/dronewatch/examples");
@@ -113,8 +148,10 @@ class GuideTest {
         assertThat(block.find()).isTrue();
         assertThat(Files.readString(examples.resolve("Chase.java")))
                 .contains(block.group(1).replaceAll("(?m)^(?=.)", "    "));
-        assertThat(block.find()).isTrue();
-        assertThat(Files.readString(examples.resolve("GuardSettings.java"))).contains(block.group(1));
+        for (String file : List.of("Patrol.java", "GuardSettings.java")) {
+            assertThat(block.find()).as(file).isTrue();
+            assertThat(Files.readString(examples.resolve(file))).as(file).contains(block.group(1));
+        }
     }
 
     @Test

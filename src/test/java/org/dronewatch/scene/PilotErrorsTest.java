@@ -188,6 +188,6 @@ class PilotErrorsTest {
         assertThatThrownBy(runner::run)
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining(
-                        "drones.hunter.flight: is steered, but no pilot steers 'hunter': run a Java scene");
+                        "drones.hunter.flight: is steered, but no pilot steers 'hunter': give a pilot by");
     }
 }
