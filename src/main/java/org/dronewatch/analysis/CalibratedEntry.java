@@ -48,7 +48,7 @@ public record CalibratedEntry(
     public static final Pattern FIRST_LINE = Pattern.compile("# A sensor as calibrated by dronewatch: .*");
 
     private static final String HEADING =
-            "# A sensor as calibrated by dronewatch: scene files in this directory take it by"
+            "# A sensor as calibrated by dronewatch: scene files in this directory refer to it by"
                     + " {use: NAME}, the name of this file without .yaml.\n";
 
     /** The components of a world that belong to the place, not to its conditions. */
@@ -124,7 +124,7 @@ public record CalibratedEntry(
                 ? ""
                 : String.format(
                         Locale.ROOT,
-                        " The fitted range is %.3f m %s than the %s m asked for.",
+                        " The fitted range is %.3f m %s than the %s m requested.",
                         Math.abs(more),
                         more > 0.0 ? "greater" : "less",
                         number(range));

@@ -170,7 +170,7 @@ public final class Catalog implements Kinds.NamedSettings {
     public SensorSettings<?> settings(String name, Map<String, ?> parts) {
         if (!partsOf(name).isEmpty()) {
             throw new InputException("'" + name
-                    + "' is a system of several sensors: a scene file takes it as 'use: " + name
+                    + "' is a system of several sensors: a scene file uses it by 'use: " + name
                     + "', and --set sensors.ID=" + name + " puts it in the place of another");
         }
         Node.Mapping known = find(name)

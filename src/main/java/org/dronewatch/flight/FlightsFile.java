@@ -118,7 +118,7 @@ public final class FlightsFile {
         Set<String> seen = new HashSet<>();
         for (String column : header) {
             if (!seen.add(column)) {
-                throw new InputException(name + ":1: column '" + PlainText.value(column) + "' is there twice");
+                throw new InputException(name + ":1: column '" + PlainText.value(column) + "' appears twice");
             }
         }
         for (String column : COLUMNS) {
@@ -151,7 +151,7 @@ public final class FlightsFile {
         }
         if (!legs.isEmpty() && time <= legs.get(legs.size() - 1).time()) {
             throw new InputException(at(row) + "time_s " + time + " must be after "
-                    + legs.get(legs.size() - 1).time() + ", that of the flight's row before");
+                    + legs.get(legs.size() - 1).time() + ", that of the flight's previous row");
         }
         legs.add(new Leg(time, state));
     }

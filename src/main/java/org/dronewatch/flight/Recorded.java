@@ -43,7 +43,7 @@ public record Recorded(
      */
     @Override
     public FlightPath create(double speed, double acceleration, Ground ground) {
-        String named = drone.orElseThrow(() -> new IllegalArgumentException("drone must be named outside of a scene"));
+        String named = drone.orElseThrow(() -> new IllegalArgumentException("drone must be named outside a scene"));
         return FlightsFile.read(Path.of(file), file).flight(run, named);
     }
 }

@@ -118,12 +118,12 @@ public final class SteeredFlight implements FlownPath {
     /** When a command takes effect, s. */
     private double effective(double time) {
         if (over) {
-            throw new IllegalStateException("the run is over: nobody can steer any more");
+            throw new IllegalStateException("the run is over: it accepts no more commands");
         }
         if (Thread.currentThread() != steering) {
             throw new IllegalStateException("commanded by the thread '"
                     + Thread.currentThread().getName() + "', but only '" + steering.getName()
-                    + "', which runs the scene, steers: give commands in events of its simulator");
+                    + "', which runs the scene, may steer: give commands in events of its simulator");
         }
         double from = time <= looked ? Math.nextUp(looked) : time;
         if (!(time >= looked && from >= now) || !Double.isFinite(time)) {

@@ -27,7 +27,7 @@ record SiteAdvice(SceneSettings settings, World world) {
         onSurfaces(target);
         onSounds(target);
         if (!settings.world().noiseSources().isEmpty() && !isListening()) {
-            target.accept("world.noiseSources has no effect: no sensor that is switched on listens");
+            target.accept("world.noiseSources has no effect: no sensor that hears sound is switched on");
         }
         settings.enabledSensors().forEach((id, sensor) -> Mounted.positioner(sensor)
                 .ifPresent(positioner -> new PositionerAdvice(settings, id, positioner).giveTo(target)));
@@ -47,7 +47,7 @@ record SiteAdvice(SceneSettings settings, World world) {
         }
         surfaces.unused(world.mesh().materialNames())
                 .forEach(name -> target.accept("world.surfaces.own." + name
-                        + " has no effect: no material of the models has this surface; they are "
+                        + " has no effect: no material of the models uses this surface; the materials are "
                         + String.join(", ", world.mesh().materialNames())));
     }
 

@@ -51,7 +51,7 @@ public record SurfaceSettings(
         try {
             named(name);
         } catch (InputException e) {
-            String also = own.isEmpty() ? "" : "; the scene's own are " + String.join(", ", own.keySet());
+            String also = own.isEmpty() ? "" : "; the scene defines " + String.join(", ", own.keySet());
             throw new IllegalArgumentException(path + ": " + e.getMessage() + also, e);
         }
     }

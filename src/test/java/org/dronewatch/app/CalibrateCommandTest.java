@@ -267,7 +267,7 @@ class CalibrateCommandTest {
         assertThat(entry.note())
                 .endsWith(String.format(
                         Locale.ROOT,
-                        "The fitted range is %.3f m %s than the %.0f m asked for.",
+                        "The fitted range is %.3f m %s than the %.0f m requested.",
                         Math.abs(stated - asked),
                         stated > asked ? "greater" : "less",
                         asked));

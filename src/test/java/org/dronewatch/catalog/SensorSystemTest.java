@@ -88,9 +88,8 @@ class SensorSystemTest {
                 .withMessageContaining("sensors.gate-radar: unknown setting 'colour'");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> Catalog.packaged().settings("liteye", Map.of("position", MAST)))
-                .withMessage(
-                        "'liteye' is a system of several sensors: a scene file takes it as 'use: liteye', and --set"
-                                + " sensors.ID=liteye puts it in the place of another");
+                .withMessage("'liteye' is a system of several sensors: a scene file uses it by 'use: liteye', and --set"
+                        + " sensors.ID=liteye puts it in the place of another");
     }
 
     @Test

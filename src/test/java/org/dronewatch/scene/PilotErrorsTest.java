@@ -111,7 +111,7 @@ class PilotErrorsTest {
         assertThat(refused).hasSize(3).allSatisfy(one -> assertThat(one)
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("commanded by the thread 'elsewhere', but only '")
-                .hasMessageContaining("', which runs the scene, steers: give commands in events of its simulator"));
+                .hasMessageContaining("', which runs the scene, may steer: give commands in events of its simulator"));
         assertThat(refused.get(2)).hasMessageStartingWith("drone 'hunter' at 0.75 s: ");
         assertThat(runs.get(0).drone("hunter").state(1.0).position().z())
                 .as("refused commands change nothing")

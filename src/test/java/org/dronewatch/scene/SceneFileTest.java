@@ -156,7 +156,7 @@ class SceneFileTest {
                             own: {foam: {absorption: 0.9}}
                         """))
                 .withMessageContaining(":4:24: world.surfaces: materials.grass: unknown material 'foma'")
-                .withMessageEndingWith("the scene's own are foam");
+                .withMessageEndingWith("the scene defines foam");
     }
 
     @Test

@@ -112,7 +112,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
         if (tracer(world) instanceof LevelHearing levels) {
             return levels;
         }
-        throw new IllegalStateException("this sensor uses another propagation model: only the level model listens");
+        throw new IllegalStateException("this sensor uses another propagation model: 'listen' needs the level model");
     }
 
     /**
@@ -124,7 +124,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
         if (tracer(world) instanceof EnergyHearing energies) {
             return energies.read(drone, random, RayRecorder.NONE);
         }
-        throw new IllegalStateException("this sensor uses another propagation model: only the energy model reads");
+        throw new IllegalStateException("this sensor uses another propagation model: 'read' needs the energy model");
     }
 
     @Override

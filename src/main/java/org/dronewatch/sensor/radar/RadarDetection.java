@@ -98,7 +98,7 @@ public sealed interface RadarDetection {
             Limits.check(Chance.class, falseAlarm, pulses);
             if (pulses > 1 && falseAlarm > MAX_FALSE_ALARM_WITH_PULSES) {
                 throw new IllegalArgumentException("falseAlarm " + falseAlarm + " must be at most "
-                        + MAX_FALSE_ALARM_WITH_PULSES + " where several pulses are summed, here " + pulses);
+                        + MAX_FALSE_ALARM_WITH_PULSES + " where several pulses are integrated, here " + pulses);
             }
         }
 
