@@ -3,24 +3,31 @@ package org.dronewatch.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import nl.tudelft.simulation.dsol.SimRuntimeException;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.setting.Check;
 import org.dronewatch.setting.InputException;
 
 /** A run whose drones are steered: its drones, its time and its simulator. For the thread that runs the scene. */
 public final class PilotedRun {
     private final RunSession session;
     private final DevsSimulatorInterface<Double> simulator;
+    private final Class<?> pilot;
     private final List<Double> late = new ArrayList<>();
     private boolean beginning;
 
-    PilotedRun(RunSession session, DevsSimulatorInterface<Double> simulator) {
+    /**
+     * A run.
+     *
+     * @param pilot whose mistakes are reported as its own
+     */
+    PilotedRun(RunSession session, DevsSimulatorInterface<Double> simulator, Class<?> pilot) {
         this.session = session;
         this.simulator = simulator;
+        this.pilot = pilot;
     }
 
     /** The DSOL simulator that drives the run. */
@@ -33,13 +40,15 @@ public final class PilotedRun {
      * so an action may keep rescheduling itself; the runner warns if a pilot schedules such an action when it begins.
      *
      * @param seconds from now, 0 or more
-     * @throws IllegalArgumentException when negative or not a number, or the action is null
+     * @throws InputException when negative or not a number, or the action is null
      */
     public void after(double seconds, Runnable action) {
         if (!(seconds >= 0.0)) {
-            throw new IllegalArgumentException("after " + seconds + " s: must be 0 or more");
+            throw new InputException(here() + "after " + seconds + " s: must be 0 or more");
         }
-        Check.present("action", action);
+        if (action == null) {
+            throw new InputException(here() + "after " + seconds + " s: action is missing");
+        }
         double when = time() + seconds;
         if (beginning && when > settings().run().duration()) {
             late.add(when);
@@ -52,15 +61,15 @@ public final class PilotedRun {
     }
 
     /**
-     * Lets a pilot begin.
+     * Lets the pilot begin.
      *
-     * @param pilot what it does first
+     * @param steering what it does first
      * @return a warning, if it schedules an action for a time after the end of the run
      * @throws InputException as for {@link #act}
      */
-    Optional<String> begin(Consumer<PilotedRun> pilot) {
+    Optional<String> begin(Consumer<PilotedRun> steering) {
         beginning = true;
-        act(() -> pilot.accept(this));
+        act(() -> steering.accept(this));
         beginning = false;
         return late.stream()
                 .min(Double::compare)
@@ -71,15 +80,18 @@ public final class PilotedRun {
     }
 
     /**
-     * Does what a pilot does now.
+     * Does what the pilot does now.
      *
-     * @throws InputException when it gives a command that the drone cannot follow, and does not handle that itself
+     * @throws InputException when the pilot throws an exception of any other kind, or gives a command that the drone cannot
+     *     follow, and does not handle that itself
      */
-    void act(Runnable action) {
+    private void act(Runnable action) {
         try {
             action.run();
-        } catch (IllegalArgumentException e) {
-            throw new InputException("pilot at " + time() + " s: " + e.getMessage(), e);
+        } catch (InputException | CancellationException e) {
+            throw e;
+        } catch (RuntimeException e) {
+            throw new PilotFault(pilot, e).at(time());
         }
     }
 
@@ -105,7 +117,12 @@ public final class PilotedRun {
         try {
             return new DroneInFlight(id, session.stage().flight(id), this::time);
         } catch (IllegalArgumentException e) {
-            throw new InputException("pilot at " + time() + " s: " + e.getMessage(), e);
+            throw new InputException(here() + e.getMessage(), e);
         }
+    }
+
+    /** The beginning of a message: when. */
+    private String here() {
+        return "pilot at " + time() + " s: ";
     }
 }

@@ -282,7 +282,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         if (session == null) {
             throw new IllegalStateException("drone '" + id + "' does not fly: no run of the scene is going on");
         }
-        return new PilotedRun(session, getSimulator()).drone(id);
+        return new PilotedRun(session, getSimulator(), getClass()).drone(id);
     }
 
     /** Opens a run, lets its pilot begin and schedules its first look; DSOL calls this for each replication. */
@@ -292,7 +292,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
                 getSimulator() instanceof SceneSimulator simulator ? Optional.of(simulator) : Optional.empty();
         session = own.flatMap(SceneSimulator::session).orElseGet(this::openSession);
         Pilot steering = own.flatMap(SceneSimulator::pilot).orElseGet(this::pilot);
-        PilotedRun run = new PilotedRun(session, getSimulator());
+        PilotedRun run = new PilotedRun(session, getSimulator(), steering.getClass());
         RunThread.follow(session.stage(), getSimulator());
         run.begin(steering::begin).ifPresent(warning -> own.ifPresent(simulator -> simulator.warn(warning)));
         scheduleNextLook();
@@ -331,6 +331,14 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     private void look() {
+        if (getSimulator() instanceof SceneSimulator own) {
+            own.look(this::observe);
+        } else {
+            observe();
+        }
+    }
+
+    private void observe() {
         if (session.nextTime().isPresent()) {
             double now = getSimulator().getSimulatorTime();
             for (Observation observation : session.advance().observations()) {

@@ -1,6 +1,7 @@
 package org.dronewatch.scene;
 
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
@@ -13,6 +14,7 @@ import nl.tudelft.simulation.dsol.simulators.ReplicationState;
 import nl.tudelft.simulation.dsol.simulators.RunState;
 import nl.tudelft.simulation.dsol.simulators.SimulatorInterface;
 import org.dronewatch.run.RunSession;
+import org.dronewatch.setting.InputException;
 
 /**
  * A DSOL simulator that runs on the caller's thread and passes on what an event throws, unchanged. DSOL's own start()
@@ -27,6 +29,7 @@ final class SceneSimulator extends DevsSimulator<Double> {
     private transient RunSession session;
     private transient Pilot pilot;
     private transient Consumer<String> warnings;
+    private transient boolean looking;
 
     private SceneSimulator(String id) {
         super(id);
@@ -57,6 +60,7 @@ final class SceneSimulator extends DevsSimulator<Double> {
         session = open;
         pilot = steering;
         warnings = notes;
+        looking = false;
         try {
             initializeApart(scene, replication);
             runToEnd();
@@ -77,6 +81,13 @@ final class SceneSimulator extends DevsSimulator<Double> {
     /** Who steers the drones of {@link #session()}. */
     Optional<Pilot> pilot() {
         return Optional.ofNullable(pilot);
+    }
+
+    /** Lets the sensors look. What goes wrong meanwhile is not the pilot's mistake; what goes wrong in any other event is. */
+    void look(Runnable looks) {
+        looking = true;
+        looks.run();
+        looking = false;
     }
 
     /** Warns whoever runs the scene. */
@@ -153,7 +164,15 @@ final class SceneSimulator extends DevsSimulator<Double> {
         while (cause instanceof SimRuntimeException && cause.getCause() != null) {
             cause = cause.getCause();
         }
-        failure = cause instanceof RuntimeException known ? known : new IllegalStateException(cause);
+        failure = failure(cause);
         runState = RunState.STOPPING;
+    }
+
+    private RuntimeException failure(Throwable cause) {
+        boolean isPilots = pilot != Pilot.NONE && !looking;
+        if (isPilots && !(cause instanceof InputException || cause instanceof CancellationException)) {
+            return new PilotFault(pilot.getClass(), cause).at(getSimulatorTime());
+        }
+        return cause instanceof RuntimeException known ? known : new IllegalStateException(cause);
     }
 }

@@ -7,6 +7,7 @@ import org.dronewatch.flight.Steered;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scene.Pilot;
+import org.dronewatch.scene.PilotedRun;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
@@ -120,8 +121,8 @@ public final class FaultyScenes {
         }
     }
 
-    /** A scene whose pilot asks where its drone will be. */
-    public static final class WrongPilot extends Scene {
+    /** A scene with a steered drone. */
+    private abstract static class WithPilot extends Scene {
         private static final long serialVersionUID = 1L;
 
         @Override
@@ -131,6 +132,30 @@ public final class FaultyScenes {
             add("camera", CameraSettings.at(new Position(0, 0, 20)).withRate(1.0));
             setRun(RunSettings.DEFAULT.withDuration(5.0));
         }
+    }
+
+    /** A scene whose pilot fails after three seconds and a bit. */
+    public static final class FailingPilot extends WithPilot {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected Pilot pilot() {
+            return new Lost();
+        }
+    }
+
+    private static final class Lost implements Pilot {
+        @Override
+        public void begin(PilotedRun run) {
+            run.after(3.03, () -> {
+                throw new IllegalStateException("lost its way");
+            });
+        }
+    }
+
+    /** A scene whose pilot asks where its drone will be. */
+    public static final class WrongPilot extends WithPilot {
+        private static final long serialVersionUID = 1L;
 
         @Override
         protected Pilot pilot() {

@@ -73,4 +73,19 @@ class SteeredScenesTest {
                         "drone 'drone' at 2.0 s: where a steered drone will be at 9.0 s is not known at 2.0 s");
         assertThat(directory.resolve("results")).doesNotExist();
     }
+
+    @Test
+    void whatAPilotThrowsIsOneLineToo() {
+        Path results = directory.resolve("results");
+        Outcome outcome = Program.run("run", FaultyScenes.FailingPilot.class.getName(), "--out", results.toString());
+        assertThat(outcome.code()).isEqualTo(2);
+        String lost = FaultyScenes.class.getName() + "$Lost";
+        assertThat(outcome.complaints())
+                .singleElement()
+                .asString()
+                .startsWith(
+                        "pilot " + lost + " at 3.03 s: java.lang.IllegalStateException: lost its way, at " + lost + ".")
+                .matches(".*\\(FaultyScenes\\.java:\\d+\\)");
+        assertThat(results).doesNotExist();
+    }
 }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -79,6 +80,64 @@ class PilotErrorsTest {
         assertThatThrownBy(runner::run)
                 .isInstanceOf(InputException.class)
                 .hasMessageStartingWith("drone 'prey' at 1.0 s: cannot be steered");
+    }
+
+    /** Whatever a pilot throws is the user's mistake, too: one line with pilot, time, exception and the line of the code. */
+    @Test
+    void anExceptionOfItsOwnNamesPilotTimeAndLine() {
+        assertFault(run -> forgotten.length(), 0.0, "java.lang.NullPointerException: ", "forgotten");
+        assertFault(
+                run -> run.after(0.75, () -> Objects.requireNonNull(forgotten, "no plan")),
+                0.75,
+                "java.lang.NullPointerException: no plan, at ",
+                "");
+        assertFault(
+                run -> run.after(0.5, () -> fail("lost\nits way")),
+                0.5,
+                "java.lang.IllegalStateException: lost its way, at ",
+                ".fail(PilotErrorsTest.java:");
+        assertFault(
+                run -> run.after(0.5, () -> new Attitude(Double.NaN, 0, 0)),
+                0.5,
+                "java.lang.IllegalArgumentException: ",
+                ", at org.dronewatch.scene.PilotErrorsTest.lambda$");
+        assertFault(
+                run -> {
+                    try {
+                        run.simulator().scheduleEventAbs(0.25, () -> fail("in an event"));
+                    } catch (SimRuntimeException e) {
+                        throw new AssertionError(e);
+                    }
+                },
+                0.25,
+                "java.lang.IllegalStateException: in an event, at ",
+                ".fail(PilotErrorsTest.java:");
+    }
+
+    private final String forgotten = null;
+
+    private static void fail(String message) {
+        throw new IllegalStateException(message);
+    }
+
+    private static void assertFault(Pilot pilot, double time, String exception, String place) {
+        assertThatThrownBy(() -> piloted(pilot).run())
+                .isInstanceOf(InputException.class)
+                .hasMessageStartingWith("pilot org.dronewatch.scene.PilotErrorsTest at " + time + " s: " + exception)
+                .hasMessageContaining(place)
+                .hasMessageMatching(
+                        ".*, at org\\.dronewatch\\.scene\\.PilotErrorsTest\\.\\S+\\(PilotErrorsTest\\.java:\\d+\\)")
+                .hasCauseInstanceOf(RuntimeException.class);
+    }
+
+    /** A mistake in a look of the same run is not the pilot's. */
+    @Test
+    void whatFailsInALookIsNotThePilots() {
+        IllegalStateException other = new IllegalStateException("a listener's");
+        SceneRunner runner = piloted(run -> {}).onFrame(frame -> {
+            throw other;
+        });
+        assertThatThrownBy(runner::run).isSameAs(other);
     }
 
     private static SceneRunner piloted(Pilot pilot) {
