@@ -194,16 +194,21 @@ public record DroneSettings(
     }
 
     /**
-     * These settings with the sound of another kind of drone, spectrum and loudness: one of the library's table, or
-     * one's own.
+     * These settings with the sound of another kind of drone, spectrum and loudness: one of the library's table, with its
+     * directivity if that was measured, or one's own.
      *
      * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB
      */
     public DroneSettings withSound(DroneSound other) {
         boolean packaged = DroneSounds.find(other.name()).equals(Optional.of(other));
         Optional<BandLevels> own = packaged ? Optional.empty() : Optional.of(BandLevels.of(other.shape()));
-        return SettingsForm.with(
-                this, Map.of("soundPowerLevel", other.level(), "sound", other.name(), "spectrum", own));
+        Optional<Directivity> measured = packaged ? DroneSounds.measuredDirectivity(other.name()) : Optional.empty();
+        Map<String, Object> parts = Map.of(
+                "soundPowerLevel", other.level(),
+                "sound", other.name(),
+                "spectrum", own,
+                "directivity", measured.orElse(directivity));
+        return SettingsForm.with(this, parts);
     }
 
     /**

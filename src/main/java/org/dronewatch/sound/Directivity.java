@@ -19,7 +19,24 @@ public enum Directivity {
             double degrees = Math.abs(Math.toDegrees(elevation));
             return shelf(band) * (-0.0011 * degrees * degrees + 0.194 * degrees - 4.9);
         }
+    },
+    /**
+     * Of a DJI Matrice 300 in flight at 5 m/s, measured below it up to 60 degrees from the vertical (Ramos-Romero and others,
+     * Aerospace Science and Technology 140, 108537, 2023). Filled in, not measured: nearer to the rotors' plane, and above it,
+     * where the sound is taken to be the same as below. The published gain is the level at 1 m relative to that straight below.
+     */
+    M300 {
+        @Override
+        public double publishedGain(int band, double elevation) {
+            double fromVertical = Math.max(0.0, 0.5 * Math.PI - Math.abs(elevation));
+            return Measured.M300.level(band, fromVertical) - Measured.M300.level(band, 0.0);
+        }
     };
+
+    /** Tables that are read when they are needed for the first time. */
+    private static final class Measured {
+        private static final NoiseHemisphere M300 = new NoiseHemisphere("m300_hemisphere.csv");
+    }
 
     private static final int SHELF = 3;
     private static final double HALFWAY = 0.5;

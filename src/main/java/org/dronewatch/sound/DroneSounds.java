@@ -15,6 +15,9 @@ public final class DroneSounds {
 
     private static final CsvTable<DroneSound> TABLE = new CsvTable<>("drones.csv", "drone sound", DroneSounds::toSound);
 
+    private static final CsvTable<Optional<Directivity>> DIRECTIVITIES =
+            new CsvTable<>("drones.csv", "drone sound", DroneSounds::toDirectivity);
+
     private DroneSounds() {}
 
     /** The names, in the order of the table. */
@@ -34,6 +37,16 @@ public final class DroneSounds {
     /** The sound of a name, if there is one. */
     public static Optional<DroneSound> find(String name) {
         return TABLE.find(name);
+    }
+
+    /** The directivity that was measured with the sound of a name; empty where none was, or where there is no such sound. */
+    public static Optional<Directivity> measuredDirectivity(String name) {
+        return DIRECTIVITIES.find(name).flatMap(measured -> measured);
+    }
+
+    private static Optional<Directivity> toDirectivity(NamedCsvRecord row) {
+        String name = row.getField("directivity");
+        return name.isEmpty() ? Optional.empty() : Optional.of(Directivity.valueOf(name.toUpperCase(Locale.ROOT)));
     }
 
     private static DroneSound toSound(NamedCsvRecord row) {

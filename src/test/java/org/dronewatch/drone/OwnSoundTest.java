@@ -12,6 +12,7 @@ import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sound.BandLevels;
+import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSound;
 import org.dronewatch.sound.DroneSound.Basis;
 import org.dronewatch.sound.DroneSounds;
@@ -62,6 +63,15 @@ class OwnSoundTest {
                     .isEqualTo(
                             DroneSounds.get(name).octaves(DroneSounds.get(name).level()));
         }
+    }
+
+    /** Measured levels by angle are levels only with their own directivity; assumed sounds leave it as it is. */
+    @Test
+    void aMeasuredSoundBringsItsDirectivity() {
+        assertThat(DRONE.withSound(DroneSounds.get("m300")).directivity()).isEqualTo(Directivity.M300);
+        DroneSettings rotor = DRONE.withDirectivity(Directivity.ROTOR);
+        assertThat(rotor.withSound(DroneSounds.get("hexacopter")).directivity()).isEqualTo(Directivity.ROTOR);
+        assertThat(DroneSounds.measuredDirectivity("hexacopter")).isEmpty();
     }
 
     /** A packaged name with other figures is a sound that is not in the table. */
