@@ -19,7 +19,7 @@ public final class Legs {
      * The legs of a flight. One that is made of legs has its own, before the drone leans. Of any other, samples at even
      * steps are joined: where it flies straight and evenly they become one leg, which is exact but for rounding. In a
      * bend, or where it speeds up by the acceleration a, it is cut at each step, and between two cuts it is at most a
-     * step^2 / 8 away from where it was.
+     * step^2 / 8 away from where it was. The last leg begins at the end, so that the legs say how long the flight is known.
      *
      * @param path the flight
      * @param until its end, s
@@ -28,10 +28,21 @@ public final class Legs {
     public static List<Leg> of(FlightPath path, double until, double step) {
         Optional<FlownPath> flown = FlownPath.in(path);
         if (flown.isPresent()) {
-            return flown.get().legs().stream()
-                    .filter(leg -> leg.time() <= until)
-                    .toList();
+            List<Leg> legs = new ArrayList<>();
+            flown.get().legs().stream().filter(leg -> leg.time() <= until).forEach(legs::add);
+            return ended(legs, until, legs.get(legs.size() - 1).at(until));
         }
+        return ended(sampled(path, until, step), until, path.at(until));
+    }
+
+    private static List<Leg> ended(List<Leg> legs, double until, FlightState end) {
+        if (legs.get(legs.size() - 1).time() < until) {
+            legs.add(new Leg(until, end));
+        }
+        return legs;
+    }
+
+    private static List<Leg> sampled(FlightPath path, double until, double step) {
         List<Leg> legs = new ArrayList<>();
         FlightState here = path.at(0.0);
         for (int i = 0; i * step < until || i == 0; i++) {

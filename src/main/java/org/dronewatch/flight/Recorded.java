@@ -11,7 +11,7 @@ import org.dronewatch.world.Ground;
 
 /**
  * Flies as a drone flew in an earlier run, which wrote its {@code flights.csv}: a steered flight is repeated bit for bit. After
- * the last row it flies on as that row says. The drone's speed does not matter.
+ * the last row, which is where the recording ends, it flies on with the velocity and the attitude of that row. The drone's speed does not matter.
  *
  * @param file path of the {@code flights.csv}
  * @param drone id of the drone in the file; the drone's own id unless given

@@ -1,12 +1,16 @@
 package org.dronewatch.run;
 
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.Displaced;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightsFile;
+import org.dronewatch.flight.FlownPath;
+import org.dronewatch.flight.Leg;
 import org.dronewatch.flight.Recorded;
 import org.dronewatch.flight.Steered;
 import org.dronewatch.setting.InputException;
@@ -17,17 +21,23 @@ import org.dronewatch.world.Ground;
  */
 final class FlightPaths {
     private final Ground ground;
+    private final double end;
     private final Function<String, FlightsFile> files;
+    private final Consumer<String> warnings;
     private final Map<DroneSettings, FlightPath> leaders = new HashMap<>();
 
     /**
      * No paths yet.
      *
+     * @param end of the run, s
      * @param files reads the file of a recorded flight by its name in the settings
+     * @param warnings receives a line for each recorded flight that ends before the run does
      */
-    FlightPaths(Ground ground, Function<String, FlightsFile> files) {
+    FlightPaths(Ground ground, double end, Function<String, FlightsFile> files, Consumer<String> warnings) {
         this.ground = ground;
+        this.end = end;
         this.files = files;
+        this.warnings = warnings;
     }
 
     /**
@@ -62,8 +72,24 @@ final class FlightPaths {
 
     private FlightPath alone(String id, DroneSettings drone) {
         return drone.flight() instanceof Recorded recorded
-                ? drone.leaning(files.apply(recorded.file())
-                        .flight(recorded.run(), recorded.drone().orElse(id)))
+                ? drone.leaning(replayed(id, recorded))
                 : drone.createFlight(ground);
+    }
+
+    private FlownPath replayed(String id, Recorded recorded) {
+        FlownPath path = files.apply(recorded.file())
+                .flight(recorded.run(), recorded.drone().orElse(id));
+        Leg last = path.legs().get(path.legs().size() - 1);
+        if (last.time() < end) {
+            double speed = last.start().velocity().length();
+            warnings.accept(String.format(
+                    Locale.ROOT,
+                    "drone '%s': its recorded flight ends at %s s, the run at %s s: for the rest of it the drone %s",
+                    id,
+                    last.time(),
+                    end,
+                    speed == 0.0 ? "hovers" : String.format(Locale.ROOT, "flies straight on at %.1f m/s", speed)));
+        }
+        return path;
     }
 }

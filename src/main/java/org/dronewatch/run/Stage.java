@@ -58,7 +58,8 @@ public final class Stage {
         this.colours = Map.copyOf(models.colours(site.models()));
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
-        FlightPaths paths = new FlightPaths(world.newGround(), models::flights);
+        FlightPaths paths =
+                new FlightPaths(world.newGround(), settings.run().duration(), models::flights, models::warn);
         settings.fliers().forEach((id, drone) -> {
             Drone created = new Drone(
                     id,
