@@ -159,7 +159,7 @@ final class CalibrateCommand implements Callable<Integer> {
     private static void known(String option, String what, String id, Set<String> all) {
         if (!all.contains(id)) {
             throw new InputException(option + " " + PlainText.value(id) + ": no such " + what + "; "
-                    + (all.isEmpty() ? "the scene has none" : Spelling.nearestAre(id, all)));
+                    + (all.isEmpty() ? "the scene has none" : Spelling.closestMatches(id, all)));
         }
     }
 

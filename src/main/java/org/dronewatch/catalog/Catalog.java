@@ -176,7 +176,7 @@ public final class Catalog implements Kinds.NamedSettings {
         Node.Mapping known = find(name)
                 .or(() -> ofKind(name))
                 .orElseThrow(() -> new InputException(
-                        "no sensor '" + name + "' in the catalogue; " + Spelling.nearestAre(name, choices())));
+                        "no sensor '" + name + "' in the catalogue; " + Spelling.closestMatches(name, choices())));
         Node.Mapping all = known.overlaidWith(Node.Mapping.ofReady(name, parts));
         Path start = directory.orElse(Path.of(""));
         return SettingsFile.read(all, SensorSettings.class, SensorKinds.kinds(this), start, formerNames);

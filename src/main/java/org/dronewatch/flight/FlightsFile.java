@@ -211,7 +211,7 @@ public final class FlightsFile {
                 + (drones.isEmpty()
                         ? "has no flight of run " + run
                         : "has no flight of drone '" + drone + "' in run " + run + "; "
-                                + Spelling.nearestAre(drone, drones)));
+                                + Spelling.closestMatches(drone, drones)));
     }
 
     /** The row of a leg, which reads back as the same numbers. */

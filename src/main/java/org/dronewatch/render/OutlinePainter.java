@@ -24,8 +24,8 @@ final class OutlinePainter {
 
     /** Draws one sensor's field of view. */
     void draw(Position at, Outline outline, double width, int colour, double share) {
-        if (outline instanceof Outline.Pyramid pyramid) {
-            drawPyramid(at, pyramid, width, colour, share);
+        if (outline instanceof Outline.Frustum frustum) {
+            drawFrustum(at, frustum, width, colour, share);
         } else if (outline instanceof Outline.Sector sector) {
             drawSector(at, sector, width, colour, share);
         } else if (outline instanceof Outline.Ball ball) {
@@ -33,8 +33,8 @@ final class OutlinePainter {
         }
     }
 
-    private void drawPyramid(Position at, Outline.Pyramid pyramid, double width, int colour, double share) {
-        List<Position> corners = pyramid.corners(at, Math.min(length, pyramid.far()));
+    private void drawFrustum(Position at, Outline.Frustum frustum, double width, int colour, double share) {
+        List<Position> corners = frustum.corners(at, Math.min(length, frustum.far()));
         for (int i = 0; i < corners.size(); i++) {
             lines.line(at, corners.get(i), width, colour, share);
             lines.line(corners.get(i), corners.get((i + 1) % corners.size()), width, colour, share);

@@ -109,8 +109,8 @@ public final class SitePicture {
         corners.add(new Position(interest.maxX(), interest.maxY(), interest.maxZ()));
         double length = OUTLINE * interest.diagonal();
         settings.enabledSensors().values().forEach(sensor -> {
-            if (Outlined.outline(sensor).orElse(null) instanceof Outline.Pyramid pyramid) {
-                corners.addAll(pyramid.corners(sensor.position(), length));
+            if (Outlined.outline(sensor).orElse(null) instanceof Outline.Frustum frustum) {
+                corners.addAll(frustum.corners(sensor.position(), length));
             }
         });
         settings.alert().protect().ifPresent(zone -> {

@@ -123,7 +123,7 @@ final class Symbols {
         double s = SIZE * scale;
         Path2D path = new Path2D.Double();
         Outline outline = mark.outline().orElse(null);
-        if (outline instanceof Outline.Pyramid pyramid) {
+        if (outline instanceof Outline.Frustum frustum) {
             path.append(new Rectangle2D.Double(-1.1 * s, -0.6 * s, 1.4 * s, 1.2 * s), false);
             path.moveTo(0.3 * s, -0.2 * s);
             path.lineTo(1.15 * s, -0.7 * s);
@@ -132,7 +132,7 @@ final class Symbols {
             path.closePath();
             double angle = 0.0;
             // A camera that looks at the eye, or away from it, has no direction in the picture.
-            if (project(mark.position().plus(pyramid.forward())) && Math.hypot(view[0] - x, view[1] - y) > 1e-6) {
+            if (project(mark.position().plus(frustum.forward())) && Math.hypot(view[0] - x, view[1] - y) > 1e-6) {
                 angle = Math.atan2(view[1] - y, view[0] - x);
             }
             path.transform(AffineTransform.getRotateInstance(angle));

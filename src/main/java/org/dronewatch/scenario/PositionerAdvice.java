@@ -33,9 +33,9 @@ public record PositionerAdvice(SceneSettings scene, String id, PositionerSetting
         }
         SensorSettings<?> sensor = scene.sensors().get(id);
         Outlined.outline(sensor).ifPresent(outline -> {
-            if (outline instanceof Outline.Pyramid pyramid) {
+            if (outline instanceof Outline.Frustum frustum) {
                 double elevation =
-                        Math.asin(Math.max(-1.0, Math.min(1.0, pyramid.forward().z())));
+                        Math.asin(Math.max(-1.0, Math.min(1.0, frustum.forward().z())));
                 if (elevation < positioner.minTilt() - 1e-9 || elevation > positioner.maxTilt() + 1e-9) {
                     target.accept(String.format(
                             Locale.ROOT,

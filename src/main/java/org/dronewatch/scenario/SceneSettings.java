@@ -100,14 +100,14 @@ public record SceneSettings(
     private static void checkDisabled(String id, Map<String, SensorSettings<?>> sensors) {
         if (!sensors.containsKey(id)) {
             throw new IllegalArgumentException(
-                    "disabled '" + id + "': there is no such sensor; " + Spelling.nearestAre(id, sensors.keySet()));
+                    "disabled '" + id + "': there is no such sensor; " + Spelling.closestMatches(id, sensors.keySet()));
         }
     }
 
     private static void checkPriced(String id, Map<String, SensorSettings<?>> sensors) {
         if (!sensors.containsKey(id)) {
-            throw new IllegalArgumentException(
-                    "prices.sensors." + id + ": there is no such sensor; " + Spelling.nearestAre(id, sensors.keySet()));
+            throw new IllegalArgumentException("prices.sensors." + id + ": there is no such sensor; "
+                    + Spelling.closestMatches(id, sensors.keySet()));
         }
     }
 
@@ -119,7 +119,7 @@ public record SceneSettings(
         String listens = cued + "'" + cue + "'";
         if (!sensors.containsKey(cue)) {
             throw new IllegalArgumentException(
-                    listens + ": there is no such sensor; " + Spelling.nearestAre(cue, sensors.keySet()));
+                    listens + ": there is no such sensor; " + Spelling.closestMatches(cue, sensors.keySet()));
         }
         if (sensors.get(cue).as(DirectionFinding.class).isEmpty()) {
             throw new IllegalArgumentException(

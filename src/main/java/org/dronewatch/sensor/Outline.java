@@ -35,7 +35,7 @@ public sealed interface Outline {
      * @param near where it begins, as a distance along the axis, m
      * @param far where it ends, as a distance along the axis, m; infinity for no end
      */
-    record Pyramid(
+    record Frustum(
             Position forward,
             Position right,
             Position up,

@@ -49,7 +49,7 @@ public final class Spelling {
      * The end of a message about an unknown name: {@code closest matches: camera, radar}, or
      * {@code closest match: camera}.
      */
-    public static String nearestAre(String typed, Collection<String> names) {
+    public static String closestMatches(String typed, Collection<String> names) {
         List<String> nearest = nearest(typed, names, SUGGESTIONS);
         return (nearest.size() == 1 ? "closest match: " : "closest matches: ") + String.join(", ", nearest);
     }

@@ -55,6 +55,6 @@ final class CsvTable<T> {
     T get(String name) {
         return find(name)
                 .orElseThrow(() -> new InputException(
-                        "unknown " + what + " '" + name + "'; " + Spelling.nearestAre(name, rows.keySet())));
+                        "unknown " + what + " '" + name + "'; " + Spelling.closestMatches(name, rows.keySet())));
     }
 }

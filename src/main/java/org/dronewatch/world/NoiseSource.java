@@ -80,9 +80,9 @@ public record NoiseSource(
      * A piece of a source, so short that it is a point to a listener.
      *
      * @param position of its middle, m
-     * @param share fraction of the source's power, 0 to 1
+     * @param fraction of the source's power, 0 to 1
      */
-    public record Piece(Position position, double share) {}
+    public record Piece(Position position, double fraction) {}
 
     /** The source in pieces for a listener, in the order of its positions. */
     public List<Piece> pieces(Position listener) {

@@ -314,7 +314,7 @@ class SitePictureTest {
     @Test
     void aCamerasOutlineEndsInTheCornersOfItsPicture() {
         CameraSettings camera = (CameraSettings) settings.sensors().get("camera");
-        Outline.Pyramid outline = (Outline.Pyramid) camera.outline();
+        Outline.Frustum outline = (Outline.Frustum) camera.outline();
         CameraObject object = new CameraObject(camera);
         Position corner = camera.position()
                 .plus(outline.forward()

@@ -52,7 +52,8 @@ class SpellingTest {
     void theEndsOfMessagesNameWhatWasMeant() {
         assertThat(Spelling.didYouMean("brik_rough", NAMES)).isEqualTo("; did you mean 'brick_rough'?");
         assertThat(Spelling.didYouMean("xyzxyzxyzxyz", NAMES)).isEmpty();
-        assertThat(Spelling.nearestAre("brik", List.of("brick", "solid"))).isEqualTo("closest matches: brick, solid");
-        assertThat(Spelling.nearestAre("brik", List.of("brick"))).isEqualTo("closest match: brick");
+        assertThat(Spelling.closestMatches("brik", List.of("brick", "solid")))
+                .isEqualTo("closest matches: brick, solid");
+        assertThat(Spelling.closestMatches("brik", List.of("brick"))).isEqualTo("closest match: brick");
     }
 }

@@ -38,24 +38,24 @@ final class Footprint {
         if (outline instanceof Outline.Ball ball) {
             return rings(at, 0.0, TURN, 0.0, ball.radius());
         }
-        Outline.Pyramid pyramid = (Outline.Pyramid) outline;
-        return wedge(at, pyramid, Math.min(pyramid.far(), detected.orElse(UNKNOWN_REACH)));
+        Outline.Frustum frustum = (Outline.Frustum) outline;
+        return wedge(at, frustum, Math.min(frustum.far(), detected.orElse(UNKNOWN_REACH)));
     }
 
     /** All compass bearings that lie in a frustum; a camera that looks straight up or down sees all of them. */
-    private static List<List<Position>> wedge(Position at, Outline.Pyramid pyramid, double reach) {
-        if (pyramid.spans(UP) || pyramid.spans(UP.times(-1.0))) {
+    private static List<List<Position>> wedge(Position at, Outline.Frustum frustum, double reach) {
+        if (frustum.spans(UP) || frustum.spans(UP.times(-1.0))) {
             return rings(at, 0.0, TURN, 0.0, reach);
         }
-        Position middle = pyramid.middle();
+        Position middle = frustum.middle();
         double axis = Math.atan2(middle.x(), middle.y());
         double left = 0.0;
         double right = 0.0;
         for (int corner = 0; corner < 4; corner++) {
-            double aside = corner < 2 ? pyramid.halfWidth() : -pyramid.halfWidth();
-            double above = corner % 2 == 0 ? pyramid.halfHeight() : -pyramid.halfHeight();
+            double aside = corner < 2 ? frustum.halfWidth() : -frustum.halfWidth();
+            double above = corner % 2 == 0 ? frustum.halfHeight() : -frustum.halfHeight();
             Position vector =
-                    middle.plus(pyramid.right().times(aside)).plus(pyramid.up().times(above));
+                    middle.plus(frustum.right().times(aside)).plus(frustum.up().times(above));
             double bearing = Math.IEEEremainder(Math.atan2(vector.x(), vector.y()) - axis, TURN);
             left = Math.min(left, bearing);
             right = Math.max(right, bearing);

@@ -263,8 +263,8 @@ public final class CameraObject {
     }
 
     /** What the image shows of the world. */
-    public Outline.Pyramid outline() {
-        return new Outline.Pyramid(
+    public Outline.Frustum outline() {
+        return new Outline.Frustum(
                 forward,
                 right,
                 up,

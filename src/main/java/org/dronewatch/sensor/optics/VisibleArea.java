@@ -25,7 +25,7 @@ public final class VisibleArea {
 
     private final CameraObject camera;
     private final Visibility visibility;
-    private final Outline.Pyramid outline;
+    private final Outline.Frustum outline;
     private final Matrix4d toModel = new Matrix4d();
 
     /** For the image of a camera in a world. */

@@ -125,7 +125,7 @@ class NoiseSourceTest {
                 * Atmosphere.STANDARD.attenuation(OctaveBands.midband(0));
         assertThat(heard).isBetween(Levels.sum(closed - air, -20) - 0.03, Levels.sum(closed, -20) + 0.03);
         assertThat(road.pieces(MICROPHONE).stream()
-                        .mapToDouble(NoiseSource.Piece::share)
+                        .mapToDouble(NoiseSource.Piece::fraction)
                         .sum())
                 .isCloseTo(1.0, within(1e-9));
     }

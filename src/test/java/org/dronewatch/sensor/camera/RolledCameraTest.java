@@ -332,7 +332,7 @@ class RolledCameraTest {
         Random random = new Random(17_320);
         for (int i = 0; i < 100; i++) {
             Position up = unit(random).times(3);
-            Outline.Pyramid outline = new CameraObject(LEVEL.withUp(up)).outline();
+            Outline.Frustum outline = new CameraObject(LEVEL.withUp(up)).outline();
             assertThat(up.dot(outline.right())).isCloseTo(0.0, within(1e-12));
             assertThat(up.dot(outline.up())).isPositive();
         }

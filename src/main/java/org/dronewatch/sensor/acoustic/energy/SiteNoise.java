@@ -49,7 +49,7 @@ final class SiteNoise {
         for (int i = 0; i < pieces.size(); i++) {
             List<Double> power = new ArrayList<>();
             for (double level : source.power().toArray()) {
-                power.add(level + Levels.ofRatio(pieces.get(i).share()));
+                power.add(level + Levels.ofRatio(pieces.get(i).fraction()));
             }
             SoundSource piece = new SoundSource(pieces.get(i).position(), power, Directivity.OMNIDIRECTIONAL);
             EnergyReading heard = tracer.trace(piece, Draws.stream(0L, "", name, i, "noise"), RayRecorder.NONE);
