@@ -194,8 +194,8 @@ public record DroneSettings(
     }
 
     /**
-     * These settings with the sound of another kind of drone, spectrum and loudness: one of the library's table, with its
-     * directivity if that was measured, or one's own.
+     * These settings with the sound of another kind of drone, spectrum and loudness: one from the library's table, with its
+     * directivity if that was measured, or a sound of your own.
      *
      * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB
      */

@@ -10,8 +10,9 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * Flies as a drone flew in an earlier run, which wrote its {@code flights.csv}: a steered flight is repeated bit for bit. After
- * the last row, which is where the recording ends, it flies on with the velocity and the attitude of that row. The drone's speed does not matter.
+ * Flies as a drone flew in an earlier run, which wrote its {@code flights.csv}: a steered flight is repeated bit for bit.
+ * After the last row, where the recording ends, it flies on with the velocity and the attitude of that row. The drone's
+ * speed does not matter.
  *
  * @param file path of the {@code flights.csv}
  * @param drone id of the drone in the file; the drone's own id unless given

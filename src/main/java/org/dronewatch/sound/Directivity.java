@@ -21,9 +21,10 @@ public enum Directivity {
         }
     },
     /**
-     * Of a DJI Matrice 300 in flight at 5 m/s, measured below it up to 60 degrees from the vertical (Ramos-Romero and others,
-     * Aerospace Science and Technology 140, 108537, 2023). Filled in, not measured: nearer to the rotors' plane, and above it,
-     * where the sound is taken to be the same as below. The published gain is the level at 1 m relative to that straight below.
+     * That of a DJI Matrice 300 in flight at 5 m/s, measured below it up to 60 degrees from the vertical (Ramos-Romero and
+     * others, Aerospace Science and Technology 140, 108537, 2023). Filled in, not measured: nearer to the rotors' plane, and
+     * above it, where the sound is taken to be the same as below. The published gain is the level at 1 m relative to that
+     * straight below.
      */
     M300 {
         @Override

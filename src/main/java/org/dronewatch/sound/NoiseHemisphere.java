@@ -21,7 +21,7 @@ final class NoiseHemisphere {
     /** Angles beyond this were not measured: the table has the levels at this one, 3.5 dB fainter for each step. */
     static final double MEASURED = Math.toRadians(60.0);
 
-    /** From one angle to the next, as between the microphones across the track. */
+    /** Step from one angle to the next, as between the microphones across the track. */
     private static final double STEP = Math.toRadians(15.0);
 
     private static final int ANGLES = 7;
@@ -98,7 +98,7 @@ final class NoiseHemisphere {
         return Levels.ofRatio(octaves.get(band).get(i)[j]);
     }
 
-    /** The last of the angles, but not the last of all, that is not above one. */
+    /** Index of the last angle that is not above another one, but never that of the very last angle. */
     private static int below(List<Double> angles, double angle) {
         int i = 0;
         while (i < angles.size() - 2 && angles.get(i + 1) <= angle) {
