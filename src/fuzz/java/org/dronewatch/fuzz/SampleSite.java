@@ -89,6 +89,7 @@ final class SampleSite {
                 glideReduction: 20 dB
                 sound: hexacopter
                 directivity: rotor
+                tones: {rotorSpeed: 6150 rpm, blades: 2, shares: [0.5, 0.3, 0.3]}
                 heat: {excess: 6 K, coolingTime: 90 s}
                 radio: {control: radio, frequency: 2.4 GHz, power: 20, pilot: [100, 50, 5], pilotPower: 20}
                 swarm: {count: 2, spacing: 5 m, formation: wedge}

@@ -7,6 +7,7 @@ import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.sound.Tone;
 import org.jogamp.vecmath.Matrix4d;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
@@ -221,6 +222,11 @@ public final class Drone {
     /** Its sound power levels by octave band as it flies now, dB re 1e-12 W: with its motors off it is quieter. */
     public List<Double> soundPower() {
         return settings.soundPower(settings.soundPowerLevel() - quieter());
+    }
+
+    /** The lines in its sound as it flies now: none with its motors off. */
+    public List<Tone> tones() {
+        return isPowered() ? settings.tones().map(RotorTones::lines).orElse(List.of()) : List.of();
     }
 
     /** Its apparent temperature difference from the background as it flies now, K: with its motors off it cools. */

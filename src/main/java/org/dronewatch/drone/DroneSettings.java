@@ -18,6 +18,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.Settings;
 import org.dronewatch.setting.SettingsForm;
@@ -51,6 +52,7 @@ import org.dronewatch.world.World;
  * @param spectrum the drone's own spectrum in place of the table's: A-weighted levels of the octave bands relative to
  *     one another, as in the table; {@code soundPowerLevel} sets how loud it is
  * @param directivity how the sound radiated depends on elevation, for the energy model
+ * @param tones the lines in its spectrum, for {@code criterion: narrow-band} of the energy model; none if empty
  * @param swarm how many such drones fly in formation; a single drone if empty
  * @param label its role, purpose and properties, for readers of the results; no sensor uses it
  */
@@ -70,6 +72,7 @@ public record DroneSettings(
         String sound,
         Optional<BandLevels> spectrum,
         Directivity directivity,
+        @Minor Optional<RotorTones> tones,
         Optional<Swarm> swarm,
         ThreatLabel label)
         implements Settings<Drone> {
@@ -99,6 +102,7 @@ public record DroneSettings(
                 sound,
                 spectrum,
                 directivity,
+                tones,
                 swarm,
                 label);
         spectrum.ifPresent(own -> Limits.check(
@@ -139,6 +143,7 @@ public record DroneSettings(
                 DroneSounds.SMALL_QUADROTOR,
                 Optional.empty(),
                 Directivity.OMNIDIRECTIONAL,
+                Optional.empty(),
                 Optional.empty(),
                 ThreatLabel.DEFAULT);
     }
@@ -223,6 +228,11 @@ public record DroneSettings(
     /** These settings with another directivity. */
     public DroneSettings withDirectivity(Directivity other) {
         return SettingsForm.with(this, "directivity", other);
+    }
+
+    /** These settings with lines in the spectrum. */
+    public DroneSettings withTones(RotorTones other) {
+        return SettingsForm.with(this, "tones", Optional.of(Check.present("tones", other)));
     }
 
     /** These settings as a swarm. */

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Signal;
@@ -15,6 +16,8 @@ import org.dronewatch.sensor.acoustic.energy.EnergyModel.Criterion;
 import org.dronewatch.sensor.acoustic.propagation.Heard;
 import org.dronewatch.sensor.acoustic.propagation.Microphone;
 import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
+import org.dronewatch.sensor.acoustic.tone.HeardTone;
+import org.dronewatch.sensor.acoustic.tone.LineSpectrum;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
@@ -25,6 +28,9 @@ import org.dronewatch.world.World;
  */
 public final class EnergyHearing implements SoundTracer {
     private static final String UNIT = "dB";
+
+    /** Speed of the wind that widens lines, m/s. */
+    private static final double STILL = 0.0;
 
     /** Where more than this fraction of the sound leaves the site, it has no appreciable reverberation. */
     private static final double OPEN = 0.5;
@@ -54,21 +60,32 @@ public final class EnergyHearing implements SoundTracer {
      * @param recorder receives every ray segment; {@link RayRecorder#NONE} to record nothing
      */
     public EnergyReading read(Drone drone, RandomGenerator random, RayRecorder recorder) {
+        return read(sound(drone), random, recorder);
+    }
+
+    private EnergyReading read(SoundSource sound, RandomGenerator random, RayRecorder recorder) {
         background();
-        return tracer.trace(sound(drone), random, recorder);
+        return tracer.trace(sound, random, recorder);
     }
 
     @Override
     public Heard hear(Drone drone, RandomGenerator random) {
-        EnergyReading reading = read(drone, random, RayRecorder.NONE);
-        Signal signal = signal(reading);
-        return new Heard(signal.quantity(), signal.threshold(), figures(reading));
+        SoundSource sound = sound(drone);
+        EnergyReading reading = read(sound, random, RayRecorder.NONE);
+        Signal signal = signal(reading, sound.lines());
+        return new Heard(signal.quantity(), signal.threshold(), figures(reading, sound.lines()));
     }
 
-    private Map<String, Double> figures(EnergyReading reading) {
+    private Map<String, Double> figures(EnergyReading reading, LineSpectrum lines) {
         Map<String, Double> figures = new LinkedHashMap<>(reading.figures(background()));
         if (!world.noiseSources().isEmpty()) {
             figures.put(BACKGROUND, background().aWeighted());
+        }
+        for (HeardTone tone : lines.heard(reading::energy, background())) {
+            String name = "tone_" + tone.harmonic();
+            figures.put(name + "_hz", tone.band().frequency());
+            figures.put(name + "_width_hz", tone.band().width());
+            figures.put(name + "_snr_db", tone.snr());
         }
         return figures;
     }
@@ -84,26 +101,39 @@ public final class EnergyHearing implements SoundTracer {
 
     @Override
     public Signal signal(Drone drone, RandomGenerator random) {
-        return signal(read(drone, random, RayRecorder.NONE));
+        SoundSource sound = sound(drone);
+        return signal(read(sound, random, RayRecorder.NONE), sound.lines());
     }
 
     /** A reading that rests on too few rays is not used for the decision: the exact paths alone decide. */
-    private Signal signal(EnergyReading whole) {
+    private Signal signal(EnergyReading whole, LineSpectrum lines) {
         EnergyReading reading = whole.settled();
         double value = reading.aWeightedLevel();
         double over = background().aWeighted();
-        if (model.criterion() == Criterion.BEST_BAND) {
-            int band = reading.bestBand(background());
-            value = reading.level(band) - background().level(band);
+        if (model.criterion() != Criterion.A_WEIGHTED) {
+            value = ratio(reading, lines);
             over = 0.0;
         }
         double threshold = microphone.detectionLevel(over);
         return new Signal(value >= threshold ? 1.0 : 0.0, value, UNIT, threshold, reading.standardError(), 0.0);
     }
 
+    /** The signal-to-noise ratio of the best line, if lines are listened for and there are any, or of the best octave band. */
+    private double ratio(EnergyReading reading, LineSpectrum lines) {
+        if (model.criterion() == Criterion.NARROW_BAND) {
+            Optional<HeardTone> best = lines.best(reading::energy, background());
+            if (best.isPresent()) {
+                return best.get().snr();
+            }
+        }
+        int band = reading.bestBand(background());
+        return reading.level(band) - background().level(band);
+    }
+
     @Override
     public boolean isHeardInTheOpen(Drone drone) {
-        return signal(tracer.inTheOpen(sound(drone))).isDetected();
+        SoundSource sound = sound(drone);
+        return signal(tracer.inTheOpen(sound), sound.lines()).isDetected();
     }
 
     @Override
@@ -158,8 +188,25 @@ public final class EnergyHearing implements SoundTracer {
         return new Curve("t30", title, "midband frequency [Hz]", "T30 [s]", frequencies, times);
     }
 
-    private static SoundSource sound(Drone drone) {
-        return new SoundSource(
+    private SoundSource sound(Drone drone) {
+        SoundSource sound = new SoundSource(
                 drone.origin(), drone.soundPower(), drone.settings().directivity());
+        return drone.tones().isEmpty() ? sound : sound.with(lines(drone));
+    }
+
+    private LineSpectrum lines(Drone drone) {
+        return new LineSpectrum(
+                drone.tones(),
+                drone.soundPower(),
+                approach(drone),
+                world.atmosphere().speedOfSound(),
+                STILL);
+    }
+
+    /** The drone's speed along the straight line to the microphone, m/s. */
+    private double approach(Drone drone) {
+        Position line = microphone.position().minus(drone.origin());
+        double distance = line.length();
+        return distance > 0.0 ? Position.of(drone.velocity()).dot(line) / distance : 0.0;
     }
 }

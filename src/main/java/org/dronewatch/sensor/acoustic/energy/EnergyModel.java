@@ -73,7 +73,12 @@ public record EnergyModel(
         /** The A-weighted level of all bands together with that of the background. */
         A_WEIGHTED,
         /** The level in each band with that of the background; the best band decides. */
-        BEST_BAND
+        BEST_BAND,
+        /**
+         * The level in the band of each of the drone's tones, as wide as the line, with that of the background there; the best
+         * one decides. For a drone without tones as {@link #BEST_BAND}.
+         */
+        NARROW_BAND
     }
 
     /** How intensity is converted to sound pressure. */
@@ -178,9 +183,11 @@ public record EnergyModel(
 
     @Override
     public String measures() {
-        return criterion == Criterion.BEST_BAND
-                ? "level over the background in the best band"
-                : "A-weighted sound level";
+        return switch (criterion) {
+            case A_WEIGHTED -> "A-weighted sound level";
+            case BEST_BAND -> "level over the background in the best band";
+            case NARROW_BAND -> "level over the background in the band of the best tone";
+        };
     }
 
     @Override

@@ -43,12 +43,19 @@ public record EnergyReading(
         reverberant = List.copyOf(reverberant);
     }
 
-    /** This reading, without the contribution of rays if too few contributed: the exact paths alone. */
+    /**
+     * This reading, without the contribution of rays if too few contributed: the exact paths alone, which have no standard
+     * error.
+     */
     public EnergyReading settled() {
-        return isConverged ? this : SettingsForm.with(this, "reverberant", Collections.nCopies(OctaveBands.COUNT, 0.0));
+        return isConverged
+                ? this
+                : SettingsForm.with(
+                        this, Map.of("reverberant", Collections.nCopies(OctaveBands.COUNT, 0.0), "standardError", 0.0));
     }
 
-    private double energy(int band) {
+    /** Energy in a band, relative to 20 uPa squared. */
+    public double energy(int band) {
         return direct.get(band) + diffracted.get(band) + mirrored.get(band) + reverberant.get(band);
     }
 

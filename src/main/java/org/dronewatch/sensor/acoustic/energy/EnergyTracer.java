@@ -3,6 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.Supplier;
@@ -13,6 +14,7 @@ import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.sensor.acoustic.tone.HeardTone;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
@@ -168,6 +170,13 @@ public final class EnergyTracer {
     private int decisive(SoundSource source) {
         if (model.criterion() == EnergyModel.Criterion.A_WEIGHTED) {
             return EnergyTally.A_WEIGHTED;
+        }
+        if (model.criterion() == EnergyModel.Criterion.NARROW_BAND) {
+            Optional<HeardTone> tone =
+                    source.lines().best(band -> heard(band) * pressure * source.emitted(), background);
+            if (tone.isPresent()) {
+                return tone.get().band().octave();
+            }
         }
         int best = 0;
         double highest = Double.NEGATIVE_INFINITY;

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.tone.LineSpectrum;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.Levels;
 
@@ -11,6 +12,7 @@ public final class SoundSource {
     private final double[] power;
     private final EmissionPattern pattern;
     private final double emitted;
+    private final LineSpectrum lines;
 
     /**
      * A source.
@@ -28,23 +30,35 @@ public final class SoundSource {
             sum += inBand;
         }
         this.emitted = sum;
+        this.lines = LineSpectrum.NONE;
     }
 
-    private SoundSource(Position position, SoundSource like) {
+    private SoundSource(Position position, LineSpectrum lines, SoundSource like) {
         this.position = position;
         this.power = like.power;
         this.pattern = like.pattern;
         this.emitted = like.emitted;
+        this.lines = lines;
+    }
+
+    /** The same source with lines in its spectrum, which are part of its power. */
+    public SoundSource with(LineSpectrum spectrum) {
+        return new SoundSource(position, spectrum, this);
     }
 
     /** The same source somewhere else. */
     SoundSource at(Position other) {
-        return other.equals(position) ? this : new SoundSource(other, this);
+        return other.equals(position) ? this : new SoundSource(other, lines, this);
     }
 
     /** Where it is. */
     Position position() {
         return position;
+    }
+
+    /** The lines in its spectrum. */
+    LineSpectrum lines() {
+        return lines;
     }
 
     /** Power of all bands together, over 1 pW. */

@@ -1,0 +1,92 @@
+package org.dronewatch.sensor.acoustic.tone;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.IntToDoubleFunction;
+import org.dronewatch.sound.BandLevels;
+import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.NarrowBand;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.Tone;
+
+/**
+ * The lines in a drone's sound at the frequencies at which they are heard. A line is attenuated on its way as its octave
+ * band is on average; noise, and what is not in lines, are even over each octave band. Immutable.
+ */
+public final class LineSpectrum {
+    /** The spectrum of a drone without lines. */
+    public static final LineSpectrum NONE =
+            new LineSpectrum(List.of(), Collections.nCopies(OctaveBands.COUNT, 0.0), 0.0, 1.0, 0.0);
+
+    private final List<Line> lines = new ArrayList<>();
+
+    /** The fraction of each octave band's power that is not in lines. */
+    private final double[] broadband = new double[OctaveBands.COUNT];
+
+    /** A line with its power over that of the octave band in which it travels. */
+    private record Line(int harmonic, NarrowBand band, int travelling, double ratio) {}
+
+    /**
+     * The lines of a drone in flight. Those that are heard outside the octave bands are left out.
+     *
+     * @param tones as they are emitted
+     * @param powerLevels sound power levels of the octave bands, lines included, dB
+     * @param approach speed of the drone towards the microphone, m/s; negative when it flies away
+     * @param soundSpeed in the air, m/s
+     * @param wind speed, which widens the lines, m/s, 0 or more
+     */
+    public LineSpectrum(List<Tone> tones, List<Double> powerLevels, double approach, double soundSpeed, double wind) {
+        Arrays.fill(broadband, 1.0);
+        for (Tone tone : tones) {
+            Optional<NarrowBand> emitted = NarrowBand.ofLine(tone.frequency(), wind);
+            if (emitted.isEmpty()) {
+                continue;
+            }
+            int own = emitted.get().octave();
+            broadband[own] = Math.max(0.0, broadband[own] - tone.share());
+            tone.heard(approach, soundSpeed)
+                    .ifPresent(frequency -> NarrowBand.ofLine(frequency, wind).ifPresent(heard -> {
+                        // In the air it has the frequency that is heard. A band without sound says nothing of its way.
+                        boolean known = Double.isFinite(powerLevels.get(heard.octave()));
+                        int travelling = known ? heard.octave() : own;
+                        double power = Levels.toRatio(powerLevels.get(own) - powerLevels.get(travelling));
+                        lines.add(new Line(tone.harmonic(), heard, travelling, tone.share() * power));
+                    }));
+        }
+    }
+
+    /**
+     * The lines that are heard, from the lowest harmonic on.
+     *
+     * @param energies what arrives in each octave band, relative to 20 uPa squared
+     * @param noise sound pressure levels in the octave bands, dB
+     */
+    public List<HeardTone> heard(IntToDoubleFunction energies, BandLevels noise) {
+        List<HeardTone> heard = new ArrayList<>(lines.size());
+        for (Line line : lines) {
+            NarrowBand band = line.band();
+            double energy = energies.applyAsDouble(line.travelling()) * line.ratio()
+                    + energies.applyAsDouble(band.octave()) * broadband[band.octave()] * band.fraction();
+            double snr = Levels.ofRatio(energy) - noise.level(band.octave()) + band.gain();
+            heard.add(new HeardTone(line.harmonic(), band, snr));
+        }
+        return heard;
+    }
+
+    /**
+     * The line that is highest above the noise; the lowest of several that are equal.
+     *
+     * @param energies what arrives in each octave band, relative to 20 uPa squared
+     * @param noise sound pressure levels in the octave bands, dB
+     * @return empty when there is none
+     */
+    public Optional<HeardTone> best(IntToDoubleFunction energies, BandLevels noise) {
+        return heard(energies, noise).stream()
+                .sorted(Comparator.comparingDouble(HeardTone::snr).reversed())
+                .findFirst();
+    }
+}

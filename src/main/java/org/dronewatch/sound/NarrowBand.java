@@ -1,0 +1,59 @@
+package org.dronewatch.sound;
+
+import java.util.Optional;
+
+/**
+ * The band in which a line is searched: as wide as the line, within one octave band.
+ *
+ * @param frequency of its middle, Hz
+ * @param width Hz, above 0 and at most that of the octave band
+ * @param octave the octave band in which its middle lies, 0 for 63 Hz to 7 for 8 kHz
+ */
+public record NarrowBand(double frequency, double width, int octave) {
+    /** Standard deviation of a hovering drone's rotor speed in still air, relative (Heutschi and others 2020). */
+    private static final double JITTER = 0.005;
+
+    /** What each metre per second of wind adds to it, s/m. */
+    private static final double JITTER_BY_WIND = 0.0052;
+
+    /** Decades from the middle of an octave band to its edges (IEC 61260-1, base ten). */
+    private static final double HALF_OCTAVE = 0.15;
+
+    /**
+     * The band of a line. The rotors of a drone never turn quite evenly, and less so in wind: the relative jitter of their
+     * speed, 0.5 % and 0.52 % more for each m/s of wind, is the relative width of all their lines (Heutschi and others, Acta
+     * Acustica 4, 24, 2020, at a height of 10 m).
+     *
+     * @param frequency at which it is heard, Hz
+     * @param wind speed, m/s, 0 or more
+     * @return empty outside the octave bands from 63 Hz to 8 kHz
+     */
+    public static Optional<NarrowBand> ofLine(double frequency, double wind) {
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            if (frequency >= edge(band, -HALF_OCTAVE) && frequency < edge(band, HALF_OCTAVE)) {
+                double width = frequency * (JITTER + JITTER_BY_WIND * wind);
+                return Optional.of(new NarrowBand(frequency, Math.min(width, octaveWidth(band)), band));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** The fraction of its octave band that it covers, above 0 to 1. */
+    public double fraction() {
+        return width / octaveWidth(octave);
+    }
+
+    /** How much less noise it lets in than its octave band, if that is even over frequency, dB: {@code 10 lg(B_octave / B)}. */
+    public double gain() {
+        return -Levels.ofRatio(fraction());
+    }
+
+    /** The width of an octave band, Hz. */
+    static double octaveWidth(int band) {
+        return edge(band, HALF_OCTAVE) - edge(band, -HALF_OCTAVE);
+    }
+
+    private static double edge(int band, double decades) {
+        return OctaveBands.midband(band) * Math.pow(10.0, decades);
+    }
+}

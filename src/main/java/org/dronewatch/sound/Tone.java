@@ -1,0 +1,25 @@
+package org.dronewatch.sound;
+
+import java.util.OptionalDouble;
+
+/**
+ * A line in a drone's spectrum.
+ *
+ * @param harmonic its number: 1 for the blade-passing frequency
+ * @param frequency that the drone emits, Hz, above 0
+ * @param share the fraction of its octave band's power that it has, 0 to 1
+ */
+public record Tone(int harmonic, double frequency, double share) {
+
+    /**
+     * The frequency at which it is heard, Hz: {@code f / (1 - v / c)} (Doppler). Empty from the speed of sound on, where its
+     * waves pile up to a shock.
+     *
+     * @param approach speed of the drone towards the listener when it emitted the sound, m/s; negative when it flies away
+     * @param soundSpeed in the air, m/s, above 0
+     */
+    public OptionalDouble heard(double approach, double soundSpeed) {
+        double compressed = 1.0 - approach / soundSpeed;
+        return compressed > 0.0 ? OptionalDouble.of(frequency / compressed) : OptionalDouble.empty();
+    }
+}
