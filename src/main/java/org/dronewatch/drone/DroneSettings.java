@@ -48,7 +48,7 @@ import org.dronewatch.world.World;
  *     quadrotor
  * @param glideReduction how much quieter it is with its motors off, when only airflow is heard, 0 to 100 dB
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; with a {@code spectrum}, any
- *     name for it
+ *     name for it; {@code soundPowerLevel} and {@code directivity} are set apart from it
  * @param spectrum the drone's own spectrum in place of the table's: A-weighted levels of the octave bands relative to
  *     one another, as in the table; {@code soundPowerLevel} sets how loud it is
  * @param directivity how the sound radiated depends on elevation, for the energy model
