@@ -85,7 +85,16 @@ public final class ConditionAdvice {
                         ? Optional.empty()
                         : Optional.of("world.rain " + Quantity.PRECIPITATION.inWords(world.rain()));
             case AIR ->
-                world.atmosphere().equals(Atmosphere.STANDARD) ? Optional.empty() : Optional.of("world.atmosphere");
+                world.atmosphere().uniform().equals(Atmosphere.STANDARD)
+                        ? Optional.empty()
+                        : Optional.of("world.atmosphere");
+            case WIND ->
+                world.atmosphere().isUniform()
+                        ? Optional.empty()
+                        : Optional.of(
+                                world.atmosphere().wind().speed() > 0.0
+                                        ? "world.atmosphere.wind"
+                                        : "world.atmosphere.temperatureGradient");
             case NOISE_SOURCES ->
                 world.noiseSources().entrySet().stream()
                         .filter(source -> source.getValue().soundLevel().isEmpty())

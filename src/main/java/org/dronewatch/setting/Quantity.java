@@ -52,6 +52,8 @@ public enum Quantity {
     RATIO("", Quantity::share),
     /** A level in dB; the setting says relative to what. */
     LEVEL("dB", Quantity::unitOfItself),
+    /** Kelvin per metre of height. */
+    TEMPERATURE_GRADIENT("K/m", Quantity::unitOfItself),
     /** Decibels per metre. */
     ATTENUATION("dB/m", Quantity::unitOfItself),
     /** Rain, millimetres per hour. */

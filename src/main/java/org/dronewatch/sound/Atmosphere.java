@@ -7,17 +7,23 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Air at rest, the same everywhere.
+ * The air of a site. Its loss of sound is that of one temperature, humidity and pressure everywhere; wind and a temperature
+ * that changes with height bend the paths of sound.
  *
  * @param temperature air temperature, 213.15 to 333.15 K (-60 to 60 degrees Celsius)
  * @param humidity relative humidity, 0 to 1
  * @param pressure air pressure, 50,000 to 120,000 Pa
+ * @param temperatureGradient change of temperature with height, -1 to 1 K/m: about -0.01 in a windy or cloudy
+ *     atmosphere, 0.05 and more near the ground on a clear night, -0.1 and less in sunshine
+ * @param wind wind
  */
 public record Atmosphere(
         @In(value = Quantity.TEMPERATURE, from = 213.15, to = 333.15) double temperature,
         @In(value = Quantity.RATIO, from = 0, to = 1) double humidity,
-        @In(value = Quantity.PRESSURE, from = 50_000, to = 120_000) double pressure) {
-    /** 20 degrees Celsius, 70 %, one standard atmosphere. */
+        @In(value = Quantity.PRESSURE, from = 50_000, to = 120_000) double pressure,
+        @In(value = Quantity.TEMPERATURE_GRADIENT, from = -1, to = 1) double temperatureGradient,
+        Wind wind) {
+    /** 20 degrees Celsius, 70 %, one standard atmosphere; still, and as warm at every height. */
     @Defaults
     public static final Atmosphere STANDARD = new Atmosphere(293.15, 0.7, 101_325.0);
 
@@ -37,7 +43,19 @@ public record Atmosphere(
      * @throws IllegalArgumentException if a value is out of range
      */
     public Atmosphere {
-        Limits.check(Atmosphere.class, temperature, humidity, pressure);
+        Limits.check(Atmosphere.class, temperature, humidity, pressure, temperatureGradient, wind);
+    }
+
+    /**
+     * Still air, as warm at every height.
+     *
+     * @param temperature K
+     * @param humidity relative humidity, 0 to 1
+     * @param pressure Pa
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public Atmosphere(double temperature, double humidity, double pressure) {
+        this(temperature, humidity, pressure, 0.0, Wind.CALM);
     }
 
     /** This air at another temperature, K. */
@@ -53,6 +71,26 @@ public record Atmosphere(
     /** This air under another pressure, Pa. */
     public Atmosphere withPressure(double pascal) {
         return SettingsForm.with(this, "pressure", pascal);
+    }
+
+    /** This air with another change of temperature with height, K/m. */
+    public Atmosphere withTemperatureGradient(double kelvinPerMetre) {
+        return SettingsForm.with(this, "temperatureGradient", kelvinPerMetre);
+    }
+
+    /** This air in wind. */
+    public Atmosphere withWind(Wind other) {
+        return SettingsForm.with(this, "wind", other);
+    }
+
+    /** Whether neither wind nor a change of temperature with height bends the paths of sound. */
+    public boolean isUniform() {
+        return temperatureGradient == 0.0 && wind.speed() == 0.0;
+    }
+
+    /** This air as it is without wind, and without a change of temperature with height. */
+    public Atmosphere uniform() {
+        return new Atmosphere(temperature, humidity, pressure);
     }
 
     /** Speed of sound, m/s: ISO 9613-1, equation (A.5). */

@@ -5,6 +5,7 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.EllipsoidQuery;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
@@ -49,8 +50,10 @@ public final class EdgePath {
     private Position across;
     private Position up;
     private double straight;
+    private double curvature;
 
     private double pathDifference;
+    private double arcDifference;
     private int edges;
     private double bend;
     private double[] along = new double[8];
@@ -67,11 +70,22 @@ public final class EdgePath {
     }
 
     /**
-     * Searches for the shortest path between two points without a line of sight.
+     * Looks for the shortest way round between two points that do not see each other, in still air.
      *
      * @return whether one was found
      */
     public boolean find(Position source, Position sensor) {
+        return find(source, sensor, 0.0);
+    }
+
+    /**
+     * Looks for the shortest way round between two points between which no arc of sound is free.
+     *
+     * @param bending curvature of sound from the source to the sensor: {@link PathCurvature#along}, 1/m
+     * @return false where none was found
+     */
+    public boolean find(Position source, Position sensor, double bending) {
+        curvature = bending;
         // The same numbers whichever is the source.
         exchanged = isAfter(source, sensor);
         from = exchanged ? sensor : source;
@@ -103,9 +117,20 @@ public final class EdgePath {
         return isFound();
     }
 
-    /** How much longer the path found last is than the straight line, 0 or more, m. */
+    /**
+     * How much longer the way found last is than the straight one, 0 or more, m: where sound runs in arcs, in the time that
+     * it takes, at the speed of sound on the straight line.
+     */
     public double pathDifference() {
         return pathDifference;
+    }
+
+    /**
+     * How much longer its arcs from edge to edge are than the arc from end to end that nothing would hide, m. Sound that bends
+     * runs faster on its way up, so this is more than {@link #pathDifference}; CNOSSOS-EU uses it where sound bends down.
+     */
+    public double arcDifference() {
+        return arcDifference;
     }
 
     /** How many edges it goes round. */
@@ -214,7 +239,7 @@ public final class EdgePath {
     /** The detour of the shortest path in a plane, m, kept if none was shorter; infinity if it is beyond the limit. */
     private double detour(double angle, double limit) {
         Position side = up.times(Math.cos(angle)).plus(across.times(Math.sin(angle)));
-        cut.cut(from, to, ahead, side, limit);
+        cut.cut(from, to, ahead, side, reach(limit), curvature);
         if (!band.find(cut, straight, limit)) {
             return Double.POSITIVE_INFINITY;
         }
@@ -225,8 +250,16 @@ public final class EdgePath {
         return detour;
     }
 
+    /** The sum of distances within which the surfaces lie that a bent outline has within a sum. */
+    private double reach(double limit) {
+        double sag = 0.125 * Math.abs(curvature) * straight * straight;
+        double across = 0.5 * Math.sqrt(Math.max(0.0, limit * limit - straight * straight));
+        return sag > 0.0 ? Math.hypot(straight, 2.0 * (across + sag)) : limit;
+    }
+
     private void keep(double detour, Position side) {
         pathDifference = detour;
+        arcDifference = -arc(straight);
         edges = band.corners();
         if (along.length < edges) {
             along = new double[2 * edges];
@@ -238,10 +271,14 @@ public final class EdgePath {
         double path = 0.0;
         double turning = 0.0;
         double direction = 0.0;
+        double raised = 0.0;
         for (int i = 0; i <= edges; i++) {
             double du = (i < edges ? band.u(i) : straight) - u;
             double dv = (i < edges ? band.v(i) : 0.0) - v;
             double leg = Math.hypot(du, dv);
+            double nextRaised = i < edges ? cut.bulgeAt(band.u(i)) : 0.0;
+            arcDifference += arc(Math.hypot(du, dv - nextRaised + raised));
+            raised = nextRaised;
             double next = Math.atan2(dv, du);
             double rise = (du * ahead.z() + dv * side.z()) / leg;
             if (i == 0) {
@@ -262,7 +299,13 @@ public final class EdgePath {
         }
     }
 
-    /** The sum of the distances from both points within which the whole world lies, m. */
+    /** The length of an arc of sound over a chord, m. */
+    private double arc(double chord) {
+        double half = 0.5 * Math.abs(curvature) * chord;
+        return half > 0.0 ? chord * Math.asin(half) / half : chord;
+    }
+
+    /** The sum of distances beyond which nothing of the world is left out. */
     private double farthest() {
         AABB box = world.bounds();
         double farthest = straight;

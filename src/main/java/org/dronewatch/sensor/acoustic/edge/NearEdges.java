@@ -7,7 +7,8 @@ import java.util.Map;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.EllipsoidQuery;
-import org.dronewatch.world.Visibility;
+import org.dronewatch.sensor.acoustic.propagation.ArcSight;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
@@ -36,15 +37,16 @@ public final class NearEdges {
 
     private final TriangleMesh mesh;
     private final EllipsoidQuery query;
-    private final Visibility visibility;
+    private final ArcSight sight;
     private final Cone cone = new Cone();
     private final double[] normal = new double[3];
+    private double curvature;
 
     /** Edges of a world. */
     public NearEdges(World world) {
         this.mesh = world.mesh();
         this.query = new EllipsoidQuery(world.tree());
-        this.visibility = new Visibility(world);
+        this.sight = new ArcSight(world);
     }
 
     /**
@@ -53,11 +55,22 @@ public final class NearEdges {
      * @param longest maximum detour, above 0, m
      */
     public List<NearEdge> find(Position source, Position sensor, double longest) {
+        return find(source, sensor, longest, 0.0);
+    }
+
+    /**
+     * Finds the edges near the arc of sound between two points that nothing hides.
+     *
+     * @param longest detours longer than this do not count, above 0, m
+     * @param bending curvature of sound from the source to the sensor: {@link PathCurvature#along}, 1/m
+     */
+    public List<NearEdge> find(Position source, Position sensor, double longest, double bending) {
         double straight = source.distance(sensor);
+        curvature = bending;
         if (!(straight > 0.0) || mesh.triangleCount() == 0) {
             return List.of();
         }
-        query.find(source, sensor, straight + longest);
+        query.find(source, sensor, reach(straight, longest));
         if (query.count() == 0) {
             return List.of();
         }
@@ -67,7 +80,8 @@ public final class NearEdges {
             for (int k = 0; k < 3; k++) {
                 Position one = corner(triangle, k);
                 Position other = corner(triangle, (k + 1) % 3);
-                if (detour(source, sensor, nearest(source, sensor, one, other), straight) < longest) {
+                double raised = raised(source, sensor, straight, one, other);
+                if (detour(source, sensor, nearest(source, sensor, one, other, raised), straight) < longest) {
                     trianglesOfEdges
                             .computeIfAbsent(key(triangle, k), unseen -> new ArrayList<>(2))
                             .add(triangle);
@@ -79,21 +93,51 @@ public final class NearEdges {
         trianglesOfEdges.forEach((key, triangles) -> {
             Position one = new Position(key.x(), key.y(), key.z());
             Position other = new Position(key.toX(), key.toY(), key.toZ());
-            Position at = nearest(source, sensor, one, other);
-            double bend = bend(source, ahead, straight, at, other.minus(one), triangles);
-            if (bend > 0.0 && isSeen(source, sensor, ahead, at)) {
+            double raised = raised(source, sensor, straight, one, other);
+            Position at = nearest(source, sensor, one, other, raised);
+            double bend = bend(source, ahead, straight, at, raised, other.minus(one), triangles);
+            if (bend > 0.0 && isSeen(source, sensor, ahead, at, raised)) {
                 edges.add(new NearEdge(detour(source, sensor, at, straight), bend, mesh.material(triangles.get(0))));
             }
         });
         return edges;
     }
 
+    /** The sum of distances within which the surfaces lie that a bent outline has within a detour. */
+    private double reach(double straight, double longest) {
+        double limit = straight + longest;
+        double sag = 0.125 * Math.abs(curvature) * straight * straight;
+        double across = 0.5 * Math.sqrt(limit * limit - straight * straight);
+        return sag > 0.0 ? Math.hypot(straight, 2.0 * (across + sag)) : limit;
+    }
+
+    /** How much higher an edge is where arcs of sound are drawn as straight lines, m: that of its nearest point. */
+    private double raised(Position source, Position sensor, double straight, Position one, Position other) {
+        if (curvature == 0.0) {
+            return 0.0;
+        }
+        double raised = 0.0;
+        // The edge is moved to where it belongs, and its nearest point with it.
+        for (int round = 0; round < 2; round++) {
+            Position at = nearest(source, sensor, one, other, raised);
+            double along = at.minus(source).dot(sensor.minus(source)) / straight;
+            raised = PathCurvature.sag(curvature, straight, along);
+        }
+        return raised;
+    }
+
     private static double detour(Position source, Position sensor, Position at, double straight) {
         return Math.max(0.0, source.distance(at) + at.distance(sensor) - straight);
     }
 
-    /** The point of an edge over which the path is shortest: it is straight once both legs are unfolded into one plane. */
-    private static Position nearest(Position source, Position sensor, Position one, Position other) {
+    /**
+     * The point of an edge over which the way is shortest: where it is straight once both legs are turned into a plane.
+     *
+     * @param raised by how much the edge is higher where arcs of sound are straight, m
+     */
+    private static Position nearest(Position source, Position sensor, Position low, Position high, double raised) {
+        Position one = raised == 0.0 ? low : low.plus(new Position(0.0, 0.0, raised));
+        Position other = raised == 0.0 ? high : high.plus(new Position(0.0, 0.0, raised));
         Position edge = other.minus(one);
         double square = edge.dot(edge);
         if (!(square > 0.0)) {
@@ -113,7 +157,14 @@ public final class NearEdges {
      * they would not obstruct a line on the other side of it.
      */
     private double bend(
-            Position source, Position ahead, double straight, Position at, Position edge, List<Integer> triangles) {
+            Position source,
+            Position ahead,
+            double straight,
+            Position at,
+            double raised,
+            Position edge,
+            List<Integer> triangles) {
+        Position ofMesh = raised == 0.0 ? at : at.minus(new Position(0.0, 0.0, raised));
         Position vector = at.minus(source);
         double u = vector.dot(ahead);
         Position beside = vector.minus(ahead.times(u));
@@ -122,7 +173,7 @@ public final class NearEdges {
             // The line touches the edge: the obstacle is on the side on which its triangles are.
             beside = new Position(0.0, 0.0, 0.0);
             for (int triangle : triangles) {
-                Position inward = inward(triangle, at, edge);
+                Position inward = inward(triangle, ofMesh, edge);
                 beside = beside.plus(inward.minus(ahead.times(inward.dot(ahead))));
             }
         }
@@ -136,9 +187,9 @@ public final class NearEdges {
         for (int triangle : triangles) {
             mesh.normal(triangle, normal);
             Position along = new Position(normal[0], normal[1], normal[2]).cross(plane);
-            Position inward = inward(triangle, at, edge);
+            Position inward = inward(triangle, ofMesh, edge);
             for (int other : triangles) {
-                fold = other == triangle ? fold : Math.min(fold, Math.PI - inward.angle(inward(other, at, edge)));
+                fold = other == triangle ? fold : Math.min(fold, Math.PI - inward.angle(inward(other, ofMesh, edge)));
             }
             double into = along.dot(inward);
             double length = along.length();
@@ -177,7 +228,7 @@ public final class NearEdges {
     }
 
     /** Whether nothing hides an edge: it may lie inside a building or under the ground. */
-    private boolean isSeen(Position source, Position sensor, Position ahead, Position at) {
+    private boolean isSeen(Position source, Position sensor, Position ahead, Position at, double raised) {
         Position vector = at.minus(source);
         Position beside = vector.minus(ahead.times(vector.dot(ahead)));
         double distance = beside.length();
@@ -185,7 +236,11 @@ public final class NearEdges {
             return true;
         }
         Position passing = at.minus(beside.times(PASSING / distance));
-        return visibility.isFree(source, passing) && visibility.isFree(passing, sensor);
+        return isFree(source, passing, raised) && isFree(sensor, passing, raised);
+    }
+
+    private boolean isFree(Position end, Position at, double raised) {
+        return sight.isFree(end.x(), end.y(), end.z(), at.x(), at.y(), at.z() - raised, curvature);
     }
 
     private Position corner(int triangle, int corner) {

@@ -4,12 +4,16 @@ import java.util.Arrays;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.EllipsoidQuery;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 
 /**
  * The outline of a world in a plane through two points, near those points: the straight pieces in which the plane cuts
  * triangles, in coordinates u along the line from the first point to the second and v across it. Pieces that share a
- * corner or an edge of the mesh, by its coordinates, share an end. A plane through corners of the mesh is treated as if it
- * were an infinitesimal distance beside them, so that each triangle is cut in one piece or not at all. One per thread.
+ * corner or an edge of the mesh, by its coordinates, share an end. A plane that runs through corners is taken for one an
+ * infinitesimal distance beside it, so that each triangle is cut in one piece or not at all.
+ *
+ * <p>Where sound runs in arcs, the outline is bent the other way, so that the arcs are straight lines in it; its pieces are
+ * divided, as a flat ground becomes a bulge. One per thread.
  */
 final class PlaneCut {
     /** Corners nearer to the plane than this, m, lie on it: shorter pieces would have no meaningful direction. */
@@ -22,6 +26,10 @@ final class PlaneCut {
     private double[] v = new double[256];
     private Cone[] cones = new Cone[0];
     private int points;
+
+    /** Points from this one on divide pieces: the mesh has no corner there. */
+    private int firstDividing;
+
     private int[] ends = new int[512];
     private int pieces;
 
@@ -31,6 +39,8 @@ final class PlaneCut {
     private Position origin;
     private Position ahead;
     private Position side;
+    private double straight;
+    private double bulge;
 
     /** Corners of the current triangle, relative to the origin, with their heights above the plane. */
     private final double[][] corner = new double[3][3];
@@ -50,12 +60,16 @@ final class PlaneCut {
      * @param to the second
      * @param ahead from the first to the second, of length 1
      * @param side in the plane, perpendicular to that, of length 1
-     * @param sum of the distances of a point on the ellipsoid from both foci, m
+     * @param sum of the distances from both points of a point on the ellipsoid, m
+     * @param curvature of sound from one point to the other, either way, 1/m
      */
-    void cut(Position from, Position to, Position ahead, Position side, double sum) {
+    void cut(Position from, Position to, Position ahead, Position side, double sum, double curvature) {
         this.origin = from;
         this.ahead = ahead;
         this.side = side;
+        this.straight = from.distance(to);
+        // The part of the vertical that lies in the plane.
+        this.bulge = curvature * side.z();
         Position normal = ahead.cross(side);
         query.findAtPlane(from, to, sum, normal, ON_PLANE);
         points = 0;
@@ -63,6 +77,10 @@ final class PlaneCut {
         reserve(query.count());
         for (int i = 0; i < query.count(); i++) {
             cut(query.triangle(i), normal);
+        }
+        firstDividing = points;
+        if (bulge != 0.0) {
+            bend();
         }
         for (int i = 0; i < points; i++) {
             cones[i].clear();
@@ -78,7 +96,72 @@ final class PlaneCut {
         }
     }
 
-    /** Number of ends of pieces. */
+    /** Bends the outline by as much as arcs of sound are bent, the other way. */
+    private void bend() {
+        int undivided = pieces;
+        for (int piece = 0; piece < undivided; piece++) {
+            divide(piece);
+        }
+        for (int point = 0; point < points; point++) {
+            v[point] += PathCurvature.sag(bulge, straight, u[point]);
+        }
+    }
+
+    /** Divides the part of a piece that is bent into parts that are nearly straight. */
+    private void divide(int piece) {
+        int start = ends[2 * piece];
+        int end = ends[2 * piece + 1];
+        double startU = u[start];
+        double startV = v[start];
+        double along = u[end] - startU;
+        double across = v[end] - startV;
+        double low = Math.max(0.0, Math.min(startU, u[end]));
+        double high = Math.min(straight, Math.max(startU, u[end]));
+        if (!(low < high)) {
+            return;
+        }
+        int parts = PathCurvature.pieces(bulge, high - low);
+        int before = start;
+        for (int cut = 0; cut <= parts; cut++) {
+            double nextU = low + (high - low) * (along > 0.0 ? cut : parts - cut) / parts;
+            double fraction = (nextU - startU) / along;
+            if (fraction > 0.0 && fraction < 1.0) {
+                int next = append(nextU, startV + fraction * across);
+                ends[2 * piece] = before;
+                ends[2 * piece + 1] = next;
+                before = next;
+                ends = pieces * 2 + 2 > ends.length ? Arrays.copyOf(ends, 2 * ends.length) : ends;
+                ends[2 * pieces] = next;
+                ends[2 * pieces + 1] = end;
+                // The rest is the last piece, of which the next part is cut off.
+                piece = pieces;
+                pieces++;
+            }
+        }
+    }
+
+    private int append(double atU, double atV) {
+        if (points == u.length || points == v.length) {
+            u = Arrays.copyOf(u, 2 * points);
+            v = Arrays.copyOf(v, 2 * points);
+        }
+        growCones(points + 1);
+        u[points] = atU;
+        v[points] = atV;
+        return points++;
+    }
+
+    /** Whether the mesh has a corner or an edge at a point: not where a piece was only divided. */
+    boolean isOfMesh(int point) {
+        return point < firstDividing;
+    }
+
+    /** How far up across the line a point was moved for arcs to be straight, m. */
+    double bulgeAt(double atU) {
+        return PathCurvature.sag(bulge, straight, atU);
+    }
+
+    /** How many ends of pieces there are. */
     int points() {
         return points;
     }
@@ -191,18 +274,22 @@ final class PlaneCut {
             v = new double[2 * most];
             ends = new int[2 * most];
         }
+        growCones(most);
+        int slots = Math.max(16, Integer.highestOneBit(Math.max(1, most)) * 4);
+        if (table.length != slots) {
+            table = new int[slots];
+        } else {
+            Arrays.fill(table, 0);
+        }
+    }
+
+    private void growCones(int most) {
         int known = cones.length;
         if (known < most) {
             cones = Arrays.copyOf(cones, 2 * most);
             for (int i = known; i < cones.length; i++) {
                 cones[i] = new Cone();
             }
-        }
-        int slots = Math.max(16, Integer.highestOneBit(Math.max(1, most)) * 4);
-        if (table.length != slots) {
-            table = new int[slots];
-        } else {
-            Arrays.fill(table, 0);
         }
     }
 }

@@ -113,7 +113,8 @@ final class RubberBand {
 
     /** By how much the outline bends at a corner of the path, rad. */
     double bend(int corner) {
-        return cut.cone(point[path[corner]]).bend();
+        int at = point[way[corner]];
+        return cut.isOfMesh(at) ? cut.cone(at).bend() : 0.0;
     }
 
     private void collectNodes(double distance, double limit) {

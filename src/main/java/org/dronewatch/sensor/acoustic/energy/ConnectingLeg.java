@@ -4,6 +4,7 @@ import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
 import org.dronewatch.sensor.acoustic.mirror.MirrorPath;
 import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
@@ -55,13 +56,24 @@ final class ConnectingLeg {
      * @param x of the end from which it is traced, m
      * @param toX of the other end, m
      * @param medium at the end from which it is traced
+     * @param curvature of sound on it, 1/m
      */
-    boolean isOpen(double x, double y, double z, double toX, double toY, double toZ, int medium) {
+    boolean isOpen(
+            double x, double y, double z, double toX, double toY, double toZ, int medium, double curvature) {
         if (!isStraight) {
             return true;
         }
         traced++;
-        return walls.trace(x, y, z, toX, toY, toZ, medium);
+        return walls.trace(x, y, z, toX, toY, toZ, medium, curvature);
+    }
+
+    /**
+     * Tells how air bends the legs over chains from now on.
+     *
+     * @param isSoundAhead whether sound runs from their beginning to their end, and not the other way
+     */
+    void bend(PathCurvature curvature, boolean isSoundAhead) {
+        path.bend(curvature, isSoundAhead);
     }
 
     /** Whether it goes through walls. */

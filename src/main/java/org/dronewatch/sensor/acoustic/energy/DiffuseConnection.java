@@ -66,6 +66,7 @@ final class DiffuseConnection {
             double[] leaving,
             Arrival arrival,
             ScatteredSound scattered) {
+        leg.bend(ends.curvature(), false);
         for (int chain = MirrorChains.EMPTY; chain < ends.ofSource().count(); chain++) {
             if (ray.order + ends.ofSource().order(chain) <= maxOrder) {
                 addFromSource(chain, ray, normal, material, leaving, arrival);
@@ -111,7 +112,8 @@ final class DiffuseConnection {
     }
 
     private boolean isOpen(AcousticRay ray, double toX, double toY, double toZ) {
-        return leg.isOpen(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, ray.medium);
+        double curvature = ends.curvature().along(ray.originX - toX, ray.originY - toY, ray.originZ - toZ);
+        return leg.isOpen(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, ray.medium, curvature);
     }
 
     private void join(
@@ -160,6 +162,7 @@ final class DiffuseConnection {
      */
     int addFrom(ScatteredSound scattered, AcousticRay scratch) {
         MirrorChains chains = ends.ofSensor();
+        leg.bend(ends.curvature(), true);
         for (int i = 0; i < scattered.count(); i++) {
             ScatteredSound.Point point = scattered.point(i);
             for (int chain = MirrorChains.EMPTY; chain < chains.count(); chain++) {
@@ -178,8 +181,10 @@ final class DiffuseConnection {
         double cosine = leg.cosineAtBeginning(point.normal);
         Position sensor = ends.sensor();
         // From the sensor, as rays come: so the surface is at the far end of both.
+        double curvature = ends.curvature().along(sensor.x() - point.x, sensor.y() - point.y, sensor.z() - point.z);
         if (!(cosine > 0.0)
-                || !leg.isOpen(sensor.x(), sensor.y(), sensor.z(), point.x, point.y, point.z, AcousticRay.AIR)) {
+                || !leg.isOpen(
+                        sensor.x(), sensor.y(), sensor.z(), point.x, point.y, point.z, AcousticRay.AIR, curvature)) {
             return;
         }
         double distance = leg.length();

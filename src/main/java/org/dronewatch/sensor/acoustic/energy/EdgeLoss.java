@@ -40,6 +40,7 @@ final class EdgeLoss {
     private final Air air;
     private final EdgePath path;
     private final NearEdges near;
+    private double difference;
     private final double[] losses = new double[BANDS];
     private final double[] past = new double[BANDS];
 
@@ -51,15 +52,22 @@ final class EdgeLoss {
         this.near = new NearEdges(world);
     }
 
-    /** Searches for the path round the obstacles that hide a source; false if there is none, or no diffraction. */
-    boolean findPath(Position source, Position sensor) {
-        if (diffraction == Diffraction.OFF || !path.find(source, sensor)) {
+    /**
+     * Looks for the path round what hides a source; false where there is none, or no diffraction.
+     *
+     * @param curvature of sound from the source to the sensor, 1/m
+     */
+    boolean findPath(Position source, Position sensor, double curvature) {
+        if (diffraction == Diffraction.OFF || !path.find(source, sensor, curvature)) {
             return false;
         }
-        double ofBend = path.edges() == 0 ? 1.0 : weight(path.bend());
+        difference = curvature < 0.0 && diffraction.measuresArcs() ? path.arcDifference() : path.pathDifference();
+        // Where arcs just graze the ground no edge is needed to go round it.
+        double ofNone = curvature == 0.0 ? 1.0 : 0.0;
+        double ofBend = path.edges() == 0 ? ofNone : weight(path.bend());
         for (int band = 0; band < BANDS; band++) {
             double wavelength = wavelength(band);
-            double depth = Barrier.fresnelNumber(path.pathDifference(), wavelength) / FULL_SHADOW;
+            double depth = Barrier.fresnelNumber(difference, wavelength) / FULL_SHADOW;
             losses[band] = Math.min(1.0, ofBend + depth) * loss(wavelength);
         }
         return true;
@@ -76,16 +84,18 @@ final class EdgeLoss {
     }
 
     /**
-     * Searches for edges close to the line between two points with a line of sight. If there are several, the one with the
-     * greatest attenuation counts.
+     * Looks for edges that the line between two points that see each other passes closely. Of several, that counts which
+     * takes most.
+     *
+     * @param curvature of sound from the source to the sensor, 1/m
      */
-    void findNear(Position source, Position sensor) {
+    void findNear(Position source, Position sensor, double curvature) {
         Arrays.fill(past, 1.0);
         double farthest = diffraction.reach(wavelength(0));
         if (!(farthest > 0.0)) {
             return;
         }
-        for (NearEdge edge : near.find(source, sensor, farthest)) {
+        for (NearEdge edge : near.find(source, sensor, farthest, curvature)) {
             double weight = weight(edge.bend());
             for (int band = 0; band < BANDS; band++) {
                 double loss = weight * diffraction.attenuation(-edge.detour(), 0.0, wavelength(band));
@@ -97,7 +107,12 @@ final class EdgeLoss {
         }
     }
 
-    /** The fraction of the direct sound's energy that is left by the edges found last; 1 if none is near. */
+    /** How far the path found last is one over the bulge of smooth ground, and not over edges: 0 to 1. */
+    double ofSmoothGround() {
+        return 1.0 - weight(path.bend());
+    }
+
+    /** The fraction of the energy that the edges found last leave of the direct sound; 1 where none is near. */
     double past(int band) {
         return past[band];
     }
@@ -107,7 +122,7 @@ final class EdgeLoss {
      * attenuation counts.
      */
     private double loss(double wavelength) {
-        double ofOne = diffraction.attenuation(path.pathDifference(), 0.0, wavelength);
+        double ofOne = diffraction.attenuation(difference, 0.0, wavelength);
         double most = ofOne;
         for (int last = path.edges() - 1; last > 0; last--) {
             double turnsLast = path.turnFrom(last);
@@ -115,7 +130,7 @@ final class EdgeLoss {
                 double turnsFirst = path.turnUpTo(first);
                 double share = Math.min(1.0, Math.toDegrees(Math.min(turnsFirst, turnsLast)) / FULL_TURN);
                 double span = path.along(last) - path.along(first);
-                double ofSeveral = diffraction.attenuation(path.pathDifference(), span, wavelength);
+                double ofSeveral = diffraction.attenuation(difference, span, wavelength);
                 most = Math.max(most, ofOne + share * (ofSeveral - ofOne));
                 if (Math.toDegrees(turnsFirst) >= FULL_TURN) {
                     break; // Those further on are closer to the last.

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 
 /**
  * The two ends of all paths of one look, and the chains of walls that join points near them to the rest of a path. Immutable.
@@ -13,8 +14,8 @@ import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
  * @param pureOfSource the chains that were found from the source: paths over specular reflections alone are exact
  * @param pureOfSensor the chains that were found from the sensor
  * @param exactly the chains of exact paths, from the source on, and what they begin with
- * @param known estimate of what is heard without the rays that pass the source, in all bands, as intensity over the source's
- *     power, 1/m2
+ * @param known about what is heard without rays that pass the source, in all bands, as intensity over the source's power, 1/m2
+ * @param curvature how air bends the paths of sound
  * @param isOpen whether an appreciable part of the sound leaves the site
  */
 record Ends(
@@ -26,6 +27,7 @@ record Ends(
         MirrorChains pureOfSensor,
         MirrorChains exactly,
         double known,
+        PathCurvature curvature,
         boolean isOpen) {
 
     /**

@@ -4,12 +4,13 @@ import java.util.Arrays;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Transmission along straight lines: a sheet attenuates by its transmission loss, a solid once, where the line enters;
+ * Transmission along straight lines and arcs: a sheet attenuates by its transmission loss, a solid once, where the line enters;
  * opaque surfaces transmit nothing. One per thread.
  */
 final class WallTransmission {
@@ -21,6 +22,9 @@ final class WallTransmission {
     private final double[] passed = new double[BANDS];
     private boolean free;
 
+    /** The material within which the path is. */
+    private int within;
+
     WallTransmission(World world, BandSurfaces surfaces) {
         this.mesh = world.mesh();
         this.visibility = Visibility.ofClearPoints(world);
@@ -28,24 +32,62 @@ final class WallTransmission {
     }
 
     /**
-     * Follows the straight line from one point to another through everything that obstructs it.
+     * Follows the arc of sound between two points through all that obstructs it.
      *
      * @param medium number of the material in which the path begins, or {@link AcousticRay#AIR}
-     * @return whether any of the sound arrives; {@link #isFree} and {@link #passed} then describe this line
+     * @param curvature of sound on it, either way, 1/m; 0 for a straight line
+     * @return whether any of the sound arrives; {@link #isFree} and {@link #passed} then describe this path
      */
-    boolean trace(double fromX, double fromY, double fromZ, double toX, double toY, double toZ, int medium) {
+    boolean trace(
+            double fromX,
+            double fromY,
+            double fromZ,
+            double toX,
+            double toY,
+            double toZ,
+            int medium,
+            double curvature) {
         double x = toX - fromX;
         double y = toY - fromY;
         double z = toZ - fromZ;
         Arrays.fill(passed, 1.0);
-        free = visibility.isFreeAlong(fromX, fromY, fromZ, x, y, z, 1.0);
-        if (free) {
+        free = true;
+        within = medium;
+        if (curvature == 0.0) {
+            return piece(fromX, fromY, fromZ, x, y, z);
+        }
+        double length = Math.sqrt(x * x + y * y + z * z);
+        int pieces = PathCurvature.pieces(curvature, length);
+        double before = 0.0;
+        double sagBefore = 0.0;
+        for (int piece = 1; piece <= pieces; piece++) {
+            double share = (double) piece / pieces;
+            double sag = PathCurvature.sag(curvature, length, share * length);
+            double part = share - before;
+            if (!piece(
+                    fromX + before * x,
+                    fromY + before * y,
+                    fromZ + before * z - sagBefore,
+                    part * x,
+                    part * y,
+                    part * z - sag + sagBefore)) {
+                return false;
+            }
+            before = share;
+            sagBefore = sag;
+        }
+        return true;
+    }
+
+    /** Follows a straight piece of a path, given by its beginning and its vector. */
+    private boolean piece(double fromX, double fromY, double fromZ, double x, double y, double z) {
+        if (visibility.isFreeAlong(fromX, fromY, fromZ, x, y, z, 1.0)) {
             return true;
         }
+        free = false;
         if (!surfaces.anyTransmits()) {
             return false;
         }
-        int within = medium;
         boolean found = visibility.findFirstAlong(fromX, fromY, fromZ, x, y, z, 1.0);
         while (found) {
             int material = mesh.material(visibility.triangle());
@@ -65,12 +107,12 @@ final class WallTransmission {
         return true;
     }
 
-    /** Whether nothing obstructed the last line. */
+    /** Whether nothing obstructed the last path. */
     boolean isFree() {
         return free;
     }
 
-    /** The fraction of a band's energy that passed along the last line, 0 to 1. */
+    /** The fraction of a band's energy that passed along the last path, 0 to 1. */
     double passed(int band) {
         return passed[band];
     }

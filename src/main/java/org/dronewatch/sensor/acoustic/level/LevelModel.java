@@ -111,6 +111,8 @@ public record LevelModel(
         return Map.of(
                 Condition.AIR,
                 "'propagation: energy-model' takes it into account",
+                Condition.WIND,
+                "'propagation: energy-model' takes it into account",
                 Condition.NOISE_SOURCES,
                 "state its soundLevel, which the level model needs");
     }

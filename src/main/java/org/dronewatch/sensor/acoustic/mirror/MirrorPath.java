@@ -2,7 +2,9 @@ package org.dronewatch.sensor.acoustic.mirror;
 
 import java.util.Arrays;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.sensor.acoustic.propagation.ArcSight;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
@@ -22,6 +24,9 @@ public final class MirrorPath {
     private final BandSurfaces surfaces;
     private final Visibility visibility;
     private final double[] reflected = new double[BANDS];
+    private final ArcSight arcs;
+    private PathCurvature curvature = PathCurvature.NONE;
+    private double ahead;
     private double length;
     /** Where the last leg began. */
     private final double[] before = new double[3];
@@ -35,6 +40,17 @@ public final class MirrorPath {
         this.planes = planes;
         this.surfaces = surfaces;
         this.visibility = Visibility.ofClearPoints(world);
+        this.arcs = new ArcSight(world);
+    }
+
+    /**
+     * Tells how air bends paths from now on: one has to be free as a line of arcs, too. Unless told, paths are straight.
+     *
+     * @param isSoundAhead whether sound runs from a path's beginning to its end, and not the other way
+     */
+    public void bend(PathCurvature ofAir, boolean isSoundAhead) {
+        curvature = ofAir;
+        ahead = isSoundAhead ? 1.0 : -1.0;
     }
 
     /**
@@ -83,6 +99,9 @@ public final class MirrorPath {
             for (int band = 0; band < BANDS; band++) {
                 reflected[band] *= surfaces.mirrored(material, band, cosine);
             }
+            if (!isThere && !isFreeAsArc(x, y, z, fraction * dx, fraction * dy, fraction * dz)) {
+                return false;
+            }
             if (!isThere) {
                 set(before, x, y, z);
             }
@@ -123,7 +142,17 @@ public final class MirrorPath {
         double dz = images[2] - z;
         double leg = Math.sqrt(dx * dx + dy * dy + dz * dz);
         set(last, dx / leg, dy / leg, dz / leg);
-        return !findFirst(x, y, z, dx, dy, dz, 1.0, wall);
+        return !findFirst(x, y, z, dx, dy, dz, 1.0, wall) && isFreeAsArc(x, y, z, dx, dy, dz);
+    }
+
+    /** Whether a leg that is free as a straight line is so as an arc. */
+    private boolean isFreeAsArc(double x, double y, double z, double dx, double dy, double dz) {
+        if (curvature.isNone()) {
+            return true;
+        }
+        double bent = curvature.along(ahead * dx, ahead * dy, ahead * dz);
+        return PathCurvature.pieces(bent, Math.sqrt(dx * dx + dy * dy + dz * dz)) == 1
+                || arcs.isFree(x, y, z, x + dx, y + dy, z + dz, bent);
     }
 
     /**

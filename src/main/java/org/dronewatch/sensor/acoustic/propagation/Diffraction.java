@@ -51,6 +51,11 @@ public enum Diffraction {
     /** The method of the European Union for noise maps (CNOSSOS-EU), at most 25 dB: {@link Barrier#cnossos}. */
     CNOSSOS {
         @Override
+        public boolean measuresArcs() {
+            return true;
+        }
+
+        @Override
         public double attenuation(double pathDifference, double span, double wavelength) {
             return Barrier.cnossos(pathDifference, span, wavelength);
         }
@@ -73,7 +78,15 @@ public enum Diffraction {
     public abstract double attenuation(double pathDifference, double span, double wavelength);
 
     /**
-     * How far above the edge a line of sight must pass to be unaffected by it.
+     * Whether the path difference of sound that bends down is that of the arcs' lengths, as in CNOSSOS-EU's favourable
+     * conditions, rather than that of the times which sound takes.
+     */
+    public boolean measuresArcs() {
+        return false;
+    }
+
+    /**
+     * How far above the edge a line of sight is free of it.
      *
      * @param wavelength above 0, m
      * @return how much longer the path that touches the edge then is than the line, m

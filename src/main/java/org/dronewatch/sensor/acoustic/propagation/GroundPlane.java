@@ -41,6 +41,10 @@ public final class GroundPlane {
     private Position from;
     private Position to;
     private double distance;
+    private double bending;
+
+    /** How the ground is bent where arcs are straight, 1/m. */
+    private double bulge;
 
     /** The plane {@code z = level + slopeU u + slopeV v}. */
     private double level;
@@ -69,13 +73,18 @@ public final class GroundPlane {
      * @param first a point, m
      * @param second another one, m
      * @param wavelength of the sound, which determines the size of the zone, m, above 0
-     * @return whether there is ground that reflects, seen from both points; this object then holds its figures
+     * @param curvature of sound from one to the other, 1/m: arcs are straight lines over ground that is bent the other way
+     * @return whether there is ground that reflects, seen from both points; the figures of this object are then those of it
      */
-    public boolean find(Position first, Position second, double wavelength) {
+    public boolean find(Position first, Position second, double wavelength, double curvature) {
         from = first;
         to = second;
+        bending = curvature;
         profile.between(first, second);
         distance = profile.distance();
+        // Sag goes by the length of the line, u by its level distance.
+        double steepness = first.distance(second) / Math.max(distance, TOLERANCE);
+        bulge = distance > TOLERANCE ? curvature * steepness * steepness : 0.0;
         if (!begin()) {
             return false;
         }
@@ -98,7 +107,7 @@ public final class GroundPlane {
         for (int i = 0; i <= PROFILE; i++) {
             // Denser towards both ends, near which sound from far above is reflected.
             double u = distance * square(Math.sin(0.5 * Math.PI * i / PROFILE));
-            double z = profile.z(u, 0.0);
+            double z = profile.z(u, 0.0) + raised(u);
             double length = Math.hypot(u, from.z() - z) + Math.hypot(distance - u, to.z() - z);
             if (length < shortest) {
                 shortest = length;
@@ -200,9 +209,9 @@ public final class GroundPlane {
      *     the hill, and not a number where both are
      */
     private double offset(double u) {
-        slopeU = surface.slopeU(u);
+        slopeU = surface.slopeU(u) + (u > 0.0 && u < distance ? bulge * (0.5 * distance - u) : 0.0);
         slopeV = surface.slopeV();
-        level = surface.z(u, 0.0) - slopeU * u;
+        level = surface.z(u, 0.0) + raised(u) - slopeU * u;
         if (!setHeights()) {
             boolean isFirstBelow = !(heightOfFirst > 0.0);
             boolean isSecondBelow = !(heightOfSecond > 0.0);
@@ -231,10 +240,14 @@ public final class GroundPlane {
         }
         material = profile.material();
         unevenness = surface.standardDeviation();
+        double plane = planeZ(reflectionU, reflectionV) - raised(reflectionU);
         return profile.isSeen(
-                reflectionU,
-                reflectionV,
-                Math.max(z, planeZ(reflectionU, reflectionV)) + SPREAD * unevenness + Clearance.GAP);
+                reflectionU, reflectionV, Math.max(z, plane) + SPREAD * unevenness + Clearance.GAP, bending);
+    }
+
+    /** How much higher the ground is where arcs are straight, m. */
+    private double raised(double u) {
+        return PathCurvature.sag(bulge, distance, u);
     }
 
     private double planeZ(double u, double v) {

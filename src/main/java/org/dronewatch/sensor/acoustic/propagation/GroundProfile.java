@@ -15,6 +15,7 @@ final class GroundProfile {
 
     private final TriangleMesh mesh;
     private final Visibility visibility;
+    private final ArcSight arcs;
     private final double[] normal = new double[3];
     private Position from;
     private Position to;
@@ -25,6 +26,7 @@ final class GroundProfile {
     GroundProfile(World world) {
         this.mesh = world.mesh();
         this.visibility = new Visibility(world);
+        this.arcs = new ArcSight(world);
     }
 
     /** Puts the line between two points, m. */
@@ -41,10 +43,16 @@ final class GroundProfile {
         return distance;
     }
 
-    /** Whether both points see a point at a height, m. */
-    boolean isSeen(double u, double v, double z) {
-        Position at = new Position(x(u, v), y(u, v), z);
-        return visibility.isFree(from, at) && visibility.isFree(to, at);
+    /**
+     * Whether nothing stands between a point at a height, m, and the two points.
+     *
+     * @param curvature of sound, 1/m
+     */
+    boolean isSeen(double u, double v, double z, double curvature) {
+        double x = x(u, v);
+        double y = y(u, v);
+        return arcs.isFree(from.x(), from.y(), from.z(), x, y, z, curvature)
+                && arcs.isFree(to.x(), to.y(), to.z(), x, y, z, curvature);
     }
 
     /**

@@ -1,0 +1,92 @@
+package org.dronewatch.sound;
+
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * The wind over a site: its mean speed grows with the logarithm of the height over the ground, {@code ln(1 + z / z0)}, as
+ * in a surface layer that is neither heated nor cooled from below.
+ *
+ * @param speed at a height of 10 m over the ground, 0 to 60 m/s
+ * @param from where it blows from, clockwise from north, rad
+ * @param roughness the roughness length z0 of the surroundings, 0.0001 to 2 m: 0.0002 water, 0.03 grass, 0.25 bushes, 1
+ *     suburbs
+ */
+public record Wind(
+        @In(value = Quantity.SPEED, from = 0, to = 60) double speed,
+        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double from,
+        @In(value = Quantity.LENGTH, from = 1e-4, to = 2) double roughness) {
+    /** No wind. */
+    @Defaults
+    public static final Wind CALM = new Wind(0.0, 0.0, 0.03);
+
+    /** Height at which the speed is stated, m. */
+    private static final double STATION = 10.0;
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public Wind {
+        Limits.check(Wind.class, speed, from, roughness);
+    }
+
+    /** This wind with another speed at 10 m, m/s. */
+    public Wind withSpeed(double metresPerSecond) {
+        return SettingsForm.with(this, "speed", metresPerSecond);
+    }
+
+    /** This wind from another direction, clockwise from north, rad. */
+    public Wind withFrom(double bearing) {
+        return SettingsForm.with(this, "from", bearing);
+    }
+
+    /** This wind over another roughness, m. */
+    public Wind withRoughness(double metres) {
+        return SettingsForm.with(this, "roughness", metres);
+    }
+
+    /**
+     * Its speed at a height over the ground, m/s; 0 on the ground and below.
+     *
+     * @param height m
+     */
+    public double speedAt(double height) {
+        return speed * logarithm(height) / logarithm(STATION);
+    }
+
+    /**
+     * How fast its speed grows with height between two heights, in the mean: that of the linear profile that has the same
+     * speed at both, 1/s.
+     *
+     * @param height over the ground, m
+     * @param other over the ground, m
+     */
+    public double shear(double height, double other) {
+        double low = Math.max(0.0, Math.min(height, other));
+        double high = Math.max(0.0, Math.max(height, other));
+        // Divided differences of close heights lose digits: the slope in their middle is as good there.
+        double slope = high - low < 1e-3 * (high + roughness)
+                ? 1.0 / (0.5 * (low + high) + roughness)
+                : Math.log1p((high - low) / (low + roughness)) / (high - low);
+        return speed * slope / logarithm(STATION);
+    }
+
+    private double logarithm(double height) {
+        return Math.log1p(Math.max(0.0, height) / roughness);
+    }
+
+    /** The part of a unit of wind that blows east: negative for wind from the east. */
+    public double eastward() {
+        return -Math.sin(from);
+    }
+
+    /** The part of a unit of wind that blows north. */
+    public double northward() {
+        return -Math.cos(from);
+    }
+}

@@ -1,0 +1,34 @@
+package org.dronewatch.sound;
+
+/**
+ * The noise that wind makes at a microphone in its screen: {@code L = 40 lg V - 23 lg(f D / V) + 15} in each third of an
+ * octave, V in m/s, D the screen's diameter (M. Strasberg, JASA 83, 544, 1988, from the measurements of four authors, within
+ * about 3 dB for 0.1 to 5 of the Strouhal number f D / V; in SI units in G. P. van den Berg, "The sounds of high winds",
+ * Groningen 2006, equation VIII.2). Measured in even flow: in natural wind, which is gusty, there is more at low frequencies. Outside its range the formula is extrapolated.
+ */
+public final class WindNoise {
+    /** Diameter of the common foam ball, m. */
+    public static final double SCREEN = 0.09;
+
+    private static final double THIRD_OF_AN_OCTAVE = 0.1;
+
+    private WindNoise() {}
+
+    /**
+     * The level in an octave band, dB re 20 uPa; minus infinity in still air.
+     *
+     * @param band 0 for 63 Hz to 7 for 8 kHz
+     * @param speed of the wind at the microphone, m/s, 0 or more
+     */
+    public static double level(int band, double speed) {
+        if (!(speed > 0.0)) {
+            return Double.NEGATIVE_INFINITY;
+        }
+        double[] thirds = new double[3];
+        for (int third = 0; third < thirds.length; third++) {
+            double frequency = OctaveBands.midband(band) * Math.pow(10.0, THIRD_OF_AN_OCTAVE * (third - 1));
+            thirds[third] = 40.0 * Math.log10(speed) - 23.0 * Math.log10(frequency * SCREEN / speed) + 15.0;
+        }
+        return Levels.sum(thirds);
+    }
+}
