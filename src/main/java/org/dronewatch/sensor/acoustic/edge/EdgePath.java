@@ -125,6 +125,12 @@ public final class EdgePath {
         return pathDifference;
     }
 
+    /** How far along the straight line the middle of the edges is, or of the line where there are none, m. */
+    public double halfWay() {
+        double middle = edges == 0 ? 0.5 * straight : 0.5 * (along[0] + along[edges - 1]);
+        return exchanged ? Math.max(0.0, straight - middle) : Math.min(middle, straight);
+    }
+
     /**
      * How much longer its arcs from edge to edge are than the arc from end to end that nothing would hide, m. Sound that bends
      * runs faster on its way up, so this is more than {@link #pathDifference}; CNOSSOS-EU uses it where sound bends down.

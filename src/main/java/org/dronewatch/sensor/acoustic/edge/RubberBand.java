@@ -113,7 +113,7 @@ final class RubberBand {
 
     /** By how much the outline bends at a corner of the path, rad. */
     double bend(int corner) {
-        int at = point[way[corner]];
+        int at = point[path[corner]];
         return cut.isOfMesh(at) ? cut.cone(at).bend() : 0.0;
     }
 

@@ -58,8 +58,7 @@ final class ConnectingLeg {
      * @param medium at the end from which it is traced
      * @param curvature of sound on it, 1/m
      */
-    boolean isOpen(
-            double x, double y, double z, double toX, double toY, double toZ, int medium, double curvature) {
+    boolean isOpen(double x, double y, double z, double toX, double toY, double toZ, int medium, double curvature) {
         if (!isStraight) {
             return true;
         }

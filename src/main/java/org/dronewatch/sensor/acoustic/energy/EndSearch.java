@@ -12,6 +12,7 @@ import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
 import org.dronewatch.sensor.acoustic.mirror.MirrorPath;
 import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
@@ -94,23 +95,27 @@ final class EndSearch {
         }
     }
 
-    /** Finds the chains of one look, and with them the exact paths. */
-    Ends find(SoundSource source, ExactPaths exact) {
+    /**
+     * Finds the chains of one look, and with them the exact paths.
+     *
+     * @param curvature of the paths of sound
+     */
+    Ends find(SoundSource source, ExactPaths exact, PathCurvature curvature) {
         Position drone = source.position();
         double scattered = scattered(drone, heardFrom);
         double guess = scattered + straight(drone);
         MirrorChains fromSensor = worthwhile(pureOfSensor, sensor, drone, guess);
         if (heardFrom.escaped() <= OPEN) {
-            exact.find(source, sensor, fromSensor, MirrorChains.NONE, new int[0]);
+            exact.find(source, sensor, fromSensor, MirrorChains.NONE, new int[0], curvature);
             MirrorChains none = MirrorChains.NONE;
-            return new Ends(source, sensor, none, none, none, fromSensor, none, guess, false);
+            return new Ends(source, sensor, none, none, none, fromSensor, none, guess, curvature, false);
         }
         ChainTree found = search.from(drone, RAYS_OF_SOURCE, maxOrder);
         MirrorChains fromSource = worthwhile(found.best(MOST_PURE, 0.0), drone, sensor, guess);
         int[] extra = IntStream.concat(Arrays.stream(wallsOfSensor), Arrays.stream(found.firstWalls(MOST_EXTRA)))
                 .distinct()
                 .toArray();
-        exact.find(source, sensor, fromSensor, fromSource, extra);
+        exact.find(source, sensor, fromSensor, fromSource, extra, curvature);
         ChainTree pure = new ChainTree();
         ChainTree near = new ChainTree();
         ChainTree far = new ChainTree();
@@ -132,7 +137,7 @@ final class EndSearch {
         MirrorChains ofSource = chosen(near, drone, heardFrom, known, chain -> first * found.worth(chain));
         MirrorChains ofSensor = chosen(far, sensor, firstScattered, known, chain -> 0.0);
         MirrorChains exactly = pure.best(Integer.MAX_VALUE, 0.0);
-        return new Ends(source, sensor, ofSource, ofSensor, fromSource, fromSensor, exactly, known, true);
+        return new Ends(source, sensor, ofSource, ofSensor, fromSource, fromSensor, exactly, known, curvature, true);
     }
 
     /**

@@ -14,6 +14,7 @@ import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.sensor.acoustic.propagation.PathBending;
 import org.dronewatch.sensor.acoustic.tone.HeardTone;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Levels;
@@ -56,6 +57,7 @@ public final class EnergyTracer {
     private final Position sensor;
     private final EndSearch search;
     private final Air air;
+    private final PathBending bending;
 
     /** Squared sound pressure over that in the reference air. */
     private final double pressure;
@@ -83,6 +85,7 @@ public final class EnergyTracer {
         this.sensor = clearance.of(sensor);
         this.search = new EndSearch(model, this.sensor, radius, world, planes, surfaces);
         this.air = new Air(world.atmosphere());
+        this.bending = new PathBending(world);
         this.pressure = model.pressure() == EnergyModel.Pressure.PHYSICAL
                 ? world.atmosphere().impedance() / REFERENCE_IMPEDANCE
                 : 1.0;
@@ -102,7 +105,7 @@ public final class EnergyTracer {
         SoundSource source = drone.at(clearance.of(drone.position()));
         ledger.clear();
         tally.clear();
-        Ends ends = search.find(source, exact);
+        Ends ends = search.find(source, exact, bending.between(source.position(), sensor));
         long seed = random.nextLong();
         // A recorder takes one segment at a time.
         int atOnce = recorder == RayRecorder.NONE ? Workers.available() : 1;

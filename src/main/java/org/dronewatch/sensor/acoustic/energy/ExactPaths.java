@@ -6,6 +6,7 @@ import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
 import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
@@ -22,12 +23,15 @@ final class ExactPaths {
     private final WallTransmission walls;
     private final EdgeLoss edges;
     private final SpecularPaths specular;
-    private final CoherentGround ground;
+    private final GroundReflection ground;
 
     private final FoundPaths direct = new FoundPaths();
     private final FoundPaths diffracted = new FoundPaths();
     private final FoundPaths mirrored = new FoundPaths();
     private final double[] heard = new double[BANDS];
+
+    /** Curvature of the sound from the source straight to the sensor, 1/m. */
+    private double straightOn;
 
     /** Whether any sound arrives by the straight path. */
     private boolean isThrough;
@@ -37,7 +41,7 @@ final class ExactPaths {
         this.air = air;
         this.walls = new WallTransmission(world, surfaces);
         this.edges = new EdgeLoss(model.diffraction(), world, surfaces, air);
-        this.ground = new CoherentGround(model, world, surfaces, air);
+        this.ground = new GroundReflection(model, world, surfaces, air);
         this.specular = new SpecularPaths(world, planes, surfaces, air, ground);
     }
 
@@ -47,15 +51,32 @@ final class ExactPaths {
      * @param ofSensor chains of walls that are seen from the sensor
      * @param ofSource chains of walls that are seen from the source
      * @param extra walls that a path may hit besides those of the chains
+     * @param curvature of the paths of sound
      */
-    void find(SoundSource source, Position sensor, MirrorChains ofSensor, MirrorChains ofSource, int[] extra) {
+    void find(
+            SoundSource source,
+            Position sensor,
+            MirrorChains ofSensor,
+            MirrorChains ofSource,
+            int[] extra,
+            PathCurvature curvature) {
         direct.clear();
         diffracted.clear();
         mirrored.clear();
         Position position = source.position();
+        Position vector = sensor.minus(position);
+        straightOn = curvature.along(vector.x(), vector.y(), vector.z());
         isThrough = walls.trace(
-                position.x(), position.y(), position.z(), sensor.x(), sensor.y(), sensor.z(), AcousticRay.AIR);
-        ground.find(source, sensor, walls.isFree());
+                position.x(),
+                position.y(),
+                position.z(),
+                sensor.x(),
+                sensor.y(),
+                sensor.z(),
+                AcousticRay.AIR,
+                straightOn);
+        ground.find(source, sensor, walls.isFree(), straightOn);
+        specular.bend(curvature);
         if (isThrough) {
             addDirect(source, sensor);
         }
@@ -96,9 +117,9 @@ final class ExactPaths {
         Position position = source.position();
         double length = Math.max(position.distance(sensor), OWN);
         double rise = (sensor.z() - position.z()) / length;
-        boolean seen = walls.isFree() && !ground.isFound();
+        boolean seen = walls.isFree() && !ground.interferes();
         if (seen) {
-            edges.findNear(position, sensor);
+            edges.findNear(position, sensor, straightOn);
         }
         for (int band = 0; band < BANDS; band++) {
             double passed = seen ? edges.past(band) : walls.passed(band);
@@ -125,17 +146,30 @@ final class ExactPaths {
 
     private void addDiffracted(SoundSource source, Position sensor) {
         Position position = source.position();
-        if (!edges.findPath(position, sensor)) {
+        if (!edges.findPath(position, sensor, straightOn)) {
             return;
         }
+        // Over a bulge of smooth ground that only bent paths know, sound runs along the ground, and what that reflects
+        // with it.
+        double along = straightOn > 0.0 ? edges.ofSmoothGround() : 0.0;
+        boolean isAlongGround =
+                along > 0.0 && ground.findBelow(position, sensor, edges.path().halfWay());
         double straight = Math.max(position.distance(sensor), OWN);
         double length = straight + edges.path().pathDifference();
+        boolean isGrazing = straightOn != 0.0 && edges.path().edges() == 0;
+        if (isGrazing) {
+            edges.findNear(position, sensor, straightOn);
+        }
         for (int band = 0; band < BANDS; band++) {
             // The edges' loss is relative to what would arrive by the straight path; only the air attenuates over the
             // longer one. Transmitted energy is not available for diffraction: both together never exceed the sound in
             // the open.
+            double left = isGrazing ? edges.past(band) : edges.round(band);
+            if (isAlongGround) {
+                left *= 1.0 + along * (ground.atGrazing(band, straight) - 1.0);
+            }
             heard[band] = (1.0 - passed(band))
-                    * edges.round(band)
+                    * Math.max(left, straightOn > 0.0 ? GroundReflection.DEEPEST : 0.0)
                     * source.fraction(band)
                     * source.factor(band, edges.path().sinElevation())
                     * air.left(band, length)

@@ -5,10 +5,12 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.propagation.PathBending;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.WindNoise;
 import org.dronewatch.world.NoiseSource;
 import org.dronewatch.world.World;
 
@@ -29,12 +31,13 @@ final class SiteNoise {
      */
     static BandLevels at(Position listener, World world, EnergyTracer tracer) {
         BandLevels background = world.backgroundNoise().spectrum();
-        if (world.noiseSources().isEmpty()) {
+        double wind = new PathBending(world).windAt(listener);
+        if (world.noiseSources().isEmpty() && !(wind > 0.0)) {
             return background;
         }
         double[] energy = new double[BANDS];
         for (int band = 0; band < BANDS; band++) {
-            energy[band] = Levels.toRatio(background.level(band));
+            energy[band] = Levels.toRatio(background.level(band)) + Levels.toRatio(WindNoise.level(band, wind));
         }
         world.noiseSources().forEach((name, source) -> add(name, source, listener, tracer, energy));
         double[] levels = new double[BANDS];

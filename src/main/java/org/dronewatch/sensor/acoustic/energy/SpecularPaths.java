@@ -9,6 +9,7 @@ import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
 import org.dronewatch.sensor.acoustic.mirror.MirrorPath;
 import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
@@ -27,16 +28,17 @@ final class SpecularPaths {
 
     private final WallPlanes planes;
     private final Air air;
-    private final CoherentGround ground;
+    private final GroundReflection ground;
     private final MirrorPath path;
     private final MirrorChains singles;
     private final double[] imagesInSingles;
     private final double[] heard = new double[BANDS];
+    private PathCurvature curvature = PathCurvature.NONE;
     private final List<int[]> found = new ArrayList<>();
     private double[] imagesInChains = new double[0];
     private double[] images = new double[3 * 16];
 
-    SpecularPaths(World world, WallPlanes planes, BandSurfaces surfaces, Air air, CoherentGround ground) {
+    SpecularPaths(World world, WallPlanes planes, BandSurfaces surfaces, Air air, GroundReflection ground) {
         this.planes = planes;
         this.air = air;
         this.ground = ground;
@@ -50,6 +52,11 @@ final class SpecularPaths {
         this.imagesInSingles = new double[3 * walls.length];
     }
 
+    /** Tells how air bends the paths of the next look. */
+    void bend(PathCurvature ofAir) {
+        curvature = ofAir;
+    }
+
     /**
      * Adds all paths from the source to the sensor.
      *
@@ -59,6 +66,7 @@ final class SpecularPaths {
     void addTo(FoundPaths paths, SoundSource source, Position sensor, MirrorChains ofSensor, MirrorChains ofSource) {
         found.clear();
         Position drone = source.position();
+        path.bend(curvature, true);
         singles.images(sensor.x(), sensor.y(), sensor.z(), planes, imagesInSingles);
         for (int chain = 1; chain < singles.count(); chain++) {
             if (path.follow(singles, imagesInSingles, chain, drone.x(), drone.y(), drone.z())) {
@@ -74,6 +82,7 @@ final class SpecularPaths {
                 add(paths, source, path.riseFromBeginning());
             }
         }
+        path.bend(curvature, false);
         imagesOf(drone, ofSource);
         for (int chain = 1; chain < ofSource.count(); chain++) {
             if (ofSource.order(chain) > 1

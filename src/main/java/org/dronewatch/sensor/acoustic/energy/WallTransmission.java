@@ -57,12 +57,14 @@ final class WallTransmission {
             return piece(fromX, fromY, fromZ, x, y, z);
         }
         double length = Math.sqrt(x * x + y * y + z * z);
-        int pieces = PathCurvature.pieces(curvature, length);
+        int corners = PathCurvature.corners(curvature, length);
+        // The pieces of an arc that bends up run just below it: what they meet is at the border of the ground's shadow.
+        double lower = Math.max(0.0, PathCurvature.sag(curvature, length / corners, 0.5 * length / corners));
         double before = 0.0;
         double sagBefore = 0.0;
-        for (int piece = 1; piece <= pieces; piece++) {
-            double share = (double) piece / pieces;
-            double sag = PathCurvature.sag(curvature, length, share * length);
+        for (int corner = 1; corner <= corners + 1; corner++) {
+            double share = PathCurvature.shareAt(corner, corners);
+            double sag = PathCurvature.sagAt(corner, corners, curvature, length) + (corner > corners ? 0.0 : lower);
             double part = share - before;
             if (!piece(
                     fromX + before * x,

@@ -151,7 +151,7 @@ public final class MirrorPath {
             return true;
         }
         double bent = curvature.along(ahead * dx, ahead * dy, ahead * dz);
-        return PathCurvature.pieces(bent, Math.sqrt(dx * dx + dy * dy + dz * dz)) == 1
+        return PathCurvature.corners(bent, Math.sqrt(dx * dx + dy * dy + dz * dz)) == 0
                 || arcs.isFree(x, y, z, x + dx, y + dy, z + dz, bent);
     }
 

@@ -5,6 +5,8 @@ import org.dronewatch.world.World;
 
 /** Whether arcs of sound between two points meet something. One per thread. */
 public final class ArcSight {
+    private static final double OVERLAP = 4.0 * Visibility.MARGIN;
+
     private final Visibility visibility;
 
     /** In a world, between points that may lie on surfaces. */
@@ -23,21 +25,23 @@ public final class ArcSight {
         double y = toY - fromY;
         double z = toZ - fromZ;
         double length = Math.sqrt(x * x + y * y + z * z);
-        int pieces = PathCurvature.pieces(curvature, length);
+        int corners = PathCurvature.corners(curvature, length);
         double beforeX = fromX;
         double beforeY = fromY;
         double beforeZ = fromZ;
-        for (int piece = 1; piece <= pieces; piece++) {
-            double share = (double) piece / pieces;
+        for (int corner = 1; corner <= corners + 1; corner++) {
+            double share = PathCurvature.shareAt(corner, corners);
             double nextX = fromX + share * x;
             double nextY = fromY + share * y;
-            double nextZ = fromZ + share * z - PathCurvature.sag(curvature, length, share * length);
+            double nextZ = fromZ + share * z - PathCurvature.sagAt(corner, corners, curvature, length);
             if (!visibility.isFree(beforeX, beforeY, beforeZ, nextX, nextY, nextZ)) {
                 return false;
             }
-            beforeX = nextX;
-            beforeY = nextY;
-            beforeZ = nextZ;
+            // The next piece begins before this one ends: at both ends of each something may be missed.
+            double back = OVERLAP / length;
+            beforeX = nextX - back * x;
+            beforeY = nextY - back * y;
+            beforeZ = nextZ - back * z;
         }
         return true;
     }

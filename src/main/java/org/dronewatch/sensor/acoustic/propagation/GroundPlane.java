@@ -98,6 +98,19 @@ public final class GroundPlane {
     }
 
     /**
+     * Looks for the highest surface on the line between two points; only {@link #material} is then that of it.
+     *
+     * @param share how far along the line, 0 to 1
+     * @return whether there is one
+     */
+    public boolean findHighest(Position first, Position second, double share) {
+        profile.between(first, second);
+        boolean isThere = profile.findHighest(share * profile.distance());
+        material = isThere ? profile.material() : material;
+        return isThere;
+    }
+
+    /**
      * A first point of reflection: where the path over the ground below the line is shortest (Fermat's principle), with
      * the plane in which it would be a reflection.
      */

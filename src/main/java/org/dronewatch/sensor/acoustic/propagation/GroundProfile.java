@@ -82,6 +82,12 @@ final class GroundProfile {
                         / normal[2];
     }
 
+    /** Looks for the highest surface on the line, whose material {@link #material} then is. */
+    boolean findHighest(double u) {
+        double above = visibility.world().bounds().maxZ() + 1.0;
+        return visibility.findFirstAlong(x(u, 0.0), y(u, 0.0), above, 0.0, 0.0, -1.0, Double.POSITIVE_INFINITY);
+    }
+
     private double x(double u, double v) {
         return from.x() + eastOfU * u - northOfU * v;
     }

@@ -321,7 +321,7 @@ class CoherentGroundTest {
         Position drone = new Position(x, 3, height);
         Position microphone = new Position(1, 3, 4);
 
-        assertThat(plane.find(drone, microphone, 0.686)).isTrue();
+        assertThat(plane.find(drone, microphone, 0.686, 0)).isTrue();
         double shortest = Double.POSITIVE_INFINITY;
         for (double u = -130; u <= 130; u += 0.01) {
             Position at = new Position(u, 3, hill.applyAsDouble(u, 0));

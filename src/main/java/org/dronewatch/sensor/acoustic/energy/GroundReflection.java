@@ -4,8 +4,10 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.GroundPlane;
+import org.dronewatch.sound.Barrier;
 import org.dronewatch.sound.GroundImpedance;
 import org.dronewatch.sound.GroundInterference;
+import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.SurfaceRoughness;
@@ -13,18 +15,25 @@ import org.dronewatch.sound.TurbulentCoherence;
 import org.dronewatch.world.World;
 
 /**
- * The interference of direct sound with sound reflected by the ground below it. It takes the place of the first-order
- * reflections within the ground's Fresnel zone, unless walls dominate: where other reflections carry more energy than both
- * together, phases are taken as random, that of the ground reflection included. Sound scattered by rough ground is left to
- * the rays. One per thread.
+ * What the ground below direct sound reflects of it: where the model says so, both interfere, unless walls dominate: where
+ * other reflections carry more energy than both together, phases are taken as random, that of the ground reflection
+ * included. It takes the place of the first-order reflections within the ground's Fresnel zone. Where air bends the paths,
+ * those reflections come from here even if they do not interfere, since the straight paths meet the ground elsewhere. Sound
+ * scattered by rough ground is left to the rays. One per thread.
  */
-final class CoherentGround {
+final class GroundReflection {
     private static final int BANDS = OctaveBands.COUNT;
 
     /** The Fresnel zone is that of a sound in the middle of a drone's spectrum, Hz. */
     private static final double ZONE_FREQUENCY = 500.0;
 
-    private final boolean isOn;
+    /**
+     * What is left at least, as a fraction of the free field, of sound that bends up: turbulence scatters as much into the
+     * deepest shadow and into the deepest interference at its border, {@value Barrier#LIMIT} dB.
+     */
+    static final double DEEPEST = Levels.toRatio(-Barrier.LIMIT);
+
+    private final boolean isCoherent;
     private final GroundPlane plane;
     private final List<SurfaceMaterial> materials;
     private final BandSurfaces surfaces;
@@ -33,9 +42,10 @@ final class CoherentGround {
     private final FoundPaths replaced = new FoundPaths();
     private final double[] both = new double[BANDS];
     private boolean isFound;
+    private boolean bendsUp;
 
-    CoherentGround(EnergyModel model, World world, BandSurfaces surfaces, Air air) {
-        this.isOn = model.ground() == EnergyModel.Ground.COHERENT;
+    GroundReflection(EnergyModel model, World world, BandSurfaces surfaces, Air air) {
+        this.isCoherent = model.ground() == EnergyModel.Ground.COHERENT;
         this.plane = new GroundPlane(world);
         this.materials = world.surfaces();
         this.surfaces = surfaces;
@@ -48,15 +58,47 @@ final class CoherentGround {
      *
      * @param isFree whether there is a line of sight; without direct sound there is nothing for the ground reflection to
      *     interfere with
+     * @param curvature of sound from the source to the sensor, 1/m
      */
-    void find(SoundSource source, Position sensor, boolean isFree) {
+    void find(SoundSource source, Position sensor, boolean isFree, double curvature) {
         replaced.clear();
-        isFound = isOn && isFree && plane.find(source.position(), sensor, air.soundSpeed() / ZONE_FREQUENCY);
+        bendsUp = curvature > 0.0;
+        isFound = (isCoherent || curvature != 0.0)
+                && isFree
+                && plane.find(source.position(), sensor, air.soundSpeed() / ZONE_FREQUENCY, curvature);
     }
 
     /** Whether there is ground that interferes: then its bumps are not edges but part of the reflection. */
-    boolean isFound() {
-        return isFound;
+    boolean interferes() {
+        return isFound && isCoherent;
+    }
+
+    /**
+     * Searches for the ground along which sound runs in the shadow behind a bulge.
+     *
+     * @param along how far along the straight line from the source, m
+     * @return whether there is any
+     */
+    boolean findBelow(Position source, Position sensor, double along) {
+        return plane.findHighest(source, sensor, along / source.distance(sensor));
+    }
+
+    /**
+     * What the ground found last makes of sound that grazes it, as a multiple of what arrives directly: 4 of hard ground
+     * with interference, 2 without.
+     *
+     * @param length of the path, m
+     */
+    double atGrazing(int band, double length) {
+        int material = plane.material();
+        GroundImpedance impedance = materials.get(material).groundImpedance().orElse(null);
+        double reflected = isCoherent && impedance != null ? 1.0 : surfaces.reflected(material, band, 0.0);
+        if (!isCoherent) {
+            return 1.0 + reflected;
+        }
+        GroundImpedance ground = impedance == null ? GroundImpedance.RIGID : impedance;
+        return new GroundInterference(ground, air.soundSpeed(), length, length, 0.0, 0.0, 0.0, turbulence)
+                .inBand(band, 1.0, reflected);
     }
 
     /** Where a first-order reflection at a point belongs: among those that interfere or among the others. */
@@ -94,12 +136,17 @@ final class CoherentGround {
         for (int band = 0; band < BANDS; band++) {
             double reflected = source.spread(air, band, plane.rise(), length)
                     * (1.0 - SurfaceRoughness.scattered(surfaces.scattered(material, band), cosine))
-                    * (impedance == null ? surfaces.reflected(material, band, cosine) : 1.0);
+                    * (isCoherent && impedance != null ? 1.0 : surfaces.reflected(material, band, cosine));
             others += mirrored.heard(band);
             together += direct.heard(band) + reflected;
-            both[band] = interference.inBand(band, direct.heard(band), reflected);
+            both[band] = isCoherent
+                    ? interference.inBand(band, direct.heard(band), reflected)
+                    : direct.heard(band) + reflected;
+            if (bendsUp) {
+                both[band] = Math.max(both[band], DEEPEST * direct.heard(band));
+            }
         }
-        if (others > together) {
+        if (isCoherent && others > together) {
             mirrored.add(replaced);
             return;
         }
