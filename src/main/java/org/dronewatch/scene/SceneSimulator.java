@@ -29,7 +29,7 @@ final class SceneSimulator extends DevsSimulator<Double> {
     private transient RunSession session;
     private transient Pilot pilot;
     private transient Consumer<String> warnings;
-    private transient boolean looking;
+    private transient volatile boolean looking;
 
     private SceneSimulator(String id) {
         super(id);

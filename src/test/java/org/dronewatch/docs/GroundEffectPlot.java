@@ -23,6 +23,7 @@ import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSound;
 import org.dronewatch.sound.DroneSounds;
 import org.dronewatch.sound.SurfaceMaterials;
+import org.dronewatch.sound.Wind;
 import org.dronewatch.world.World;
 import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
@@ -30,7 +31,7 @@ import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** The levels of a small quadrotor 5 m above hard ground and grass over distance, beside those in the free field. */
+/** The levels of a small quadrotor 5 m above hard ground, and above grass with and without wind, beside the free field. */
 final class GroundEffectPlot {
     private static final double NEAREST = 10.0;
     private static final double FARTHEST = 1000.0;
@@ -38,6 +39,7 @@ final class GroundEffectPlot {
     private static final double HALF = 3000.0;
     private static final Position MICROPHONE = new Position(0, 0, 1.5);
     private static final double DRONE_HEIGHT = 5.0;
+    private static final double WIND = 5.0;
     private static final int WIDTH = 640;
     private static final int HEIGHT = 520;
 
@@ -64,11 +66,16 @@ final class GroundEffectPlot {
         }
         World hard = plain("asphalt");
         World grass = plain("grass_turf");
+        // The drone is east of the microphone.
+        World downwind = plain("grass_turf", new Wind(WIND, Math.toRadians(90), 0.03));
+        World upwind = plain("grass_turf", new Wind(WIND, Math.toRadians(270), 0.03));
         BufferedImage both = new BufferedImage(2 * WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = both.createGraphics();
         int left = 0;
         for (Quantity quantity : Quantity.values()) {
             XYChart chart = chart(quantity.title);
+            add(chart, "grass, downwind", distances, over(downwind, distances, quantity.level), new Color(0x8fbf3f));
+            add(chart, "grass, upwind", distances, over(upwind, distances, quantity.level), new Color(0xc2410c));
             add(chart, "grass", distances, over(grass, distances, quantity.level), new Color(0x2a9d5c));
             add(chart, "asphalt", distances, over(hard, distances, quantity.level), new Color(0x1f5fbf));
             add(chart, "free field", distances, free(distances, quantity.level), Color.GRAY);
@@ -137,6 +144,10 @@ final class GroundEffectPlot {
     }
 
     private static World plain(String material) {
+        return plain(material, Wind.CALM);
+    }
+
+    private static World plain(String material, Wind wind) {
         float half = (float) HALF;
         TriangleMesh square = TriangleMesh.of(
                 new float[] {-half, -half, 0, half, -half, 0, half, half, 0, -half, half, 0},
@@ -145,6 +156,6 @@ final class GroundEffectPlot {
                 KDTree.of(square),
                 BackgroundNoise.of(20),
                 List.of(SurfaceMaterials.get(material)),
-                Atmosphere.STANDARD);
+                Atmosphere.STANDARD.withWind(wind));
     }
 }

@@ -22,6 +22,7 @@ import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.rf.RfSettings;
 import org.dronewatch.sensor.thermal.ThermalSettings;
 import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.Wind;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.WorldSettings;
 import org.junit.jupiter.api.Test;
@@ -44,6 +45,23 @@ class ConditionAdviceTest {
 
     private static List<String> advice(WorldSettings world, SensorSettings<?>... sensors) {
         return ConditionAdvice.of(List.of(scene(world, sensors)));
+    }
+
+    @Test
+    void windDoesNothingToTheLevelModelOfSound() {
+        WorldSettings windy = HILL.withAtmosphere(Atmosphere.STANDARD.withWind(Wind.CALM.withSpeed(5)));
+        WorldSettings inversion = HILL.withAtmosphere(Atmosphere.STANDARD.withTemperatureGradient(0.05));
+        AcousticSettings microphone = AcousticSettings.at(HERE);
+
+        assertThat(advice(windy, microphone, CameraSettings.at(HERE), ThermalSettings.at(HERE)))
+                .containsExactly("world.atmosphere.wind does not change what is detected by acoustic sensor 's0':"
+                        + " 'propagation: energy-model' takes it into account");
+        assertThat(advice(inversion, microphone))
+                .containsExactly(
+                        "world.atmosphere.temperatureGradient does not change what is detected by acoustic sensor"
+                                + " 's0': 'propagation: energy-model' takes it into account");
+        assertThat(advice(windy, microphone.withPropagation(EnergyModel.DEFAULT)))
+                .isEmpty();
     }
 
     @Test

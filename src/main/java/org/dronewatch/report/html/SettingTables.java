@@ -21,6 +21,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.sound.Wind;
 import org.dronewatch.world.WorldSettings;
 
 /** The settings of the simulation: sensors with their costs, drones, the site, the alert rule, and the limitations of the model. */
@@ -129,6 +130,11 @@ final class SettingTables {
                 number(world.rain()) + " mm/h",
                 number(result.simulated()) + " s",
                 Long.toString(result.seed())));
+        Wind wind = world.atmosphere().wind();
+        if (wind.speed() > 0.0) {
+            head.add("wind");
+            row.add(number(wind.speed()) + " m/s from " + number(Quantity.ANGLE.displayed(wind.from())) + "°");
+        }
         world.origin().ifPresent(origin -> {
             head.add("origin");
             row.add(coordinates(origin));

@@ -78,7 +78,7 @@ public final class EnergyHearing implements SoundTracer {
 
     private Map<String, Double> figures(EnergyReading reading, LineSpectrum lines) {
         Map<String, Double> figures = new LinkedHashMap<>(reading.figures(background()));
-        if (!world.noiseSources().isEmpty()) {
+        if (!world.noiseSources().isEmpty() || world.atmosphere().wind().speed() > 0.0) {
             figures.put(BACKGROUND, background().aWeighted());
         }
         for (HeardTone tone : lines.heard(reading::energy, background())) {

@@ -193,8 +193,7 @@ public record EnergyModel(
     @Override
     public String leavesOut() {
         return ground == Ground.COHERENT
-                ? "The energy model does not account for wind, and of interference only for that of direct and"
-                        + " ground-reflected sound."
+                ? "Of interference, the energy model accounts only for that of direct and ground-reflected sound."
                 : Propagation.super.leavesOut();
     }
 

@@ -284,8 +284,11 @@ public final class GroundPlane {
     public boolean covers(double x, double y, double z) {
         double u = profile.u(x, y);
         double v = profile.v(x, y);
-        return u >= firstU - TOLERANCE
-                && u <= lastU + TOLERANCE
+        // Straight paths meet bent ground elsewhere.
+        double first = bulge == 0.0 ? firstU : Math.min(0.0, firstU);
+        double last = bulge == 0.0 ? lastU : Math.max(distance, lastU);
+        return u >= first - TOLERANCE
+                && u <= last + TOLERANCE
                 && Math.abs(v) <= halfWidth + TOLERANCE
                 && Math.abs(z - surface.z(u, v)) <= SPREAD * unevenness + TOLERANCE;
     }
