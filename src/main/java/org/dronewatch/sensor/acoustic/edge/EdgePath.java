@@ -245,8 +245,8 @@ public final class EdgePath {
     /** The detour of the shortest path in a plane, m, kept if none was shorter; infinity if it is beyond the limit. */
     private double detour(double angle, double limit) {
         Position side = up.times(Math.cos(angle)).plus(across.times(Math.sin(angle)));
-        cut.cut(from, to, ahead, side, reach(limit), curvature);
-        if (!band.find(cut, straight, limit)) {
+        cut.cut(from, to, ahead, side, PathCurvature.reach(curvature, straight, limit), curvature);
+        if (!band.find(cut.outline(), straight, limit)) {
             return Double.POSITIVE_INFINITY;
         }
         double detour = Math.max(0.0, band.length() - straight);
@@ -256,16 +256,9 @@ public final class EdgePath {
         return detour;
     }
 
-    /** The sum of distances within which the surfaces lie that a bent outline has within a sum. */
-    private double reach(double limit) {
-        double sag = 0.125 * Math.abs(curvature) * straight * straight;
-        double across = 0.5 * Math.sqrt(Math.max(0.0, limit * limit - straight * straight));
-        return sag > 0.0 ? Math.hypot(straight, 2.0 * (across + sag)) : limit;
-    }
-
     private void keep(double detour, Position side) {
         pathDifference = detour;
-        arcDifference = -arc(straight);
+        arcDifference = -PathCurvature.arc(curvature, straight);
         edges = band.corners();
         if (along.length < edges) {
             along = new double[2 * edges];
@@ -283,7 +276,7 @@ public final class EdgePath {
             double dv = (i < edges ? band.v(i) : 0.0) - v;
             double leg = Math.hypot(du, dv);
             double nextRaised = i < edges ? cut.bulgeAt(band.u(i)) : 0.0;
-            arcDifference += arc(Math.hypot(du, dv - nextRaised + raised));
+            arcDifference += PathCurvature.arc(curvature, Math.hypot(du, dv - nextRaised + raised));
             raised = nextRaised;
             double next = Math.atan2(dv, du);
             double rise = (du * ahead.z() + dv * side.z()) / leg;
@@ -303,12 +296,6 @@ public final class EdgePath {
             u += du;
             v += dv;
         }
-    }
-
-    /** The length of an arc of sound over a chord, m. */
-    private double arc(double chord) {
-        double half = 0.5 * Math.abs(curvature) * chord;
-        return half > 0.0 ? chord * Math.asin(half) / half : chord;
     }
 
     /** The sum of distances beyond which nothing of the world is left out. */

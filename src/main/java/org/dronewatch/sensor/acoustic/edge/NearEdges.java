@@ -70,7 +70,7 @@ public final class NearEdges {
         if (!(straight > 0.0) || mesh.triangleCount() == 0) {
             return List.of();
         }
-        query.find(source, sensor, reach(straight, longest));
+        query.find(source, sensor, PathCurvature.reach(curvature, straight, straight + longest));
         if (query.count() == 0) {
             return List.of();
         }
@@ -101,14 +101,6 @@ public final class NearEdges {
             }
         });
         return edges;
-    }
-
-    /** The sum of distances within which the surfaces lie that a bent outline has within a detour. */
-    private double reach(double straight, double longest) {
-        double limit = straight + longest;
-        double sag = 0.125 * Math.abs(curvature) * straight * straight;
-        double across = 0.5 * Math.sqrt(limit * limit - straight * straight);
-        return sag > 0.0 ? Math.hypot(straight, 2.0 * (across + sag)) : limit;
     }
 
     /** How much higher an edge is where arcs of sound are drawn as straight lines, m: that of its nearest point. */

@@ -74,6 +74,31 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
+     * The length of an arc over a chord, m.
+     *
+     * @param curvature 1/m
+     * @param chord m
+     */
+    public static double arc(double curvature, double chord) {
+        double half = 0.5 * Math.abs(curvature) * chord;
+        return half > 0.0 ? chord * Math.asin(half) / half : chord;
+    }
+
+    /**
+     * The sum of distances from both ends within which the surfaces lie that are within another sum where arcs are drawn
+     * straight, m.
+     *
+     * @param curvature 1/m
+     * @param length of the straight line, m
+     * @param limit the other sum, at least that length, m
+     */
+    public static double reach(double curvature, double length, double limit) {
+        double sag = sag(Math.abs(curvature), length, 0.5 * length);
+        double across = 0.5 * Math.sqrt(Math.max(0.0, limit * limit - length * length));
+        return sag > 0.0 ? Math.hypot(length, 2.0 * (across + sag)) : limit;
+    }
+
+    /**
      * How many corners the line of straight pieces has that stands for an arc; none where the arc is straight enough.
      *
      * @param curvature 1/m

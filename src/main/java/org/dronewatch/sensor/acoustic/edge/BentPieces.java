@@ -1,0 +1,92 @@
+package org.dronewatch.sensor.acoustic.edge;
+
+import java.util.Arrays;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
+
+/** Pieces of parabolas, which a plane cuts of surfaces that are bent, until they are divided into straight pieces. One per thread. */
+final class BentPieces {
+    private static final int MOST_PARTS = 1000;
+
+    private final Outline outline;
+
+    /** The points at both ends of each. */
+    private int[] ends = new int[128];
+
+    /** How much farther across the line each surface is where it is higher by 1 m. */
+    private double[] steepness = new double[64];
+
+    private int count;
+    private double[] divided = new double[64];
+
+    BentPieces(Outline outline) {
+        this.outline = outline;
+    }
+
+    void clear() {
+        count = 0;
+    }
+
+    /** Adds a piece, to be divided once all points of the mesh are known. */
+    void add(int start, int end, double perSag) {
+        if (count == steepness.length) {
+            ends = Arrays.copyOf(ends, 4 * count);
+            steepness = Arrays.copyOf(steepness, 2 * count);
+        }
+        boolean isForward = outline.u(start) <= outline.u(end);
+        ends[2 * count] = isForward ? start : end;
+        ends[2 * count + 1] = isForward ? end : start;
+        steepness[count] = perSag;
+        count++;
+    }
+
+    /**
+     * Divides the pieces into parts that are nearly straight, and adds these to the outline. They are divided at every point
+     * of the mesh that lies on them, too: under a wall on bent ground there must be no gap.
+     */
+    void divide(double curvature) {
+        int ofMesh = outline.points();
+        for (int piece = 0; piece < count; piece++) {
+            int start = ends[2 * piece];
+            double from = outline.u(start);
+            double to = outline.u(ends[2 * piece + 1]);
+            int parts = Math.min(MOST_PARTS, PathCurvature.pieces(curvature * steepness[piece], to - from));
+            int divisions = 0;
+            if (divided.length < parts + ofMesh) {
+                divided = new double[2 * (parts + ofMesh)];
+            }
+            for (int part = 1; part < parts; part++) {
+                divided[divisions++] = from + (to - from) * part / parts;
+            }
+            for (int point = 0; point < ofMesh && parts > 1; point++) {
+                double at = outline.u(point);
+                if (at > from
+                        && at < to
+                        && Math.abs(outline.v(point) - across(piece, at, curvature)) < PathCurvature.EXACT) {
+                    divided[divisions++] = at;
+                }
+            }
+            Arrays.sort(divided, 0, divisions);
+            int before = start;
+            for (int division = 0; division < divisions; division++) {
+                double at = divided[division];
+                if (division == 0 || at != divided[division - 1]) {
+                    int next = outline.dividingPoint(at, across(piece, at, curvature));
+                    outline.add(before, next);
+                    before = next;
+                }
+            }
+            outline.add(before, ends[2 * piece + 1]);
+        }
+    }
+
+    /** How far across the line a piece is at a distance along it, m. */
+    private double across(int piece, double along, double curvature) {
+        int start = ends[2 * piece];
+        int end = ends[2 * piece + 1];
+        double from = outline.u(start);
+        double to = outline.u(end);
+        double share = (along - from) / (to - from);
+        double bow = 0.5 * curvature * (along - from) * (to - along);
+        return outline.v(start) + share * (outline.v(end) - outline.v(start)) + steepness[piece] * bow;
+    }
+}

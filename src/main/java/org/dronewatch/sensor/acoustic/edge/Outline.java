@@ -1,0 +1,142 @@
+package org.dronewatch.sensor.acoustic.edge;
+
+import java.util.Arrays;
+
+/**
+ * The outline of obstacles in a plane: straight pieces in coordinates u along a line and v across it. Pieces that end at
+ * the same coordinates share a point. One per thread.
+ */
+final class Outline {
+    private double[] u = new double[256];
+    private double[] v = new double[256];
+
+    /** Whether the mesh has a corner or an edge at a point; others divide pieces that are bent. */
+    private boolean[] isOfMesh = new boolean[256];
+
+    private Cone[] cones = new Cone[0];
+    private int points;
+    private int[] ends = new int[512];
+    private int pieces;
+
+    /** Hash table with open addressing: one more than the index of a point, 0 for none. */
+    private int[] table = new int[1024];
+
+    /** Removes all pieces, and makes room for at most this many points of the mesh. */
+    void clear(int most) {
+        points = 0;
+        pieces = 0;
+        int slots = Math.max(16, Integer.highestOneBit(Math.max(1, most)) * 4);
+        if (table.length != slots) {
+            table = new int[slots];
+        } else {
+            Arrays.fill(table, 0);
+        }
+    }
+
+    /** The point of the mesh at some coordinates, which may be known already. */
+    int point(double atU, double atV) {
+        long bits = Double.doubleToLongBits(atU) * 0x9E3779B97F4A7C15L + Double.doubleToLongBits(atV);
+        bits *= 0xC2B2AE3D27D4EB4FL;
+        int slot = (int) (bits >>> 32) & (table.length - 1);
+        while (table[slot] != 0) {
+            int known = table[slot] - 1;
+            if (u[known] == atU && v[known] == atV) {
+                return known;
+            }
+            slot = (slot + 1) & (table.length - 1);
+        }
+        table[slot] = points + 1;
+        return append(atU, atV, true);
+    }
+
+    /** A new point at which a piece is divided, where the mesh has neither a corner nor an edge. */
+    int dividingPoint(double atU, double atV) {
+        return append(atU, atV, false);
+    }
+
+    private int append(double atU, double atV, boolean ofMesh) {
+        if (points == u.length) {
+            u = Arrays.copyOf(u, 2 * points);
+            v = Arrays.copyOf(v, 2 * points);
+            isOfMesh = Arrays.copyOf(isOfMesh, 2 * points);
+        }
+        u[points] = atU;
+        v[points] = atV;
+        isOfMesh[points] = ofMesh;
+        return points++;
+    }
+
+    /** Adds a piece between two points; none if they are one. */
+    void add(int start, int end) {
+        if (start == end) {
+            return;
+        }
+        if (2 * pieces == ends.length) {
+            ends = Arrays.copyOf(ends, 2 * ends.length);
+        }
+        ends[2 * pieces] = start;
+        ends[2 * pieces + 1] = end;
+        pieces++;
+    }
+
+    /** Collects the directions of the pieces at each point; to be called once all pieces have been added. */
+    void finish() {
+        int known = cones.length;
+        if (known < points) {
+            cones = Arrays.copyOf(cones, 2 * points);
+            for (int i = known; i < cones.length; i++) {
+                cones[i] = new Cone();
+            }
+        }
+        for (int i = 0; i < points; i++) {
+            cones[i].clear();
+        }
+        for (int i = 0; i < pieces; i++) {
+            int a = ends[2 * i];
+            int b = ends[2 * i + 1];
+            double du = u[b] - u[a];
+            double dv = v[b] - v[a];
+            double length = Math.sqrt(du * du + dv * dv);
+            cones[a].add(du / length, dv / length);
+            cones[b].add(-du / length, -dv / length);
+        }
+    }
+
+    /** How many ends of pieces there are. */
+    int points() {
+        return points;
+    }
+
+    double u(int point) {
+        return u[point];
+    }
+
+    double v(int point) {
+        return v[point];
+    }
+
+    /** Whether the mesh has a corner or an edge at a point: not where a piece was only divided. */
+    boolean isOfMesh(int point) {
+        return isOfMesh[point];
+    }
+
+    /** The directions of the pieces that meet at a point. */
+    Cone cone(int point) {
+        return cones[point];
+    }
+
+    /** Number of pieces. */
+    int pieces() {
+        return pieces;
+    }
+
+    /** The point at which a piece begins. */
+    int start(int piece) {
+        return ends[2 * piece];
+    }
+
+    /** The point at which a piece ends. */
+    int end(int piece) {
+        return ends[2 * piece + 1];
+    }
+}
