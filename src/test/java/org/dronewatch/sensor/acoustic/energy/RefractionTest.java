@@ -117,7 +117,8 @@ class RefractionTest {
                                 .as("%s %s, %.1f m, band %d", ground, surface.name(), distance, band)
                                 .isBetween(before[band] - step, before[band] + 0.2);
                     }
-                    assertThat(here[band]).isGreaterThan(-26.0);
+                    // The way over the bulge is up to 15 m longer, in air that takes 77 dB/km at 8 kHz.
+                    assertThat(here[band]).isGreaterThan(band < 6 ? -25.5 : -27.0);
                 }
                 before = here;
             }
