@@ -15,6 +15,7 @@ import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel.Criterion;
 import org.dronewatch.sensor.acoustic.propagation.Heard;
 import org.dronewatch.sensor.acoustic.propagation.Microphone;
+import org.dronewatch.sensor.acoustic.propagation.PathBending;
 import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.sensor.acoustic.tone.HeardTone;
 import org.dronewatch.sensor.acoustic.tone.LineSpectrum;
@@ -29,9 +30,6 @@ import org.dronewatch.world.World;
 public final class EnergyHearing implements SoundTracer {
     private static final String UNIT = "dB";
 
-    /** Speed of the wind that widens lines, m/s. */
-    private static final double STILL = 0.0;
-
     /** Where more than this fraction of the sound leaves the site, it has no appreciable reverberation. */
     private static final double OPEN = 0.5;
 
@@ -45,12 +43,14 @@ public final class EnergyHearing implements SoundTracer {
     private final Microphone microphone;
     private final World world;
     private final EnergyTracer tracer;
+    private final PathBending bending;
     private Optional<BandLevels> background = Optional.empty();
 
     EnergyHearing(EnergyModel model, Microphone microphone, World world) {
         this.model = model;
         this.microphone = microphone;
         this.world = world;
+        this.bending = new PathBending(world);
         this.tracer = new EnergyTracer(model, microphone.position(), microphone.radius(), world);
     }
 
@@ -200,7 +200,7 @@ public final class EnergyHearing implements SoundTracer {
                 drone.soundPower(),
                 approach(drone),
                 world.atmosphere().speedOfSound(),
-                STILL);
+                bending.windAt(drone.origin()));
     }
 
     /** The drone's speed along the straight line to the microphone, m/s. */
