@@ -23,6 +23,7 @@ import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.Wind;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
@@ -46,9 +47,13 @@ class ToneDetectionTest {
     }
 
     private static Observation observe(Drone drone, Criterion criterion) {
+        return observe(drone, criterion, Atmosphere.STANDARD);
+    }
+
+    private static Observation observe(Drone drone, Criterion criterion, Atmosphere air) {
         TriangleMesh farGround =
                 TriangleMesh.of(new float[] {0, 0, -5000, 1, 0, -5000, 0, 1, -5000}, new int[] {0, 1, 2});
-        World open = new World(KDTree.of(farGround), NOISE, SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
+        World open = new World(KDTree.of(farGround), NOISE, SurfaceSettings.DEFAULT, air);
         return AcousticSettings.at(STILL)
                 .withPropagation(EnergyModel.DEFAULT.withRays(1000).withCriterion(criterion))
                 .create()
@@ -97,6 +102,22 @@ class ToneDetectionTest {
         Drone passing = drone(quadrotor().withTones(TONES), 100.0, new Position(15, 0, 0), OptionalDouble.empty());
         assertThat(observe(passing, Criterion.A_WEIGHTED).figures().get("tone_1_hz"))
                 .isEqualTo(BLADE_PASSING);
+    }
+
+    /** In 5 m/s of wind at its height the line at 205 Hz is 6 Hz wide, and its harmonic twice as wide. */
+    @Test
+    void theWindAtTheDroneWidensItsLines() {
+        Drone hovering = drone(quadrotor().withTones(TONES), 100.0, STILL, OptionalDouble.empty())
+                .move(new Position(0, 0, 10).toVector3d());
+        Atmosphere windy = Atmosphere.STANDARD.withWind(Wind.CALM.withSpeed(5.0));
+        Map<String, Double> calm = observe(hovering, Criterion.NARROW_BAND).figures();
+        Map<String, Double> wide =
+                observe(hovering, Criterion.NARROW_BAND, windy).figures();
+
+        assertThat(calm.get("tone_1_width_hz")).isCloseTo(1.025, within(1e-9));
+        assertThat(wide.get("tone_1_width_hz")).isCloseTo(6.355, within(1e-9));
+        assertThat(wide.get("tone_2_width_hz")).isCloseTo(12.71, within(1e-9));
+        assertThat(wide.get("tone_1_snr_db")).isLessThan(calm.get("tone_1_snr_db"));
     }
 
     /** Lines rise out of noise that hides their octave. */
