@@ -3,6 +3,8 @@ package org.dronewatch.app;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
@@ -44,7 +46,16 @@ final class CheckCommand implements Callable<Integer> {
                         sensors(first),
                         counted(runs.size(), "run"),
                         first.run().duration());
+        first.drones().forEach(this::printLabel);
         return 0;
+    }
+
+    private void printLabel(String id, DroneSettings drone) {
+        if (!drone.label().equals(ThreatLabel.DEFAULT)) {
+            spec.commandLine()
+                    .getOut()
+                    .printf("drone '%s' is labelled %s%n", id, drone.label().inWords());
+        }
     }
 
     /** All sensors of a run, and how many of them are switched off, if any. */

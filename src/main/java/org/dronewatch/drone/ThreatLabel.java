@@ -1,6 +1,10 @@
 package org.dronewatch.drone;
 
+import java.math.BigDecimal;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -91,5 +95,19 @@ public record ThreatLabel(
     /** Checks that no component is missing, and the limits. */
     public ThreatLabel {
         Limits.check(ThreatLabel.class, role, purpose, platform, powerSource, weight, size);
+    }
+
+    /** What is known of the drone: {@code attack, strike, fixed-wing, battery, 5 kg, 1.5 m}. */
+    public String inWords() {
+        Stream<String> words = Stream.of(role, purpose, platform, powerSource)
+                .filter(part -> !part.name().equals(Purpose.UNKNOWN.name()))
+                .map(part -> Choices.name(part.name()));
+        Stream<String> measures = Stream.concat(
+                weight.stream().map(kg -> number(kg) + " kg"), size.stream().map(metres -> number(metres) + " m"));
+        return Stream.concat(words, measures).collect(Collectors.joining(", "));
+    }
+
+    private static String number(double value) {
+        return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
     }
 }

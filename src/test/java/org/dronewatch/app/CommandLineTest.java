@@ -180,6 +180,20 @@ class CommandLineTest extends CommandLines {
     }
 
     @Test
+    void checkShowsTheLabelOfADroneThatHasOne() {
+        Program.Outcome outcome = Program.run(
+                "check",
+                "camera-range",
+                "--set",
+                "drones.quadrotor.label.purpose=espionage",
+                "--set",
+                "drones.quadrotor.label.weight=1.25 kg");
+
+        assertThat(outcome.out().lines().skip(1))
+                .containsExactly("drone 'quadrotor' is labelled attack, espionage, 1.25 kg");
+    }
+
+    @Test
     void checkCountsSensorsThatAreSwitchedOff() {
         Program.Outcome outcome = Program.run("check", "multi-sensor", "--set", "sensors.north-east-1.enabled=false");
 

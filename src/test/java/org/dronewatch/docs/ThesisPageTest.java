@@ -6,13 +6,17 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.lang.reflect.Member;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -48,6 +52,14 @@ class ThesisPageTest {
             "coverage", List.of("--out", "plan.png"),
             "calibrate", List.of("--out", "fitted.yaml"),
             "save", List.of("--out", "scene.yaml"));
+
+    /** The file that {@code render} and its like write. */
+    private static final String PICTURE = "picture.png";
+
+    /** Files of a run that a row may name: those that state neither settings nor the time. */
+    private static final Pattern RESULT = Pattern.compile("\\w+\\.csv|report\\.html");
+
+    private static final Pattern CAPTION = Pattern.compile("<figcaption>[^<]*");
 
     private static final Set<String> COMMANDS =
             new CommandLine(new Main()).getSubcommands().keySet();
@@ -218,5 +230,73 @@ class ThesisPageTest {
                 .as("%s: %s", words, said)
                 .isZero();
         assertThat(said.toString()).as("%s", words).doesNotContain("has no effect");
+    }
+
+    /** A minute's work: the same command without one of its overrides prints something else, or writes what the row names. */
+    @Test
+    @EnabledIfSystemProperty(named = "dronewatch.commands", matches = "run")
+    void everyOverrideOfACommandShows() throws IOException {
+        Map<List<String>, Shown> known = new HashMap<>();
+        List<String> unseen = new ArrayList<>();
+        for (Row row : rows()) {
+            for (String command : codeOf(row.see())) {
+                List<String> words = words(command);
+                for (int i = words.indexOf("--set"); i >= 0 && i < words.size(); i += 2) {
+                    List<String> fewer = new ArrayList<>(words);
+                    fewer.subList(i, i + 2).clear();
+                    List<String> files = codeOf(row.differs()).stream()
+                            .filter(name -> RESULT.matcher(name).matches())
+                            .toList();
+                    if (!shown(words, known).differsFrom(shown(fewer, known), files)) {
+                        unseen.add(words.get(i + 1) + " in " + command);
+                    }
+                }
+            }
+        }
+        assertThat(known).hasSizeGreaterThan(50);
+        assertThat(unseen).isEmpty();
+    }
+
+    /** What a reader sees of a command: lines, the picture that it draws, files of results. */
+    private record Shown(String lines, Map<String, String> files) {
+        boolean differsFrom(Shown other, List<String> named) {
+            return !lines.equals(other.lines)
+                    || !Objects.equals(files.get(PICTURE), other.files.get(PICTURE))
+                    || named.stream().anyMatch(name -> !Objects.equals(files.get(name), other.files.get(name)));
+        }
+    }
+
+    private Shown shown(List<String> command, Map<List<String>, Shown> known) throws IOException {
+        Shown before = known.get(command);
+        if (before != null) {
+            return before;
+        }
+        Path out = Files.createDirectory(directory.resolve("shown-" + known.size()));
+        List<String> words = new ArrayList<>(command);
+        List<String> output = OUTPUT.getOrDefault(words.get(0), List.of());
+        if (!output.isEmpty()) {
+            words.add(output.get(0));
+            words.add((words.get(0).equals("run") ? out : out.resolve(PICTURE)).toString());
+        }
+        StringWriter said = new StringWriter();
+        PrintWriter writer = new PrintWriter(said);
+        Main.execute(writer, writer, words.toArray(String[]::new));
+        Map<String, String> files = new HashMap<>();
+        try (Stream<Path> written = Files.list(out)) {
+            for (Path file : written.filter(Files::isRegularFile).toList()) {
+                files.put(file.getFileName().toString(), content(file));
+            }
+        }
+        Shown shown = new Shown(said.toString().replace(out.toString(), "OUT"), files);
+        known.put(command, shown);
+        return shown;
+    }
+
+    /** Of a report, which states the time and the command, the captions of its pictures. */
+    private static String content(Path file) throws IOException {
+        String text = Files.readString(file, StandardCharsets.ISO_8859_1);
+        return file.toString().endsWith(".html")
+                ? CAPTION.matcher(text).results().map(MatchResult::group).collect(Collectors.joining("\n"))
+                : text;
     }
 }
