@@ -104,7 +104,12 @@ final class Daylight {
 
     /** Brightness of a colour; 1 for white. */
     static double brightness(double[] rgb) {
-        return BRIGHTNESS[0] * rgb[0] + BRIGHTNESS[1] * rgb[1] + BRIGHTNESS[2] * rgb[2];
+        return brightness(rgb[0], rgb[1], rgb[2]);
+    }
+
+    /** Brightness of a colour by its channels; 1 for white. */
+    static double brightness(double red, double green, double blue) {
+        return BRIGHTNESS[0] * red + BRIGHTNESS[1] * green + BRIGHTNESS[2] * blue;
     }
 
     /** Scales a colour to a brightness of 1. */

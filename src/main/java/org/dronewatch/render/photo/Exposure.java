@@ -1,10 +1,10 @@
 package org.dronewatch.render.photo;
 
 /**
- * Converts light to the numbers of a picture. The logarithmic mean of what is seen becomes a middle tone, as by a camera's
- * automatic exposure (Reinhard et al., "Photographic tone reproduction for digital images", SIGGRAPH 2002), but in poor
- * light a darker one. Excessive brightness fades to white instead of being clipped: brightness is {@code 1 - exp(-k x)},
- * followed by the transfer function of sRGB (IEC 61966-2-1). Immutable.
+ * Converts light to the numbers of a picture. The logarithmic mean of what is seen becomes a middle tone, as by a
+ * camera's automatic exposure (Reinhard et al., "Photographic tone reproduction for digital images", SIGGRAPH 2002),
+ * but in poor light a darker one. Excessive brightness fades to white instead of being clipped: brightness is {@code
+ * 1 - exp(-k x)}, followed by the transfer function of sRGB (IEC 61966-2-1). Immutable.
  */
 final class Exposure {
     /** In less light than this, lx, pictures are darker. */
@@ -19,9 +19,6 @@ final class Exposure {
     private static final double LEAST = 0.3;
 
     private static final double MOST = 6.0;
-
-    /** The contributions of red, green and blue to brightness (ITU-R BT.709). */
-    private static final double[] BRIGHTNESS = {0.2126, 0.7152, 0.0722};
 
     private static final int[][] BAYER = bayer();
 
@@ -40,11 +37,11 @@ final class Exposure {
 
     /**
      * The pixel for a radiance of three channels: red, green and blue in the lowest 24 bits. Hue is kept as it gets
-     * brighter, and fades to white where it would be brighter than a screen can show. Values between two levels are dithered
-     * with a fixed pattern (Bayer, ICC 1973), so that a smooth sky shows no bands.
+     * brighter, and fades to white where it would be brighter than a screen can show. Values between two levels are
+     * dithered with a fixed pattern (Bayer, ICC 1973), so that a smooth sky shows no bands.
      */
     int pixel(double red, double green, double blue, int column, int row) {
-        double brightness = BRIGHTNESS[0] * red + BRIGHTNESS[1] * green + BRIGHTNESS[2] * blue;
+        double brightness = Daylight.brightness(red, green, blue);
         if (!(brightness > 0.0)) {
             return 0;
         }
@@ -60,8 +57,8 @@ final class Exposure {
     }
 
     /**
-     * The fraction of its colour that a pixel keeps, so that no channel is brighter than a screen can show, without a step
-     * where one would be.
+     * The fraction of its colour that a pixel keeps, so that no channel is brighter than a screen can show, without a
+     * step where one would be.
      *
      * @param over by how much the brightest channel exceeds the pixel's brightness
      * @param room by how much a screen's brightest exceeds it

@@ -3,10 +3,10 @@ package org.dronewatch.render.photo;
 import java.util.Arrays;
 
 /**
- * The colour of a clear sky: sunlight that the air of a round earth has scattered once (after Nishita, Sirai, Tadamura and
- * Nakamae, "Display of the earth taking into account atmospheric scattering", SIGGRAPH 1993), with multiple scattering in
- * its mean colour, less near the horizon, and the light of the night. So the sky is blue at noon, red where the sun sets,
- * blue again at dusk, when ozone absorbs red and yellow, and then dark. Tabulated. Immutable.
+ * The colour of a clear sky: sunlight that the air of a round earth has scattered once (after Nishita, Sirai, Tadamura
+ * and Nakamae, "Display of the earth taking into account atmospheric scattering", SIGGRAPH 1993), with multiple
+ * scattering in its mean colour, less near the horizon, and the light of the night. How much of these two there is, is
+ * assumed. With the sun well below the horizon the earth's shadow is seen as an edge. Tabulated. Immutable.
  */
 final class ScatteredLight {
     private static final int CHANNELS = Daylight.CHANNELS;
@@ -26,7 +26,7 @@ final class ScatteredLight {
 
     private static final double OZONE_REACH = 15.0;
 
-    /** Optical depth of haze for light from the zenith, and its single-scattering albedo. */
+    /** Optical depth of haze for light from the zenith, and its single-scattering albedo: assumed, of clear air. */
     private static final double HAZE = 0.03;
 
     private static final double HAZE_SCATTERS = 0.9;
@@ -35,21 +35,21 @@ final class ScatteredLight {
     private static final double FORWARD = 0.76;
 
     /**
-     * Optical depths of 300 Dobson units of ozone at 610, 550 and 465 nm, for light from the zenith, of the cross-sections
-     * of its Chappuis bands (Gorshelev and others, Atmospheric Measurement Techniques 7, 609, 2014).
+     * Optical depths of 300 Dobson units of ozone at 610, 550 and 465 nm, for light from the zenith, of the
+     * cross-sections of its Chappuis bands (Gorshelev and others, Atmospheric Measurement Techniques 7, 609, 2014).
      */
     private static final double[] OZONE = {0.037, 0.027, 0.004};
 
-    /** Multiple scattering, relative to the mean of single scattering. */
+    /** Multiple scattering, relative to the mean of single scattering: assumed. */
     private static final double MORE_OFTEN = 0.35;
 
-    /** The thick air near the horizon hides the blue light above it: up to about this sine of the elevation. */
+    /** Sine of the elevation at which half of the multiple scattering is left, near the thick horizon: assumed. */
     private static final double THICK = 0.1;
 
-    /** The sky of a moonless night, relative to sunlight outside the atmosphere: about a millionth of dusk. */
+    /** The sky of a moonless night, relative to sunlight outside the atmosphere: assumed. */
     private static final double[] NIGHT = {0.8e-8, 1.0e-8, 1.3e-8};
 
-    /** The sine of the least elevation at which colours are distinguished. */
+    /** Sine of an elevation: below it the sky has the colour that it has there. */
     private static final double LOWEST = 0.01;
 
     private static final int ELEVATIONS = 33;

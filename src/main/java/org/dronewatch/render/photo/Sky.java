@@ -6,9 +6,10 @@ import org.dronewatch.geometry.Position;
 /**
  * How bright the sky is in each direction, relative to a white, matt, level surface. Its brightness is distributed as
  * that of the standard general skies of ISO 15469:2004 (CIE S 011): type 12, clear, where the sun is known, type 3,
- * overcast and moderately graded, where it is not; scaled so that the whole sky gives level ground the fraction of the light
- * stated by {@link Daylight}. A clear sky has the colours of {@link ScatteredLight}. Below the horizon it is what an
- * infinitely long path through air would show. Immutable.
+ * overcast and moderately graded, where it is not; scaled so that the whole sky gives level ground the fraction of the
+ * light stated by {@link Daylight}. The standard is made for a sun above the horizon; below, type 12 is used all the
+ * same. A clear sky has the colours of {@link ScatteredLight}. Below the horizon it is what an infinitely long path
+ * through air would show. Immutable.
  */
 final class Sky {
     /** Angular radius of the sun, rad. */
@@ -17,7 +18,7 @@ final class Sky {
     /** Radiance of the sun's disc: far more than a picture can show. */
     private static final double SUN_DISC = 60.0;
 
-    /** Sine of the elevation over which the sky changes smoothly into what an infinitely long path through air shows. */
+    /** Sine of the elevation over which the sky changes into what an infinitely long path through air shows. */
     private static final double HORIZON = 0.02;
 
     private static final double[] OVERCAST = {0.94, 1.0, 1.05};

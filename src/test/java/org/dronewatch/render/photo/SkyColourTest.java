@@ -101,6 +101,24 @@ class SkyColourTest {
         }
     }
 
+    /** The mean of the 8 x 8 pattern is the exact value, within the half step of its 64 thresholds. */
+    @Test
+    void theMeanOfThePatternIsTheExactValue() {
+        Exposure exposure = new Exposure(1.0, 1e5);
+        double gain = -Math.log(1.0 - 0.32);
+        for (double radiance = 0.001; radiance < 8.0; radiance *= 1.01) {
+            double linear = 1.0 - Math.exp(-gain * radiance);
+            double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.pow(linear, 1.0 / 2.4) - 0.055;
+            double sum = 0.0;
+            for (int row = 0; row < 8; row++) {
+                for (int column = 0; column < 8; column++) {
+                    sum += exposure.pixel(radiance, radiance, radiance, column, row) & 0xFF;
+                }
+            }
+            assertThat(sum / 64.0).as("%f", radiance).isCloseTo(255.0 * encoded, within(1.0 / 128.0 + 1e-9));
+        }
+    }
+
     /** The hue stays as light gets brighter, and ends in white. */
     @Test
     void brightColoursFadeToWhite() {
