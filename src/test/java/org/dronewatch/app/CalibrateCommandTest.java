@@ -348,7 +348,8 @@ class CalibrateCommandTest {
                 .contains(
                         "      backgroundNoise: 30 dB\n",
                         "      noiseShape: [0, -4, -8, -12, -16, -20, -24, -28]\n",
-                        "      atmosphere: {temperature: 278.15 K, humidity: 0.7, pressure: 101325 Pa}\n",
+                        "        temperature: 278.15 K\n",
+                        "        wind: {speed: 0 m/s, from: 0 deg, roughness: 0.03 m}\n",
                         "      rain: 0 mm/h\n",
                         "illuminance: 5000 lx");
         assertThat(text).doesNotContain("far.obj", "solid");

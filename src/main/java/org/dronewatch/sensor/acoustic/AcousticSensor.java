@@ -1,11 +1,14 @@
 package org.dronewatch.sensor.acoustic;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.positioner.Pointing;
+import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Curve;
@@ -18,6 +21,7 @@ import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.acoustic.array.DirectionFinder;
 import org.dronewatch.sensor.acoustic.energy.EnergyHearing;
 import org.dronewatch.sensor.acoustic.energy.EnergyReading;
 import org.dronewatch.sensor.acoustic.level.LevelHearing;
@@ -64,12 +68,29 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
         Heard sound = tracer(world).hear(drone, look.random(drone.id(), RAYS));
         double distance = drone.distance(settings.position());
         double emission = look.time() - distance / settings.signalSpeed(world);
+        Reading reading = new Reading(sound.value(), sound.threshold(), UNIT);
+        Map<String, Double> figures = new LinkedHashMap<>(sound.figures());
+        Optional<Sighting> sighting = reading.isDetected()
+                ? find(world, drone, sound, look).map(found -> {
+                    figures.put("bearing_error_deg", Math.toDegrees(found.bearingError()));
+                    found.elevationError()
+                            .ifPresent(error -> figures.put("elevation_error_deg", Math.toDegrees(error)));
+                    return found.sighting();
+                })
+                : Optional.empty();
         return new Observation(
-                look.id(settings.kind()),
-                new GroundTruth(drone.id(), distance, emission),
-                new Reading(sound.value(), sound.threshold(), UNIT),
-                sound.figures(),
-                Optional.empty());
+                look.id(settings.kind()), new GroundTruth(drone.id(), distance, emission), reading, figures, sighting);
+    }
+
+    /** The direction in which an array hears a drone: where it was when the sound left it. */
+    private Optional<DirectionFinder.Found> find(World world, Drone drone, Heard sound, Look look) {
+        if (settings.array().isEmpty() || sound.ratios().isEmpty()) {
+            return Optional.empty();
+        }
+        double[] ratios =
+                sound.ratios().stream().mapToDouble(Double::doubleValue).toArray();
+        return new DirectionFinder(settings.array().get(), world.atmosphere().speedOfSound(), 1.0 / settings.rate())
+                .find(settings.position(), drone.origin(), ratios, look.random(drone.id(), Look.ERROR));
     }
 
     @Override
@@ -144,7 +165,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
             tracer = settings.propagation()
                     .tracer(
                             new Microphone(
-                                    settings.position(), settings.radius(), settings.threshold(), settings.arrayGain()),
+                                    settings.position(), settings.radius(), settings.threshold(), settings.gain()),
                             world);
         }
         return tracer;

@@ -2,14 +2,18 @@ package org.dronewatch.sensor.acoustic;
 
 import java.util.EnumMap;
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Condition;
+import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.sensor.Thresholded;
+import org.dronewatch.sensor.acoustic.array.ArraySettings;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
 import org.dronewatch.setting.Defaults;
@@ -29,6 +33,8 @@ import org.dronewatch.world.World;
  * @param rate looks per second, above 0, Hz
  * @param threshold how far above the background a sound must be to be detected, dB
  * @param arrayGain gain in signal-to-noise ratio over a single microphone, 0 to 60 dB
+ * @param array the microphones of an array; its gain takes the place of {@code arrayGain}, and in the energy model it
+ *     measures directions, by which other sensors can be cued
  * @param propagation how sound propagates: {@code level-model}, {@code energy-model}, or a kind from another jar
  * @param drawRays whether the report and the viewer show its rays: those of the first detection, or of the start
  */
@@ -38,22 +44,28 @@ public record AcousticSettings(
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         @In(value = Quantity.LEVEL, from = -100, to = 100) double threshold,
         @In(value = Quantity.LEVEL, from = 0, to = 60) double arrayGain,
+        @Minor Optional<ArraySettings> array,
         Propagation propagation,
         @Minor boolean drawRays)
-        implements SensorSettings<AcousticSensor>, Outlined, SoundTracing, Thresholded {
+        implements SensorSettings<AcousticSensor>, Outlined, SoundTracing, Thresholded, DirectionFinding {
     /**
      * Checks the limits.
      *
      * @throws IllegalArgumentException if a value is out of range
      */
     public AcousticSettings {
-        Limits.check(AcousticSettings.class, position, radius, rate, threshold, arrayGain, propagation, drawRays);
+        Limits.check(
+                AcousticSettings.class, position, radius, rate, threshold, arrayGain, array, propagation, drawRays);
+        if (array.isPresent() && arrayGain != 0.0) {
+            throw new IllegalArgumentException("arrayGain " + Quantity.LEVEL.inWords(arrayGain) + " and an array of "
+                    + array.get().microphones() + " microphones, which has a gain of its own: only one of them");
+        }
     }
 
     /** A microphone of 0.5 m radius that listens ten times a second and hears what is 15 dB above the background. */
     @Defaults("position")
     public static AcousticSettings at(Position position) {
-        return new AcousticSettings(position, 0.5, 10.0, 15.0, 0.0, LevelModel.DEFAULT, false);
+        return new AcousticSettings(position, 0.5, 10.0, 15.0, 0.0, Optional.empty(), LevelModel.DEFAULT, false);
     }
 
     @Override
@@ -87,6 +99,26 @@ public record AcousticSettings(
         return SettingsForm.with(this, "arrayGain", decibels);
     }
 
+    /** These settings with the microphones of an array. */
+    public AcousticSettings withArray(ArraySettings microphones) {
+        return SettingsForm.with(this, Map.of("array", Optional.of(microphones), "arrayGain", 0.0));
+    }
+
+    /** Gain in signal-to-noise ratio over a single microphone, dB: that of the array, if there is one. */
+    public double gain() {
+        return array.map(ArraySettings::gain).orElse(arrayGain);
+    }
+
+    /** Only an array that finds directions, in a model with bands, can cue other sensors. */
+    @Override
+    public <C> Optional<C> as(Class<C> capability) {
+        boolean findsDirections =
+                array.map(ArraySettings::findsDirections).orElse(false) && propagation instanceof EnergyModel;
+        return capability == DirectionFinding.class && !findsDirections
+                ? Optional.empty()
+                : SensorSettings.super.as(capability);
+    }
+
     /** These settings with another propagation. */
     public AcousticSettings withPropagation(Propagation model) {
         return SettingsForm.with(this, "propagation", model);
@@ -99,7 +131,7 @@ public record AcousticSettings(
 
     /** The level at and above which a sound is detected over a background: dB re 20 uPa. */
     public double detectionLevel(double background) {
-        return background + threshold - arrayGain;
+        return background + threshold - gain();
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
+import java.util.stream.IntStream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Curve;
@@ -73,7 +74,14 @@ public final class EnergyHearing implements SoundTracer {
         SoundSource sound = sound(drone);
         EnergyReading reading = read(sound, random, RayRecorder.NONE);
         Signal signal = signal(reading, sound.lines());
-        return new Heard(signal.quantity(), signal.threshold(), figures(reading, sound.lines()));
+        return new Heard(
+                signal.quantity(), signal.threshold(), figures(reading, sound.lines()), ratios(reading.settled()));
+    }
+
+    private List<Double> ratios(EnergyReading reading) {
+        return IntStream.range(0, OctaveBands.COUNT)
+                .mapToObj(band -> reading.level(band) - background().level(band))
+                .toList();
     }
 
     private Map<String, Double> figures(EnergyReading reading, LineSpectrum lines) {

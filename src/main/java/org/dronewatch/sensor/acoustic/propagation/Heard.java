@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -8,5 +9,12 @@ import java.util.Map;
  * @param value that is compared with the threshold, dB
  * @param threshold that it must reach, dB
  * @param figures for reports, by name with unit
+ * @param ratios signal-to-noise ratio at one microphone in each octave band, dB; empty for a model without bands
  */
-public record Heard(double value, double threshold, Map<String, Double> figures) {}
+public record Heard(double value, double threshold, Map<String, Double> figures, List<Double> ratios) {
+
+    /** What is heard by a model without bands. */
+    public Heard(double value, double threshold, Map<String, Double> figures) {
+        this(value, threshold, figures, List.of());
+    }
+}

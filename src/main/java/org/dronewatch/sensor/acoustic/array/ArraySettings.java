@@ -1,0 +1,130 @@
+package org.dronewatch.sensor.acoustic.array;
+
+import java.util.Locale;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.sound.Levels;
+
+/**
+ * The arrangement of the microphones of an array about the sensor's position.
+ *
+ * @param microphones how many, 2 to 4096; at least 3 for a ring and 4 for a sphere
+ * @param aperture from end to end of a line, or the diameter of a ring or a sphere, above 0 to 100 m
+ * @param shape how they are arranged
+ * @param accuracy standard deviation of bearing and elevation that does not depend on the sound: places, phases and gains of
+ *     the microphones, and the air between, 0 to pi/6 rad; one degree is assumed
+ * @param axis the direction of a level line, clockwise from north, rad; it does not matter for the others
+ */
+public record ArraySettings(
+        @In(value = Quantity.NUMBER, from = 2, to = 4096) int microphones,
+        @In(value = Quantity.LENGTH, above = 0, to = 100) double aperture,
+        Shape shape,
+        @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 6) double accuracy,
+        @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double axis) {
+    private static final double GOLDEN_ANGLE = Math.PI * (3.0 - Math.sqrt(5.0));
+
+    /** How microphones are arranged. */
+    public enum Shape {
+        /** On a level line, evenly: it measures the angle to the line only, and so cannot cue. */
+        LINE(2),
+        /** On a level circle, evenly: it measures bearing and elevation, the latter badly near the horizon. */
+        RING(3),
+        /** On a sphere, nearly evenly: it measures bearing and elevation alike. */
+        SPHERE(4);
+
+        private final int fewest;
+
+        Shape(int fewest) {
+            this.fewest = fewest;
+        }
+    }
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public ArraySettings {
+        Limits.check(ArraySettings.class, microphones, aperture, shape, accuracy, axis);
+        if (microphones < shape.fewest) {
+            throw new IllegalArgumentException("microphones " + microphones + " must be at least " + shape.fewest
+                    + " for a " + shape.name().toLowerCase(Locale.ROOT));
+        }
+    }
+
+    /** A sphere of microphones. */
+    @Defaults({"microphones", "aperture"})
+    public static ArraySettings of(int microphones, double aperture) {
+        return new ArraySettings(microphones, aperture, Shape.SPHERE, Math.toRadians(1.0), 0.0);
+    }
+
+    /** These microphones in another arrangement. */
+    public ArraySettings withShape(Shape other) {
+        return SettingsForm.with(this, "shape", other);
+    }
+
+    /** This array with another accuracy of its own, rad. */
+    public ArraySettings withAccuracy(double radians) {
+        return SettingsForm.with(this, "accuracy", radians);
+    }
+
+    /** This array along another direction, clockwise from north, rad. */
+    public ArraySettings withAxis(double bearing) {
+        return SettingsForm.with(this, "axis", bearing);
+    }
+
+    /** Gain in signal-to-noise ratio over one microphone against incoherent noise, {@code 10 lg N}, dB. */
+    public double gain() {
+        return Levels.ofRatio(microphones);
+    }
+
+    /** The distance of neighbouring microphones, m: on a sphere that of a square lattice of their density. */
+    public double spacing() {
+        return switch (shape) {
+            case LINE -> aperture / (microphones - 1);
+            case RING -> aperture * Math.sin(Math.PI / microphones);
+            case SPHERE -> aperture * Math.sqrt(Math.PI / microphones);
+        };
+    }
+
+    /**
+     * The width of the main lobe of a line between its half-power points, broadside, {@code 0.886 lambda / (N d)}; of the
+     * others about that of a line as long as their diameter, rad.
+     *
+     * @param wavelength m, above 0
+     */
+    public double beamwidth(double wavelength) {
+        return 0.886 * wavelength / (shape == Shape.LINE ? microphones * spacing() : aperture);
+    }
+
+    /** Whether it measures a direction, rather than an angle to a line. */
+    public boolean findsDirections() {
+        return shape != Shape.LINE;
+    }
+
+    /** Where a microphone is, relative to the centre, m. */
+    Position place(int microphone) {
+        double radius = 0.5 * aperture;
+        switch (shape) {
+            case LINE -> {
+                double along = -radius + microphone * spacing();
+                return new Position(along * Math.sin(axis), along * Math.cos(axis), 0.0);
+            }
+            case RING -> {
+                double angle = 2.0 * Math.PI * microphone / microphones;
+                return new Position(radius * Math.sin(angle), radius * Math.cos(angle), 0.0);
+            }
+            default -> {
+                // A spiral from pole to pole (M. A. Gonzalez, Mathematical Geosciences 42, 49, 2010).
+                double height = 1.0 - (2.0 * microphone + 1.0) / microphones;
+                double level = radius * Math.sqrt(1.0 - height * height);
+                double angle = microphone * GOLDEN_ANGLE;
+                return new Position(level * Math.sin(angle), level * Math.cos(angle), radius * height);
+            }
+        }
+    }
+}

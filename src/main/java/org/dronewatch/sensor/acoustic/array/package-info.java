@@ -1,0 +1,2 @@
+/** Arrays of microphones: their gain against noise, and how exactly they find the direction of a sound. */
+package org.dronewatch.sensor.acoustic.array;
