@@ -194,7 +194,7 @@ public record EnergyModel(
     public String leavesOut() {
         return ground == Ground.COHERENT
                 ? "Of interference, the energy model accounts only for that of direct and ground-reflected sound."
-                : Propagation.super.leavesOut();
+                : "The energy model does not account for interference: the energies of all paths add up.";
     }
 
     /** The speed of sound in the scene's air. */

@@ -107,6 +107,12 @@ public record LevelModel(
     }
 
     @Override
+    public String leavesOut() {
+        return "In the level model, levels are calibrated to measurements rather than physical, and depend on neither wind nor"
+                + " interference.";
+    }
+
+    @Override
     public Map<Condition, String> ignoredConditions() {
         return Map.of(
                 Condition.AIR,

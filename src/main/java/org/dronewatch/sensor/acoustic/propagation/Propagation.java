@@ -23,8 +23,7 @@ public interface Propagation {
 
     /** What this model leaves out of the propagation of real sound, in a sentence for a report. */
     default String leavesOut() {
-        return "In the level model, levels are calibrated to measurements rather than physical, and do not depend on"
-                + " wind; neither model accounts for interference.";
+        return "Interference of sound is left out.";
     }
 
     /**
