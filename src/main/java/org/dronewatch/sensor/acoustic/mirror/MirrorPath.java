@@ -19,6 +19,9 @@ public final class MirrorPath {
     /** Distance from the edge of two walls at which each of them is searched for, as a multiple of the planes' tolerance. */
     private static final double BESIDE = 30.0;
 
+    /** The largest part of a leg, at either end, along which an arc need not be free. */
+    private static final double MOST_OFF = 0.01;
+
     private final TriangleMesh mesh;
     private final WallPlanes planes;
     private final BandSurfaces surfaces;
@@ -151,8 +154,14 @@ public final class MirrorPath {
             return true;
         }
         double bent = curvature.along(ahead * dx, ahead * dy, ahead * dz);
-        return PathCurvature.corners(bent, Math.sqrt(dx * dx + dy * dy + dz * dz)) == 0
-                || arcs.isFree(x, y, z, x + dx, y + dy, z + dz, bent);
+        double whole = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        if (PathCurvature.corners(bent, whole) == 0) {
+            return true;
+        }
+        // Rounding may have put the ends behind the walls on which they lie.
+        double off = Math.min(MOST_OFF, BESIDE * planes.tolerance() / whole);
+        double end = 1.0 - off;
+        return arcs.isFree(x + off * dx, y + off * dy, z + off * dz, x + end * dx, y + end * dy, z + end * dz, bent);
     }
 
     /**

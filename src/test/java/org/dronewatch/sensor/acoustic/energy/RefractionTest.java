@@ -253,6 +253,55 @@ class RefractionTest {
         }
     }
 
+    /** A wind that hardly bends leaves paths over several walls as they are, far from the origin and at oblique walls, too. */
+    @Test
+    void aBreezeDoesNotHideReflections() {
+        double angle = 0.3;
+        TriangleMesh street = World.merge(List.of(
+                turned(Sites.wall(0, 2000, -500, 500, 0, 20), angle),
+                turned(Sites.wall(0, 2060, -500, 500, 0, 20), angle)));
+        EnergyModel model = EnergyModel.DEFAULT;
+        double[] mirrored = new double[2];
+        for (int i = 0; i < 2; i++) {
+            Atmosphere air =
+                    i == 0 ? Atmosphere.STANDARD : Atmosphere.STANDARD.withWind(new Wind(2, Math.toRadians(250), 0.03));
+            World world = new World(KDTree.of(street), BackgroundNoise.of(20), List.of(HARD), air);
+            EnergyReading reading = read(
+                    model, world, turned(new Position(2021, 90, 8), angle), turned(new Position(2045, -40, 6), angle));
+            mirrored[i] = reading.mirrored().get(3);
+        }
+
+        assertThat(mirrored[0]).isGreaterThan(0);
+        assertThat(Levels.ofRatio(mirrored[1] / mirrored[0])).isCloseTo(0, within(0.01));
+    }
+
+    private static Position turned(Position at, double angle) {
+        return new Position(
+                at.x() * Math.cos(angle) - at.y() * Math.sin(angle),
+                at.x() * Math.sin(angle) + at.y() * Math.cos(angle),
+                at.z());
+    }
+
+    private static TriangleMesh turned(TriangleMesh mesh, double angle) {
+        float[] vertices = new float[3 * mesh.vertexCount()];
+        int[] corners = new int[3 * mesh.triangleCount()];
+        for (int vertex = 0; vertex < mesh.vertexCount(); vertex++) {
+            Position at = turned(
+                    new Position(
+                            mesh.vertexCoordinate(vertex, 0),
+                            mesh.vertexCoordinate(vertex, 1),
+                            mesh.vertexCoordinate(vertex, 2)),
+                    angle);
+            vertices[3 * vertex] = (float) at.x();
+            vertices[3 * vertex + 1] = (float) at.y();
+            vertices[3 * vertex + 2] = (float) at.z();
+        }
+        for (int corner = 0; corner < corners.length; corner++) {
+            corners[corner] = mesh.vertexIndex(corner / 3, corner % 3);
+        }
+        return TriangleMesh.of(vertices, corners);
+    }
+
     /** Scattered sound does not get into the shadow straight, either: all of it together stays as faint. */
     @Test
     void inTheShadowScatteredSoundIsFaint() {
