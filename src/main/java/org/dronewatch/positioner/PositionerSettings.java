@@ -18,7 +18,8 @@ import org.dronewatch.setting.SettingsForm;
  * is; then it slews there as fast as it can, and follows. It stays with the first drone: another has to wait until this
  * one has not been seen for a while.
  *
- * @param cues names of the sensors that cue it; they must measure directions, as radars and cameras do
+ * @param cues names of the sensors that cue it; they must measure directions, as radars, cameras and arrays of
+ *     microphones do
  * @param panSpeed pan rate, above 0 and at most 600 degrees per second, rad/s
  * @param tiltSpeed tilt rate, above 0 and at most 600 degrees per second, rad/s
  * @param minTilt lowest elevation, -pi/2 to pi/2, rad

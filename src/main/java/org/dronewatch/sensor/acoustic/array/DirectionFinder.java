@@ -129,8 +129,11 @@ public final class DirectionFinder {
         double turn = bearingError * random.nextGaussian();
         double raise = random.nextGaussian();
         boolean hasElevation = elevationError <= GREATEST;
-        // A level ring hears from below what it hears from above: drones are above.
-        double elevation = hasElevation ? direction.elevation() + elevationError * raise : 0.0;
+        // A level ring hears from below what it hears from above; it takes everything for above.
+        double truth = this.array.shape() == ArraySettings.Shape.RING
+                ? Math.abs(direction.elevation())
+                : direction.elevation();
+        double elevation = hasElevation ? truth + elevationError * raise : 0.0;
         double limited = Math.max(-0.5 * Math.PI, Math.min(0.5 * Math.PI, elevation));
         Direction believed = new Direction(direction.azimuth() + turn, limited);
         return Optional.of(new Found(
