@@ -13,7 +13,6 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.sensor.Thresholded;
 import org.dronewatch.sensor.acoustic.array.ArraySettings;
-import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
 import org.dronewatch.setting.Defaults;
@@ -58,7 +57,8 @@ public record AcousticSettings(
                 AcousticSettings.class, position, radius, rate, threshold, arrayGain, array, propagation, drawRays);
         if (array.isPresent() && arrayGain != 0.0) {
             throw new IllegalArgumentException("arrayGain " + Quantity.LEVEL.inWords(arrayGain) + " and an array of "
-                    + array.get().microphones() + " microphones, which has a gain of its own: only one of them");
+                    + array.get().microphones()
+                    + " microphones: set one of them, as the gain of an array follows from its microphones");
         }
     }
 
@@ -112,8 +112,7 @@ public record AcousticSettings(
     /** Only an array that finds directions, in a model with bands, can cue other sensors. */
     @Override
     public <C> Optional<C> as(Class<C> capability) {
-        boolean findsDirections =
-                array.map(ArraySettings::findsDirections).orElse(false) && propagation instanceof EnergyModel;
+        boolean findsDirections = array.map(ArraySettings::findsDirections).orElse(false) && propagation.hasBands();
         return capability == DirectionFinding.class && !findsDirections
                 ? Optional.empty()
                 : SensorSettings.super.as(capability);

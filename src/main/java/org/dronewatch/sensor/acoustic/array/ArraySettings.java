@@ -15,8 +15,8 @@ import org.dronewatch.sound.Levels;
  * @param microphones how many, 2 to 4096; at least 3 for a ring and 4 for a sphere
  * @param aperture from end to end of a line, or the diameter of a ring or a sphere, above 0 to 100 m
  * @param shape how they are arranged
- * @param accuracy standard deviation of bearing and elevation that does not depend on the sound: places, phases and gains of
- *     the microphones, and the air between, 0 to pi/6 rad; one degree is assumed
+ * @param accuracy standard deviation of a measured direction at any signal-to-noise ratio, from errors in the positions, phases
+ *     and gains of the microphones and from the air, 0 to pi/6 rad; one degree is assumed
  * @param axis the direction of a level line, clockwise from north, rad; it does not matter for the others
  */
 public record ArraySettings(
@@ -67,7 +67,7 @@ public record ArraySettings(
         return SettingsForm.with(this, "shape", other);
     }
 
-    /** This array with another accuracy of its own, rad. */
+    /** This array with another calibration error, rad. */
     public ArraySettings withAccuracy(double radians) {
         return SettingsForm.with(this, "accuracy", radians);
     }

@@ -90,7 +90,7 @@ public final class DirectionFinder {
                 Math.cos(direction.elevation()) * Math.cos(direction.azimuth()),
                 -Math.cos(direction.elevation()) * Math.sin(direction.azimuth()),
                 0.0);
-        return error(turned, ratios);
+        return error(turned, ratios, array.accuracy() / Math.cos(direction.elevation()));
     }
 
     /** Standard error of the elevation, rad; infinite where it cannot be measured. */
@@ -99,12 +99,12 @@ public final class DirectionFinder {
                 -Math.sin(direction.elevation()) * Math.sin(direction.azimuth()),
                 -Math.sin(direction.elevation()) * Math.cos(direction.azimuth()),
                 Math.cos(direction.elevation()));
-        return error(raised, ratios);
+        return error(raised, ratios, array.accuracy());
     }
 
-    private double error(Position change, double[] ratios) {
+    private double error(Position change, double[] ratios, double calibration) {
         double inverse = information(ratios) * spread(change);
-        return inverse > 0.0 ? Math.hypot(1.0 / Math.sqrt(inverse), array.accuracy()) : Double.POSITIVE_INFINITY;
+        return inverse > 0.0 ? Math.hypot(1.0 / Math.sqrt(inverse), calibration) : Double.POSITIVE_INFINITY;
     }
 
     /**
@@ -122,7 +122,8 @@ public final class DirectionFinder {
         }
         Direction direction = Direction.of(vector);
         double bearingError = bearingError(direction, ratios);
-        if (!(bearingError <= GREATEST)) {
+        // Overhead a bearing means little, but the direction is as exact as anywhere.
+        if (!(bearingError * Math.cos(direction.elevation()) <= GREATEST)) {
             return Optional.empty();
         }
         double elevationError = elevationError(direction, ratios);

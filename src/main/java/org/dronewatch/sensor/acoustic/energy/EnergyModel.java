@@ -191,6 +191,11 @@ public record EnergyModel(
     }
 
     @Override
+    public boolean hasBands() {
+        return true;
+    }
+
+    @Override
     public String leavesOut() {
         return ground == Ground.COHERENT
                 ? "Of interference, the energy model accounts only for that of direct and ground-reflected sound."

@@ -3,8 +3,8 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.Arrays;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.ArcLine;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
-import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
@@ -19,6 +19,7 @@ final class WallTransmission {
     private final TriangleMesh mesh;
     private final Visibility visibility;
     private final BandSurfaces surfaces;
+    private final ArcLine line = new ArcLine();
     private final double[] passed = new double[BANDS];
     private boolean free;
 
@@ -47,42 +48,32 @@ final class WallTransmission {
             double toZ,
             int medium,
             double curvature) {
-        double x = toX - fromX;
-        double y = toY - fromY;
-        double z = toZ - fromZ;
         Arrays.fill(passed, 1.0);
         free = true;
         within = medium;
         if (curvature == 0.0) {
-            return piece(fromX, fromY, fromZ, x, y, z);
+            return passesPiece(fromX, fromY, fromZ, toX, toY, toZ);
         }
-        double length = Math.sqrt(x * x + y * y + z * z);
-        int corners = PathCurvature.corners(curvature, length);
-        // The pieces of an arc that bends up run just below it: what they meet is at the border of the ground's shadow.
-        double lower = Math.max(0.0, PathCurvature.sag(curvature, length / corners, 0.5 * length / corners));
-        double before = 0.0;
-        double sagBefore = 0.0;
-        for (int corner = 1; corner <= corners + 1; corner++) {
-            double share = PathCurvature.shareAt(corner, corners);
-            double sag = PathCurvature.sagAt(corner, corners, curvature, length) + (corner > corners ? 0.0 : lower);
-            double part = share - before;
-            if (!piece(
-                    fromX + before * x,
-                    fromY + before * y,
-                    fromZ + before * z - sagBefore,
-                    part * x,
-                    part * y,
-                    part * z - sag + sagBefore)) {
+        line.lay(fromX, fromY, fromZ, toX, toY, toZ, curvature, true);
+        for (int piece = 0; piece < line.pieces(); piece++) {
+            if (!passesPiece(
+                    line.x(piece - 1),
+                    line.y(piece - 1),
+                    line.z(piece - 1),
+                    line.x(piece),
+                    line.y(piece),
+                    line.z(piece))) {
                 return false;
             }
-            before = share;
-            sagBefore = sag;
         }
         return true;
     }
 
-    /** Follows a straight piece of a path, given by its beginning and its vector. */
-    private boolean piece(double fromX, double fromY, double fromZ, double x, double y, double z) {
+    /** Follows a straight piece of a path; whether any of the sound gets to its end. */
+    private boolean passesPiece(double fromX, double fromY, double fromZ, double toX, double toY, double toZ) {
+        double x = toX - fromX;
+        double y = toY - fromY;
+        double z = toZ - fromZ;
         if (visibility.isFreeAlong(fromX, fromY, fromZ, x, y, z, 1.0)) {
             return true;
         }

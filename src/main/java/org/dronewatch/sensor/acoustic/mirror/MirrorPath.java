@@ -47,7 +47,7 @@ public final class MirrorPath {
     }
 
     /**
-     * Tells how air bends paths from now on: one has to be free as a line of arcs, too. Unless told, paths are straight.
+     * Sets how the air bends the paths that follow: each leg must be unobstructed as an arc, too. Without it, paths are straight.
      *
      * @param isSoundAhead whether sound runs from a path's beginning to its end, and not the other way
      */
@@ -155,7 +155,7 @@ public final class MirrorPath {
         }
         double bent = curvature.along(ahead * dx, ahead * dy, ahead * dz);
         double whole = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        if (PathCurvature.corners(bent, whole) == 0) {
+        if (PathCurvature.pieces(bent, whole) == 1) {
             return true;
         }
         // Rounding may have put the ends behind the walls on which they lie.

@@ -8,6 +8,7 @@ public final class ArcSight {
     private static final double OVERLAP = 4.0 * Visibility.MARGIN;
 
     private final Visibility visibility;
+    private final ArcLine line = new ArcLine();
 
     /** In a world, between points that may lie on surfaces. */
     public ArcSight(World world) {
@@ -21,27 +22,22 @@ public final class ArcSight {
      */
     public boolean isFree(
             double fromX, double fromY, double fromZ, double toX, double toY, double toZ, double curvature) {
-        double x = toX - fromX;
-        double y = toY - fromY;
-        double z = toZ - fromZ;
-        double length = Math.sqrt(x * x + y * y + z * z);
-        int corners = PathCurvature.corners(curvature, length);
+        line.lay(fromX, fromY, fromZ, toX, toY, toZ, curvature, false);
+        double back = OVERLAP / line.length();
         double beforeX = fromX;
         double beforeY = fromY;
         double beforeZ = fromZ;
-        for (int corner = 1; corner <= corners + 1; corner++) {
-            double share = PathCurvature.shareAt(corner, corners);
-            double nextX = fromX + share * x;
-            double nextY = fromY + share * y;
-            double nextZ = fromZ + share * z - PathCurvature.sagAt(corner, corners, curvature, length);
+        for (int piece = 0; piece < line.pieces(); piece++) {
+            double nextX = line.x(piece);
+            double nextY = line.y(piece);
+            double nextZ = line.z(piece);
             if (!visibility.isFree(beforeX, beforeY, beforeZ, nextX, nextY, nextZ)) {
                 return false;
             }
-            // The next piece begins before this one ends: at both ends of each something may be missed.
-            double back = OVERLAP / length;
-            beforeX = nextX - back * x;
-            beforeY = nextY - back * y;
-            beforeZ = nextZ - back * z;
+            // The next piece begins before this one ends: near the ends of pieces surfaces do not count.
+            beforeX = nextX - back * (toX - fromX);
+            beforeY = nextY - back * (toY - fromY);
+            beforeZ = nextZ - back * (toZ - fromZ);
         }
         return true;
     }

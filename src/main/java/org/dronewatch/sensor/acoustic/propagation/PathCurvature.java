@@ -22,8 +22,6 @@ public record PathCurvature(double everywhere, double eastward, double northward
     /** How far the straight pieces of which an arc is made may lie off it, m. */
     public static final double EXACT = 0.02;
 
-    private static final double GOLDEN = 0.3819660112501051;
-
     /**
      * Between two heights.
      *
@@ -96,38 +94,6 @@ public record PathCurvature(double everywhere, double eastward, double northward
         double sag = sag(Math.abs(curvature), length, 0.5 * length);
         double across = 0.5 * Math.sqrt(Math.max(0.0, limit * limit - length * length));
         return sag > 0.0 ? Math.hypot(length, 2.0 * (across + sag)) : limit;
-    }
-
-    /**
-     * How many corners the line of straight pieces has that stands for an arc; none where the arc is straight enough.
-     *
-     * @param curvature 1/m
-     * @param length m
-     */
-    public static int corners(double curvature, double length) {
-        int pieces = pieces(curvature, length);
-        return pieces == 1 ? 0 : pieces;
-    }
-
-    /**
-     * How far along an arc a corner is, as a fraction of its length; 1 for the end. Corners are off all simple fractions, so
-     * that none lies just in a wall, where pieces that end there would not notice it.
-     *
-     * @param corner 1 for the first
-     * @param corners how many there are
-     */
-    public static double shareAt(int corner, int corners) {
-        return corner > corners ? 1.0 : (corner - GOLDEN) / corners;
-    }
-
-    /**
-     * The sag of a corner, m.
-     *
-     * @param corner 1 for the first, one more than there are for the end
-     * @param corners how many there are
-     */
-    public static double sagAt(int corner, int corners, double curvature, double length) {
-        return corner > corners ? 0.0 : sag(curvature, length, shareAt(corner, corners) * length);
     }
 
     /**

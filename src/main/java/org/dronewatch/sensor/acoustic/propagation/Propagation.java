@@ -21,6 +21,11 @@ public interface Propagation {
         return Double.POSITIVE_INFINITY;
     }
 
+    /** Whether what a microphone hears comes with the signal-to-noise ratio in each octave band, which directions need. */
+    default boolean hasBands() {
+        return false;
+    }
+
     /** What this model leaves out of the propagation of real sound, in a sentence for a report. */
     default String leavesOut() {
         return "Interference of sound is left out.";

@@ -1,2 +1,2 @@
-/** The lines of a drone as they are heard, and how far each is above the noise in a band of its own width. */
+/** The spectral lines of a drone at the microphone, and the signal-to-noise ratio of each within its line width. */
 package org.dronewatch.sensor.acoustic.tone;

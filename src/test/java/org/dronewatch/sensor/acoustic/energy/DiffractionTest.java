@@ -266,8 +266,8 @@ class DiffractionTest {
     void flatGroundIsNoEdge() {
         SplittableRandom random = new SplittableRandom(4);
         for (int run = 0; run < 10; run++) {
-            UnaryOperator<Position> turn = run == 0 ? at -> at : attitude(random);
-            World ground = world(turned(tiles(60, 5), turn));
+            UnaryOperator<Position> turn = run == 0 ? at -> at : Sites.attitude(random);
+            World ground = world(Sites.turned(tiles(60, 5), turn));
             NearEdges near = new NearEdges(ground);
             for (double[] heights : new double[][] {{1.5, 1.5}, {1e-4, 1.5}, {1e-4, 1e-4}, {0.02, 30}}) {
                 Position source = turn.apply(new Position(-37.3, 1.7, heights[0]));
@@ -311,10 +311,14 @@ class DiffractionTest {
                     40 * random.nextDouble() - 20, -10 - 10 * random.nextDouble(), 1 + 5 * random.nextDouble());
             Position sensor = new Position(
                     10 * random.nextDouble() - 5, 4.5 + random.nextDouble(), 0.5 + 1.9 * random.nextDouble());
-            UnaryOperator<Position> turn = attitude(random);
+            UnaryOperator<Position> turn = Sites.attitude(random);
             double before = level(Diffraction.MAEKAWA, upright, source, sensor, BAND_1000);
             double after = level(
-                    Diffraction.MAEKAWA, world(turned(site, turn)), turn.apply(source), turn.apply(sensor), BAND_1000);
+                    Diffraction.MAEKAWA,
+                    world(Sites.turned(site, turn)),
+                    turn.apply(source),
+                    turn.apply(sensor),
+                    BAND_1000);
             assertThat(before).isGreaterThan(0);
             assertThat(after).as("run %d: %s to %s", run, source, sensor).isCloseTo(before, within(0.02));
         }
@@ -415,35 +419,5 @@ class DiffractionTest {
             }
         }
         return TriangleMesh.of(vertices, corners);
-    }
-
-    private static TriangleMesh turned(TriangleMesh mesh, UnaryOperator<Position> turn) {
-        float[] vertices = new float[3 * mesh.vertexCount()];
-        for (int i = 0; i < mesh.vertexCount(); i++) {
-            Position at = turn.apply(new Position(
-                    mesh.vertexCoordinate(i, 0), mesh.vertexCoordinate(i, 1), mesh.vertexCoordinate(i, 2)));
-            vertices[3 * i] = (float) at.x();
-            vertices[3 * i + 1] = (float) at.y();
-            vertices[3 * i + 2] = (float) at.z();
-        }
-        int[] corners = new int[3 * mesh.triangleCount()];
-        for (int i = 0; i < corners.length; i++) {
-            corners[i] = mesh.vertexIndex(i / 3, i % 3);
-        }
-        return TriangleMesh.of(vertices, corners);
-    }
-
-    /** A rotation, uniform over all attitudes, by a random quaternion. */
-    private static UnaryOperator<Position> attitude(SplittableRandom random) {
-        double a = Math.sqrt(1 - random.nextDouble());
-        double b = Math.sqrt(1 - a * a);
-        double p = 2 * Math.PI * random.nextDouble();
-        double q = 2 * Math.PI * random.nextDouble();
-        double w = a * Math.cos(p);
-        Position axis = new Position(a * Math.sin(p), b * Math.cos(q), b * Math.sin(q));
-        return at -> {
-            Position twice = axis.cross(at).times(2);
-            return at.plus(twice.times(w)).plus(axis.cross(twice));
-        };
     }
 }

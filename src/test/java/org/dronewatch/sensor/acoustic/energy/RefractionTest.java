@@ -258,8 +258,8 @@ class RefractionTest {
     void aBreezeDoesNotHideReflections() {
         double angle = 0.3;
         TriangleMesh street = World.merge(List.of(
-                turned(Sites.wall(0, 2000, -500, 500, 0, 20), angle),
-                turned(Sites.wall(0, 2060, -500, 500, 0, 20), angle)));
+                Sites.turned(Sites.wall(0, 2000, -500, 500, 0, 20), at -> turned(at, angle)),
+                Sites.turned(Sites.wall(0, 2060, -500, 500, 0, 20), at -> turned(at, angle))));
         EnergyModel model = EnergyModel.DEFAULT;
         double[] mirrored = new double[2];
         for (int i = 0; i < 2; i++) {
@@ -280,26 +280,6 @@ class RefractionTest {
                 at.x() * Math.cos(angle) - at.y() * Math.sin(angle),
                 at.x() * Math.sin(angle) + at.y() * Math.cos(angle),
                 at.z());
-    }
-
-    private static TriangleMesh turned(TriangleMesh mesh, double angle) {
-        float[] vertices = new float[3 * mesh.vertexCount()];
-        int[] corners = new int[3 * mesh.triangleCount()];
-        for (int vertex = 0; vertex < mesh.vertexCount(); vertex++) {
-            Position at = turned(
-                    new Position(
-                            mesh.vertexCoordinate(vertex, 0),
-                            mesh.vertexCoordinate(vertex, 1),
-                            mesh.vertexCoordinate(vertex, 2)),
-                    angle);
-            vertices[3 * vertex] = (float) at.x();
-            vertices[3 * vertex + 1] = (float) at.y();
-            vertices[3 * vertex + 2] = (float) at.z();
-        }
-        for (int corner = 0; corner < corners.length; corner++) {
-            corners[corner] = mesh.vertexIndex(corner / 3, corner % 3);
-        }
-        return TriangleMesh.of(vertices, corners);
     }
 
     /** Scattered sound does not get into the shadow straight, either: all of it together stays as faint. */

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
+import java.util.function.UnaryOperator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -114,5 +115,36 @@ final class Sites {
             }
         }
         return TriangleMesh.of(vertices, corners);
+    }
+
+    /** A mesh with all its corners moved. */
+    static TriangleMesh turned(TriangleMesh mesh, UnaryOperator<Position> turn) {
+        float[] vertices = new float[3 * mesh.vertexCount()];
+        for (int i = 0; i < mesh.vertexCount(); i++) {
+            Position at = turn.apply(new Position(
+                    mesh.vertexCoordinate(i, 0), mesh.vertexCoordinate(i, 1), mesh.vertexCoordinate(i, 2)));
+            vertices[3 * i] = (float) at.x();
+            vertices[3 * i + 1] = (float) at.y();
+            vertices[3 * i + 2] = (float) at.z();
+        }
+        int[] corners = new int[3 * mesh.triangleCount()];
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] = mesh.vertexIndex(i / 3, i % 3);
+        }
+        return TriangleMesh.of(vertices, corners);
+    }
+
+    /** A rotation, uniform over all attitudes, by a random quaternion. */
+    static UnaryOperator<Position> attitude(SplittableRandom random) {
+        double a = Math.sqrt(1 - random.nextDouble());
+        double b = Math.sqrt(1 - a * a);
+        double p = 2 * Math.PI * random.nextDouble();
+        double q = 2 * Math.PI * random.nextDouble();
+        double w = a * Math.cos(p);
+        Position axis = new Position(a * Math.sin(p), b * Math.cos(q), b * Math.sin(q));
+        return at -> {
+            Position twice = axis.cross(at).times(2);
+            return at.plus(twice.times(w)).plus(axis.cross(twice));
+        };
     }
 }

@@ -1,0 +1,76 @@
+package org.dronewatch.sensor.acoustic.propagation;
+
+/**
+ * An arc of sound between two points as straight pieces, end to end. The ends of pieces lie at no simple fraction of the
+ * arc, so that none lies in a wall, where the pieces on both sides would miss it. One per thread.
+ */
+public final class ArcLine {
+    private static final double GOLDEN = 0.3819660112501051;
+
+    private double fromX;
+    private double fromY;
+    private double fromZ;
+    private double alongX;
+    private double alongY;
+    private double alongZ;
+    private double length;
+    private double curvature;
+    private double lowered;
+
+    /** How many ends of pieces lie between the two points. */
+    private int corners;
+
+    /**
+     * Lays the line from one point to another.
+     *
+     * @param bending curvature of sound on it, either way: {@link PathCurvature#along}, 1/m
+     * @param isBelow whether the pieces of an arc that bends up run just below it: then a surface that the arc only grazes
+     *     is met
+     */
+    public void lay(double x, double y, double z, double toX, double toY, double toZ, double bending, boolean isBelow) {
+        fromX = x;
+        fromY = y;
+        fromZ = z;
+        alongX = toX - x;
+        alongY = toY - y;
+        alongZ = toZ - z;
+        length = Math.sqrt(alongX * alongX + alongY * alongY + alongZ * alongZ);
+        curvature = bending;
+        int parts = PathCurvature.pieces(bending, length);
+        corners = parts == 1 ? 0 : parts;
+        double part = length / parts;
+        lowered = isBelow ? Math.max(0.0, PathCurvature.sag(bending, part, 0.5 * part)) : 0.0;
+    }
+
+    /** The length of the straight line between the two points, m. */
+    public double length() {
+        return length;
+    }
+
+    /** How many pieces it has; 1 where the arc is straight enough. */
+    public int pieces() {
+        return corners + 1;
+    }
+
+    /** Where a piece ends, m; the end of the piece before the first is the first point. */
+    public double x(int piece) {
+        return fromX + share(piece) * alongX;
+    }
+
+    /** Where a piece ends, m. */
+    public double y(int piece) {
+        return fromY + share(piece) * alongY;
+    }
+
+    /** Where a piece ends, m. */
+    public double z(int piece) {
+        double share = share(piece);
+        double sag =
+                piece < 0 || piece == corners ? 0.0 : PathCurvature.sag(curvature, length, share * length) + lowered;
+        return fromZ + share * alongZ - sag;
+    }
+
+    private double share(int piece) {
+        return piece < 0 ? 0.0 : piece == corners ? 1.0 : (piece + 1 - GOLDEN) / corners;
+    }
+}
