@@ -5,7 +5,13 @@ import org.dronewatch.sound.OctaveBands;
 
 /** The properties of the air that the energy model uses. */
 final class Air {
-    private final double[] exponents = new double[OctaveBands.COUNT];
+    private static final int BANDS = OctaveBands.COUNT;
+
+    /** Up to this distance the fractions left are tabulated, one row of bands a metre: this fits the fastest cache. */
+    private static final int TABULATED = 256;
+
+    private final double[] exponents = new double[BANDS];
+    private final double[] table = new double[BANDS * TABULATED];
     private final double soundSpeed;
 
     Air(Atmosphere atmosphere) {
@@ -14,12 +20,49 @@ final class Air {
             // Energy factor exp(-m d) for a loss in dB/m.
             exponents[band] = attenuations[band] * Math.log(10.0) / 10.0;
         }
+        for (int metre = 0; metre < TABULATED; metre++) {
+            for (int band = 0; band < BANDS; band++) {
+                table[BANDS * metre + band] = left(band, metre);
+            }
+        }
         this.soundSpeed = atmosphere.speedOfSound();
     }
 
     /** The fraction of the energy in a band that is left after a distance, m. */
     double left(int band, double distance) {
         return Math.exp(-exponents[band] * distance);
+    }
+
+    /**
+     * Deducts what the air absorbs over a distance. Rays spend much of their time here: up to a few hundred metres the
+     * fraction left is that of the nearest whole metre times a short Taylor series, whose error is below 1e-12 (0.3 dB/m, more
+     * than in any air, is an exponent of 0.035 over half a metre).
+     *
+     * @param energies in each band
+     * @param distance m
+     * @return the sum of what is left
+     */
+    double attenuate(double[] energies, double distance) {
+        double sum = 0.0;
+        int metre = (int) (distance + 0.5);
+        if (metre >= TABULATED) {
+            for (int band = 0; band < BANDS; band++) {
+                energies[band] *= left(band, distance);
+                sum += energies[band];
+            }
+            return sum;
+        }
+        double rest = metre - distance;
+        int row = BANDS * metre;
+        for (int band = 0; band < BANDS; band++) {
+            double x = exponents[band] * rest;
+            double series = 1.0 + x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0)))));
+            energies[band] *= table[row + band] * series;
+        }
+        for (int band = 0; band < BANDS; band++) {
+            sum += energies[band];
+        }
+        return sum;
     }
 
     /** Speed of sound, m/s. */

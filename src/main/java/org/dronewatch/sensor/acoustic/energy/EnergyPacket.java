@@ -18,6 +18,10 @@ final class EnergyPacket {
     private final EnergyLedger ledger;
     private final double[] energy = new double[BANDS];
     private final double[] scattered = new double[BANDS];
+
+    /** Energy in all bands. */
+    private double all;
+
     private double first;
 
     EnergyPacket(EnergyModel model, BandSurfaces surfaces, Air air, EnergyLedger ledger) {
@@ -32,7 +36,8 @@ final class EnergyPacket {
         for (int band = 0; band < BANDS; band++) {
             energy[band] = source.fraction(band);
         }
-        first = all();
+        add();
+        first = all;
     }
 
     /** The energies by band; not to be modified. */
@@ -42,30 +47,32 @@ final class EnergyPacket {
 
     /** The energy in all bands. */
     double all() {
+        return all;
+    }
+
+    private void add() {
         double sum = 0.0;
         for (double inBand : energy) {
             sum += inBand;
         }
-        return sum;
+        all = sum;
     }
 
     /** Deducts what the air absorbs over a distance, m. */
     void fly(double distance) {
-        double before = all();
-        for (int band = 0; band < BANDS; band++) {
-            energy[band] *= air.left(band, distance);
-        }
-        ledger.leaveToAir(before - all());
+        double before = all;
+        all = air.attenuate(energy, distance);
+        ledger.leaveToAir(before - all);
     }
 
     /** Records that the packet has left the site. */
     void escape() {
-        ledger.escape(all());
+        ledger.escape(all);
     }
 
     /** Records that the packet is truncated at the maximum order. */
     void giveUp() {
-        ledger.giveUp(all());
+        ledger.giveUp(all);
     }
 
     /**
@@ -75,7 +82,15 @@ final class EnergyPacket {
      * @return whether it is transmitted
      */
     boolean drawTransmission(int material, double cosine, RandomGenerator random) {
-        double before = all();
+        double before = all;
+        if (!surfaces.transmits(material)) {
+            for (int band = 0; band < BANDS; band++) {
+                energy[band] *= surfaces.reflected(material, band, cosine);
+            }
+            add();
+            ledger.absorb(before - all);
+            return false;
+        }
         double reflected = 0.0;
         double transmitted = 0.0;
         for (int band = 0; band < BANDS; band++) {
@@ -85,13 +100,14 @@ final class EnergyPacket {
         double onward = reflected + transmitted;
         ledger.absorb(before - onward);
         double chance = onward > 0.0 ? transmitted / onward : 0.0;
-        boolean isTransmitted = surfaces.transmits(material) && random.nextDouble() < chance;
+        boolean isTransmitted = random.nextDouble() < chance;
         for (int band = 0; band < BANDS; band++) {
             energy[band] *= isTransmitted
                     ? surfaces.transmitted(material, band) / chance
                     : surfaces.reflected(material, band, cosine) / (1.0 - chance);
         }
-        ledger.exchange(onward, all());
+        add();
+        ledger.exchange(onward, all);
         return isTransmitted;
     }
 
@@ -109,18 +125,20 @@ final class EnergyPacket {
      * @return whether it is scattered
      */
     boolean drawScattering(int material, RandomGenerator random) {
-        double before = all();
-        double sum = 0.0;
-        for (double inBand : scatteredBy(material)) {
-            sum += inBand;
+        if (surfaces.isEvenlyScattering(material)) {
+            // The branch has the same chance in all bands: none needs a weight.
+            return random.nextDouble() < surfaces.scattered(material, 0);
         }
-        double chance = before > 0.0 ? sum / before : 0.0;
+        double before = all;
+        double chance = before > 0.0 ? surfaces.chanceOfScattering(material, energy) : 0.0;
         boolean diffuse = random.nextDouble() < chance;
+        double weight = diffuse ? 1.0 / chance : 1.0 / (1.0 - chance);
         for (int band = 0; band < BANDS; band++) {
             double fraction = surfaces.scattered(material, band);
-            energy[band] *= diffuse ? fraction / chance : (1.0 - fraction) / (1.0 - chance);
+            energy[band] *= (diffuse ? fraction : 1.0 - fraction) * weight;
         }
-        ledger.exchange(before, all());
+        add();
+        ledger.exchange(before, all);
         return diffuse;
     }
 
@@ -133,11 +151,12 @@ final class EnergyPacket {
         if (!surfaces.isAngular(material)) {
             return;
         }
-        double before = all();
+        double before = all;
         for (int band = 0; band < BANDS; band++) {
             energy[band] *= surfaces.scatteredTo(material, band, cosine);
         }
-        ledger.exchange(before, all());
+        add();
+        ledger.exchange(before, all);
     }
 
     /**
@@ -146,7 +165,7 @@ final class EnergyPacket {
      * @return whether the ray survives
      */
     boolean playRoulette(RandomGenerator random) {
-        double left = all();
+        double left = all;
         if (left >= model.roulette() * first) {
             return true;
         }
@@ -157,7 +176,8 @@ final class EnergyPacket {
         for (int band = 0; band < BANDS; band++) {
             energy[band] /= SURVIVAL;
         }
-        ledger.exchange(left, all());
+        add();
+        ledger.exchange(left, all);
         return true;
     }
 }

@@ -86,7 +86,7 @@ final class SpecularPaths {
         imagesOf(drone, ofSource);
         for (int chain = 1; chain < ofSource.count(); chain++) {
             if (ofSource.order(chain) > 1
-                    && !ofSensor.contains(ofSource.keyOfReverse(chain))
+                    && !ofSensor.contains(ofSource.order(chain), ofSource.keyOfReverse(chain))
                     && path.follow(ofSource, imagesInChains, chain, sensor.x(), sensor.y(), sensor.z())
                     && keepIfNew(ofSource.walls(chain), -1.0)) {
                 add(paths, source, path.riseFromEnd());

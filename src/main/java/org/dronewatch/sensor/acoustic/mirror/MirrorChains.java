@@ -19,6 +19,7 @@ public final class MirrorChains {
     private final int[] walls;
     private final int[] orders;
     private final long[] keys;
+    private final int highestOrder;
 
     /**
      * Chains.
@@ -37,6 +38,7 @@ public final class MirrorChains {
         }
         this.keys = Arrays.copyOfRange(found, 1, found.length);
         Arrays.sort(keys);
+        this.highestOrder = Arrays.stream(orders).max().orElse(0);
     }
 
     /** A sequence of walls, the first one first, and all chains that it begins with. */
@@ -117,9 +119,15 @@ public final class MirrorChains {
         return key;
     }
 
-    /** Whether a sequence of one wall or more, known by its key, is one of these chains. */
-    public boolean contains(long key) {
-        return Arrays.binarySearch(keys, key) >= 0;
+    /**
+     * Whether a sequence of walls is one of these chains.
+     *
+     * @param order how many walls, 1 or more
+     * @param key of the sequence
+     */
+    public boolean contains(int order, long key) {
+        // Rays have mostly hit more walls than any chain has: they need no search.
+        return order <= highestOrder && Arrays.binarySearch(keys, key) >= 0;
     }
 
     /** The key of a sequence with one more wall at its end; that of the empty one is 0. */

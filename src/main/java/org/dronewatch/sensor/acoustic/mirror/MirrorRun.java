@@ -94,11 +94,11 @@ public final class MirrorRun {
 
     /** Whether it is one of the chains of the point where the ray began. */
     public boolean isChainFrom(MirrorChains chains) {
-        return !isThroughWalls && order > 0 && chains.contains(key);
+        return !isThroughWalls && order > 0 && chains.contains(order, key);
     }
 
     /** Whether it is, backward, one of the chains of a point where the ray ends. */
     public boolean isChainTo(MirrorChains chains) {
-        return !isThroughWalls && order > 0 && chains.contains(reverse);
+        return !isThroughWalls && order > 0 && chains.contains(order, reverse);
     }
 }

@@ -14,6 +14,9 @@ public final class BandSurfaces {
     private final double[] transmitted;
     private final double[] scattered;
     private final boolean[] transmits;
+    private final boolean[] scatters;
+    private final boolean[] mirrors;
+    private final boolean[] evenlyScattering;
     private final boolean[] sheet;
     private final boolean anyTransmits;
 
@@ -26,6 +29,9 @@ public final class BandSurfaces {
         this.transmitted = new double[BANDS * count];
         this.scattered = new double[BANDS * count];
         this.transmits = new boolean[count];
+        this.scatters = new boolean[count];
+        this.mirrors = new boolean[count];
+        this.evenlyScattering = new boolean[count];
         this.sheet = new boolean[count];
         this.angular = new AngularAbsorption[count];
         for (int i = 0; i < count; i++) {
@@ -37,7 +43,10 @@ public final class BandSurfaces {
                 reflected[BANDS * i + band] = surface.reflected(band);
                 transmitted[BANDS * i + band] = surface.transmitted(band);
                 scattered[BANDS * i + band] = surface.scattering().get(band);
+                scatters[i] |= scattered(i, band) > 0.0;
+                mirrors[i] |= mirrored(i, band) > 0.0;
             }
+            evenlyScattering[i] = surface.scattering().stream().distinct().count() == 1L;
         }
         this.anyTransmits = surfaces.stream().anyMatch(surface -> !surface.isOpaque());
     }
@@ -98,24 +107,20 @@ public final class BandSurfaces {
 
     /** Whether anything is reflected specularly. */
     public boolean mirrors(int material) {
-        for (int band = 0; band < BANDS; band++) {
-            if (mirrored(material, band) > 0.0) {
-                return true;
-            }
-        }
-        return false;
+        return mirrors[material];
     }
 
     /** Whether anything is scattered. */
     public boolean scatters(int material) {
-        for (int band = 0; band < BANDS; band++) {
-            if (scattered(material, band) > 0.0) {
-                return true;
-            }
-        }
-        return false;
+        return scatters[material];
     }
 
+    /** Whether the same fraction is scattered in all bands. */
+    public boolean isEvenlyScattering(int material) {
+        return evenlyScattering[material];
+    }
+
+    /** The fraction of what is reflected that is scattered. */
     public double scattered(int material, int band) {
         return scattered[BANDS * material + band];
     }

@@ -36,8 +36,8 @@ class MirrorChainsTest {
         assertThat(run(7, 4).isChainTo(CHAINS)).isTrue();
         assertThat(run(9).isChainTo(CHAINS)).isTrue();
         assertThat(run(9, 4).isChainFrom(CHAINS)).isFalse();
-        assertThat(CHAINS.contains(CHAINS.keyOfReverse(3))).isTrue();
-        assertThat(CHAINS.contains(CHAINS.keyOfReverse(2))).isFalse();
+        assertThat(CHAINS.contains(CHAINS.order(3), CHAINS.keyOfReverse(3))).isTrue();
+        assertThat(CHAINS.contains(CHAINS.order(2), CHAINS.keyOfReverse(2))).isFalse();
     }
 
     @Test
@@ -69,7 +69,7 @@ class MirrorChainsTest {
         assertThat(tree.firstWalls(9)).containsExactly(1, 5);
         MirrorChains best = tree.best(4, 0.35);
         assertThat(best.count()).isEqualTo(4);
-        assertThat(best.contains(MirrorChains.appended(MirrorChains.appended(0, 1), 3)))
+        assertThat(best.contains(2, MirrorChains.appended(MirrorChains.appended(0, 1), 3)))
                 .isFalse();
     }
 
