@@ -37,7 +37,7 @@ class CanyonTest {
 
     private final List<String> orders = new ArrayList<>();
 
-    /** The issue of this scene counts six paths of order 5 to 10, 27.4 dB(A) together. */
+    /** Of all sequences, six paths of order 5 to 10 carry most, 27.4 dB(A) together. */
     @Test
     void lateMirrorPathsAreThoseOfAllSequencesOfFaces() {
         SoundSites site = SoundSites.canyon();
