@@ -46,6 +46,7 @@ public final class Catalog implements Kinds.NamedSettings {
             "droneshield-rfone",
             "droneshield-v2",
             "droneshield-widealert",
+            "microphone-array-64",
             "droneshield-droneopt",
             "droneshield-droneheat",
             "cooled-thermal-camera",

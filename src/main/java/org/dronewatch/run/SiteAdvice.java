@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.PositionerAdvice;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenario.SoundAdvice;
 import org.dronewatch.scenario.SweptValue;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
@@ -26,6 +27,9 @@ record SiteAdvice(SceneSettings settings, World world) {
     void giveTo(Consumer<String> target) {
         onSurfaces(target);
         onSounds(target);
+        if (isListening()) {
+            settings.drones().forEach((id, drone) -> new SoundAdvice(id, drone).giveTo(target));
+        }
         if (!settings.world().noiseSources().isEmpty() && !isListening()) {
             target.accept("world.noiseSources has no effect: no sensor that hears sound is switched on");
         }

@@ -1,0 +1,46 @@
+package org.dronewatch.scenario;
+
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.sound.Directivity;
+import org.dronewatch.sound.DroneSounds;
+
+/**
+ * What looks odd about a drone's sound, although it is not wrong: it has the spectrum of a drone that was measured, but not
+ * its directivity, or not its loudness.
+ *
+ * @param id name of the drone
+ * @param drone whose sound it is
+ */
+public record SoundAdvice(String id, DroneSettings drone) {
+    /** Drones of one kind differ by a few decibels from flight to flight. */
+    private static final double USUAL_SPREAD = 6.0;
+
+    /** Gives one line for each oddity. */
+    public void giveTo(Consumer<String> target) {
+        if (drone.spectrum().isPresent()) {
+            return;
+        }
+        DroneSounds.measuredDirectivity(drone.sound()).ifPresent(measured -> {
+            double level = DroneSounds.get(drone.sound()).level();
+            if (drone.directivity().equals(Directivity.OMNIDIRECTIONAL)) {
+                target.accept(String.format(
+                        Locale.ROOT,
+                        "drone '%1$s' has the sound of %2$s but radiates it equally in all directions: the measured drone has"
+                                + " 'directivity: %2$s'",
+                        id,
+                        drone.sound()));
+            }
+            if (Math.abs(drone.soundPowerLevel() - level) > USUAL_SPREAD) {
+                target.accept(String.format(
+                        Locale.ROOT,
+                        "drone '%s' has the sound of %s at %.1f dB: the drone measured had %.1f dB",
+                        id,
+                        drone.sound(),
+                        drone.soundPowerLevel(),
+                        level));
+            }
+        });
+    }
+}
