@@ -198,6 +198,14 @@ class HouseRulesTest {
             .resideInAPackage("org.joml..");
 
     @ArchTest
+    static final ArchRule ONLY_GEO_KNOWS_THE_LIBRARY_OF_PROJECTIONS = noClasses()
+            .that()
+            .resideOutsideOfPackage("org.dronewatch.geo")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("org.locationtech.proj4j..");
+
+    @ArchTest
     static final ArchRule ONLY_THE_SCENE_KNOWS_DSOL = noClasses()
             .that()
             .resideOutsideOfPackage("org.dronewatch.scene")

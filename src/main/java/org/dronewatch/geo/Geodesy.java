@@ -77,6 +77,19 @@ public final class Geodesy {
      * @param position position, m
      */
     public GeoPoint at(Position position) {
+        GeoPoint place = onEarth(position);
+        return new GeoPoint(place.longitude(), place.latitude(), position.z() + height);
+    }
+
+    /**
+     * The point on earth of a position in the world frame, with its height above the ellipsoid on which the origin lies at
+     * its own height, or at 0 where that is not known. The inverse of {@link #inWorld} to a micrometre within 100 km;
+     * longitudes continue from that of the origin. Height by Bowring (The accuracy of geodetic latitude and height
+     * equations, Survey Review 28, 1985).
+     *
+     * @param position position, m
+     */
+    public GeoPoint onEarth(Position position) {
         // Coordinates that turn with the earth: out along the origin's meridian, east of it, and along the axis.
         double out = originOut - sinLatitude * position.y() + cosLatitude * position.z();
         double east = position.x();
@@ -91,7 +104,8 @@ public final class Geodesy {
                     Math.atan2(up + EP2 * SEMI_MINOR * sin * sin * sin, fromAxis - E2 * SEMI_MAJOR * cos * cos * cos);
             reduced = Math.atan2(SEMI_MINOR * Math.sin(latitude), SEMI_MAJOR * Math.cos(latitude));
         }
-        return new GeoPoint(
-                Math.toDegrees(longitude + Math.atan2(east, out)), Math.toDegrees(latitude), position.z() + height);
+        double sin = Math.sin(latitude);
+        double above = fromAxis * Math.cos(latitude) + up * sin - SEMI_MAJOR * Math.sqrt(1.0 - E2 * sin * sin);
+        return new GeoPoint(Math.toDegrees(longitude + Math.atan2(east, out)), Math.toDegrees(latitude), above);
     }
 }

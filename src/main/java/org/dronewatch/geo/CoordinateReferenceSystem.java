@@ -1,0 +1,96 @@
+package org.dronewatch.geo;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.locationtech.proj4j.CRSFactory;
+import org.locationtech.proj4j.Proj4jException;
+
+/**
+ * The coordinates of a map: a national grid, a UTM zone, or longitude and latitude on some datum, by its code in the EPSG
+ * register. Of a compound system, which adds a height, only the horizontal part counts: heights are taken as they are.
+ * Coordinates are always x to the east, y to the north, in the units of the system (degrees for longitude and latitude),
+ * whatever order the register gives them. Immutable; PROJ4J transforms the coordinates.
+ */
+public final class CoordinateReferenceSystem {
+    private static final Pattern CODE = Pattern.compile(
+            "(?:EPSG:|URN:OGC:DEF:CRS:EPSG:[^:]*:|HTTPS?://WWW\\.OPENGIS\\.NET/DEF/CRS/EPSG/[^/]*/)" + "(\\d{4,6})");
+
+    private static final String EXAMPLE = "must be an EPSG code, as in EPSG:25832";
+
+    /** Longitude and latitude in degrees on the ellipsoid of GPS. */
+    public static final CoordinateReferenceSystem WGS_84 = of("EPSG:4326");
+
+    private final String name;
+    private final org.locationtech.proj4j.CoordinateReferenceSystem system;
+
+    private CoordinateReferenceSystem(String name, org.locationtech.proj4j.CoordinateReferenceSystem system) {
+        this.name = name;
+        this.system = system;
+    }
+
+    /**
+     * A system by its code.
+     *
+     * @param code such as {@code EPSG:25832}, in upper or lower case, or the URN or address that stands for it in a file
+     * @throws InputException when it is not a code, is not in PROJ4J's register, or is neither a grid nor longitude and
+     *     latitude
+     */
+    public static CoordinateReferenceSystem of(String code) {
+        String shown = PlainText.value(code);
+        Matcher matcher = CODE.matcher(code.strip().toUpperCase(Locale.ROOT));
+        if (!matcher.matches()) {
+            throw new InputException("coordinate reference system '" + shown + "' " + EXAMPLE);
+        }
+        int number = Integer.parseInt(matcher.group(1));
+        String[] parameters = EpsgParameters.of(number);
+        if (parameters.length == 0) {
+            throw new InputException("coordinate reference system 'EPSG:" + number
+                    + "' is not known: give the code of the grid, or of longitude and latitude, that the file uses");
+        }
+        if (Arrays.asList(parameters).contains("+proj=geocent")) {
+            throw new InputException("coordinate reference system 'EPSG:" + number
+                    + "' has earth-centred coordinates: needs those of a map, as in EPSG:25832");
+        }
+        try {
+            return new CoordinateReferenceSystem(
+                    "EPSG:" + number, new CRSFactory().createFromParameters("EPSG:" + number, parameters));
+        } catch (Proj4jException e) {
+            throw new InputException(
+                    "coordinate reference system 'EPSG:" + number + "' cannot be used: " + e.getMessage(), e);
+        }
+    }
+
+    /** Its code, such as {@code EPSG:25832}. */
+    public String name() {
+        return name;
+    }
+
+    /** Whether its coordinates are longitude and latitude in degrees. */
+    public boolean isGeographic() {
+        return system.getProjection().isGeographic();
+    }
+
+    /** What PROJ4J calls it. */
+    org.locationtech.proj4j.CoordinateReferenceSystem system() {
+        return system;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof CoordinateReferenceSystem that && name.equals(that.name);
+    }
+
+    @Override
+    public int hashCode() {
+        return name.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return name;
+    }
+}

@@ -1,0 +1,10 @@
+package org.dronewatch.geo;
+
+/**
+ * A point in the coordinates of a {@link CoordinateReferenceSystem}.
+ *
+ * @param x to the east, in the system's unit: metres for most grids, degrees of longitude
+ * @param y to the north, in the system's unit
+ * @param height above the ellipsoid, or above whatever the heights of a file count from, m
+ */
+public record MapPoint(double x, double y, double height) {}

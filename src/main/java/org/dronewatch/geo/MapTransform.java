@@ -1,0 +1,150 @@
+package org.dronewatch.geo;
+
+import java.util.Locale;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.InputException;
+import org.locationtech.proj4j.CoordinateTransform;
+import org.locationtech.proj4j.CoordinateTransformFactory;
+import org.locationtech.proj4j.Proj4jException;
+import org.locationtech.proj4j.ProjCoordinate;
+
+/**
+ * Takes points from a map to the world frame and back, in double precision: the map's coordinates become longitude and
+ * latitude, these earth-centred coordinates, and these east, north and up of the scene's origin. So grid north may differ
+ * from true north, the grid's scale from 1, and ground 5 km away lies 2 m lower, as it does on the earth; subtracting the
+ * origin's coordinates on the map would miss all three.
+ *
+ * <p>Heights pass the change of datum unchanged, as heights above sea level do. One per thread.
+ */
+public final class MapTransform {
+    /** How well both directions must agree: far below a micrometre, in metres, feet or degrees. */
+    private static final double METRES = 1e-8;
+
+    private static final double DEGREES = 1e-13;
+
+    private static final int MOST_STEPS = 8;
+
+    private static final double FULL_TURN = 360.0;
+
+    private final CoordinateReferenceSystem crs;
+    private final Geodesy geodesy;
+    private final CoordinateTransform toEarth;
+    private final CoordinateTransform toMap;
+    private final ProjCoordinate from = new ProjCoordinate();
+    private final ProjCoordinate to = new ProjCoordinate();
+
+    /**
+     * A transform between a map and the world frame of a scene.
+     *
+     * @param crs of the map
+     * @param origin of the scene
+     */
+    public MapTransform(CoordinateReferenceSystem crs, Origin origin) {
+        CoordinateTransformFactory factory = new CoordinateTransformFactory();
+        this.crs = crs;
+        this.geodesy = new Geodesy(origin);
+        this.toEarth = factory.createTransform(crs.system(), CoordinateReferenceSystem.WGS_84.system());
+        this.toMap = factory.createTransform(CoordinateReferenceSystem.WGS_84.system(), crs.system());
+    }
+
+    /**
+     * A point of the map on earth (WGS 84).
+     *
+     * @param x to the east, in the unit of the system
+     * @param y to the north, in the unit of the system
+     * @param height m; it is kept
+     * @throws InputException when the system does not reach to that point
+     */
+    public GeoPoint onEarth(double x, double y, double height) {
+        toEarth(x, y);
+        return new GeoPoint(to.x, to.y, height);
+    }
+
+    /**
+     * A point of the map in the world frame, m.
+     *
+     * @param x to the east, in the unit of the system
+     * @param y to the north, in the unit of the system
+     * @param height above what the origin's height counts from; above 0 where that is not known, m
+     * @throws InputException when the system does not reach to that point
+     */
+    public Position inWorld(double x, double y, double height) {
+        toEarth(x, y);
+        return geodesy.inWorld(Math.toRadians(to.y), Math.toRadians(to.x), height);
+    }
+
+    /**
+     * A position in the world frame on the map.
+     *
+     * @param position m
+     * @throws InputException when the system does not reach to that point
+     */
+    public MapPoint onMap(Position position) {
+        return onMap(geodesy.onEarth(position));
+    }
+
+    /**
+     * A point on earth (WGS 84) on the map; its height is kept.
+     *
+     * @throws InputException when the system does not reach to that point
+     */
+    public MapPoint onMap(GeoPoint place) {
+        transform(toMap, place.longitude(), place.latitude());
+        return new MapPoint(to.x, to.y, place.height());
+    }
+
+    /**
+     * Longitude and latitude of a point of the map. PROJ4J's inverse formulas are series, some of which end early, at 0.3 mm
+     * for the equal-area projection of Europe: the forward formula, which is exact, corrects them.
+     */
+    private void toEarth(double x, double y) {
+        if (crs.isGeographic() && (Math.abs(x) > FULL_TURN || Math.abs(y) > FULL_TURN / 4.0)) {
+            throw new InputException(beyond(x, y));
+        }
+        double tolerance = crs.isGeographic() ? DEGREES : METRES;
+        double triedX = x;
+        double triedY = y;
+        double former = Double.POSITIVE_INFINITY;
+        for (int step = 0; step < MOST_STEPS; step++) {
+            transform(toEarth, triedX, triedY);
+            double longitude = to.x;
+            double latitude = to.y;
+            transform(toMap, longitude, latitude);
+            double offX = x - (crs.isGeographic() ? nearest(to.x, x) : to.x);
+            double offY = y - to.y;
+            double off = Math.hypot(offX, offY);
+            to.x = longitude;
+            to.y = latitude;
+            if (off <= tolerance || off >= former && former <= 100.0 * tolerance) {
+                return;
+            }
+            former = off;
+            triedX += offX;
+            triedY += offY;
+        }
+        throw new InputException(beyond(x, y));
+    }
+
+    /** A longitude as many whole turns away as makes it nearest to another one. */
+    private static double nearest(double longitude, double other) {
+        return longitude + FULL_TURN * Math.rint((other - longitude) / FULL_TURN);
+    }
+
+    private void transform(CoordinateTransform transform, double x, double y) {
+        from.x = x;
+        from.y = y;
+        from.z = Double.NaN;
+        try {
+            transform.transform(from, to);
+        } catch (Proj4jException | IllegalStateException e) {
+            throw new InputException(beyond(x, y), e);
+        }
+        if (!Double.isFinite(to.x) || !Double.isFinite(to.y)) {
+            throw new InputException(beyond(x, y));
+        }
+    }
+
+    private String beyond(double x, double y) {
+        return String.format(Locale.ROOT, "point (%.6f, %.6f) lies where %s has no coordinates", x, y, crs);
+    }
+}
