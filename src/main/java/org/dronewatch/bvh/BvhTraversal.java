@@ -89,19 +89,21 @@ final class BvhTraversal extends RayTracer {
         winner = -1;
         walk(tMin, tMax, anyHit);
         if (winner >= 0) {
-            keepWinner();
+            setHit(winner, nearest);
         }
     }
 
     /** Leaves the ray to the kd-tree. The nearest hit is also any hit. */
     private void traceExactly(double tMin, double tMax) {
         if (exact.closestHit(origin[0], origin[1], origin[2], direction[0], direction[1], direction[2], tMin, tMax)) {
-            setHit(exact.triangle(), exact.distance(), exact.u(), exact.v());
+            setHit(exact.triangle(), exact.distance());
+            setBarycentrics(exact.u(), exact.v());
         }
     }
 
-    /** Keeps the hit with its barycentrics, from the block: it is in the cache, the mesh's own corners are not. */
-    private void keepWinner() {
+    /** From the block: it is in the cache, the mesh's own corners are not. */
+    @Override
+    protected void findBarycentrics() {
         double az = corner(winnerIndex, 0, offsetZ) - originZ;
         double bz = corner(winnerIndex, 1, offsetZ) - originZ;
         double cz = corner(winnerIndex, 2, offsetZ) - originZ;
@@ -115,7 +117,7 @@ final class BvhTraversal extends RayTracer {
         double b = ax * cy - ay * cx;
         double g = bx * ay - by * ax;
         double determinant = a + b + g;
-        setHit(winner, nearest, b / determinant, g / determinant);
+        setBarycentrics(b / determinant, g / determinant);
     }
 
     private float corner(int index, int corner, int offset) {

@@ -25,6 +25,9 @@ public abstract class RayTracer {
 
     final TriangleIntersection intersection;
 
+    /** Whether the hit was kept without its barycentrics: few callers want them. */
+    private boolean lacksBarycentrics;
+
     /**
      * A tracer without a ray; for the kernel's packages.
      *
@@ -46,7 +49,8 @@ public abstract class RayTracer {
     public final boolean closestHit(
             double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {
         setRay(ox, oy, oz, dx, dy, dz);
-        intersection.setRay(origin, direction, tMax);
+        intersection.begin(tMax);
+        lacksBarycentrics = false;
         trace(tMin, tMax, false);
         return intersection.found();
     }
@@ -72,7 +76,7 @@ public abstract class RayTracer {
             return false;
         }
         setRay(ox, oy, oz, dx, dy, dz);
-        intersection.setRay(origin, direction, last);
+        intersection.begin(last);
         trace(first, last, true);
         return intersection.found();
     }
@@ -89,12 +93,21 @@ public abstract class RayTracer {
 
     /** Weight of the triangle's second corner at the last closest hit. */
     public final double u() {
+        findMissingBarycentrics();
         return intersection.u();
     }
 
     /** Weight of the triangle's third corner at the last closest hit. */
     public final double v() {
+        findMissingBarycentrics();
         return intersection.v();
+    }
+
+    private void findMissingBarycentrics() {
+        if (lacksBarycentrics) {
+            findBarycentrics();
+            lacksBarycentrics = false;
+        }
     }
 
     private void setRay(double ox, double oy, double oz, double dx, double dy, double dz) {
@@ -129,9 +142,25 @@ public abstract class RayTracer {
     }
 
     /**
-     * Keeps a hit of the current ray that was found by the arithmetic of the kernel's test; for the kernel's packages.
+     * Computes the barycentrics of the hit of the current ray for {@link #setBarycentrics}; for the kernel's packages, where a
+     * tracer keeps hits without them.
      */
-    protected final void setHit(int triangle, double distance, double u, double v) {
-        intersection.setHit(triangle, distance, u, v);
+    protected void findBarycentrics() {
+        throw new IllegalStateException("hits are kept with their barycentrics");
+    }
+
+    /**
+     * Keeps a hit of the current ray that was found by the arithmetic of the kernel's test, without its barycentrics; for the
+     * kernel's packages.
+     */
+    protected final void setHit(int triangle, double distance) {
+        intersection.setHit(triangle, distance);
+        lacksBarycentrics = true;
+    }
+
+    /** Adds the weights of the second and third corner to the hit of the current ray; for the kernel's packages. */
+    protected final void setBarycentrics(double u, double v) {
+        intersection.setBarycentrics(u, v);
+        lacksBarycentrics = false;
     }
 }

@@ -36,6 +36,7 @@ public final class SequentialTraversal extends KDTraversal {
 
     @Override
     protected void trace(double tMin, double tMax, boolean anyHit) {
+        intersection.setRay(origin, direction);
         rayEntry = rootEntry(tMin);
         rayExit = rootExit(tMax);
         long[] nodes = tree.nodes();

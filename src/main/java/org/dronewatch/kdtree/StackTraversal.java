@@ -26,6 +26,7 @@ public final class StackTraversal extends KDTraversal {
         if (!(entry <= exit)) {
             return;
         }
+        intersection.setRay(origin, direction);
         int stacked = 0;
         int index = 0;
         boolean inPlane = false;

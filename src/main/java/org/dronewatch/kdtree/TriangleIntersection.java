@@ -36,8 +36,14 @@ final class TriangleIntersection {
         this.numbers = triangles.numbers();
     }
 
-    /** Sets a new ray and forgets the hit of the last one; a hit beyond the limit does not count. */
-    void setRay(double[] origin, double[] direction, double limit) {
+    /** Forgets the last hit; one beyond the limit does not count. */
+    void begin(double limit) {
+        distance = limit;
+        found = false;
+    }
+
+    /** Sets the ray of the following tests. */
+    void setRay(double[] origin, double[] direction) {
         double x = Math.abs(direction[0]);
         double y = Math.abs(direction[1]);
         double z = Math.abs(direction[2]);
@@ -50,8 +56,6 @@ final class TriangleIntersection {
         shearX = direction[kx] / direction[kz];
         shearY = direction[ky] / direction[kz];
         shearZ = 1.0 / direction[kz];
-        distance = limit;
-        found = false;
     }
 
     /**
@@ -126,12 +130,16 @@ final class TriangleIntersection {
     }
 
     /** Sets a hit that was found elsewhere by the same arithmetic. */
-    void setHit(int hitTriangle, double hitDistance, double hitU, double hitV) {
+    void setHit(int hitTriangle, double hitDistance) {
         triangle = hitTriangle;
         distance = hitDistance;
+        found = true;
+    }
+
+    /** Sets the weights of the hit's second and third corner. */
+    void setBarycentrics(double hitU, double hitV) {
         u = hitU;
         v = hitV;
-        found = true;
     }
 
     boolean found() {

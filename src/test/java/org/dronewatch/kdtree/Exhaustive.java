@@ -12,7 +12,8 @@ final class Exhaustive {
 
     /** Distance of the nearest hit between two ray parameters; infinity for none. */
     double closest(double[] r, double tMin, double tMax) {
-        intersection.setRay(new double[] {r[0], r[1], r[2]}, new double[] {r[3], r[4], r[5]}, tMax);
+        intersection.begin(tMax);
+        intersection.setRay(new double[] {r[0], r[1], r[2]}, new double[] {r[3], r[4], r[5]});
         for (int i = 0; i < triangles; i++) {
             intersection.test(i, tMin);
         }

@@ -84,9 +84,7 @@ final class EnergyPacket {
     boolean drawTransmission(int material, double cosine, RandomGenerator random) {
         double before = all;
         if (!surfaces.transmits(material)) {
-            for (int band = 0; band < BANDS; band++) {
-                energy[band] *= surfaces.reflected(material, band, cosine);
-            }
+            surfaces.reflect(material, cosine, energy);
             add();
             ledger.absorb(before - all);
             return false;

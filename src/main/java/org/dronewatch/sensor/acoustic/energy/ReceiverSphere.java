@@ -120,7 +120,10 @@ final class ReceiverSphere {
         double besideSquared = Math.max(0.0, x * x + y * y + z * z - middle * middle);
         length = run.length() + Math.max(0.0, middle);
         double reach = reach(length);
-        double half = Math.sqrt(Math.max(0.0, reach * reach - besideSquared));
+        if (besideSquared >= reach * reach) {
+            return false;
+        }
+        double half = Math.sqrt(reach * reach - besideSquared);
         double entry = Math.max(0.0, middle - half);
         double exit = Math.min(end, middle + half);
         if (!(exit > entry)) {

@@ -18,7 +18,10 @@ public final class MirrorChains {
     private final int[] parents;
     private final int[] walls;
     private final int[] orders;
+
+    /** The keys of all chains but the empty one, in a hash table with open addressing; 0 where a slot is free. */
     private final long[] keys;
+
     private final int highestOrder;
 
     /**
@@ -36,8 +39,11 @@ public final class MirrorChains {
             orders[chain] = orders[parents[chain]] + 1;
             found[chain] = appended(found[parents[chain]], walls[chain]);
         }
-        this.keys = Arrays.copyOfRange(found, 1, found.length);
-        Arrays.sort(keys);
+        // At most half full.
+        this.keys = new long[Integer.highestOneBit(Math.max(1, parents.length - 1)) << 2];
+        for (int chain = 1; chain < parents.length; chain++) {
+            keys[slot(found[chain])] = found[chain];
+        }
         this.highestOrder = Arrays.stream(orders).max().orElse(0);
     }
 
@@ -127,7 +133,17 @@ public final class MirrorChains {
      */
     public boolean contains(int order, long key) {
         // Rays have mostly hit more walls than any chain has: they need no search.
-        return order <= highestOrder && Arrays.binarySearch(keys, key) >= 0;
+        return order <= highestOrder && keys[slot(key)] == key;
+    }
+
+    /** Where a key is, or the free slot where it would be. Keys are random numbers: their last bits will do. */
+    private int slot(long key) {
+        int mask = keys.length - 1;
+        int slot = (int) key & mask;
+        while (keys[slot] != key && keys[slot] != 0L) {
+            slot = slot + 1 & mask;
+        }
+        return slot;
     }
 
     /** The key of a sequence with one more wall at its end; that of the empty one is 0. */

@@ -65,6 +65,25 @@ public final class BandSurfaces {
         return angular[material] == null ? reflected(material, band) : 1.0 - angular[material].at(band, cosine);
     }
 
+    /**
+     * Deducts what a surface does not reflect.
+     *
+     * @param cosine of the angle between the sound and the normal, 0 to 1
+     * @param energies in each band
+     */
+    public void reflect(int material, double cosine, double[] energies) {
+        if (isAngular(material)) {
+            for (int band = 0; band < BANDS; band++) {
+                energies[band] *= reflected(material, band, cosine);
+            }
+            return;
+        }
+        int row = BANDS * material;
+        for (int band = 0; band < BANDS; band++) {
+            energies[band] *= reflected[row + band];
+        }
+    }
+
     /** Whether absorption depends on the angle. */
     public boolean isAngular(int material) {
         return angular[material] != null;
