@@ -38,7 +38,7 @@ class TracingSettingsTest {
         for (String scene : SCENES) {
             Path out = directory.resolve(scene + String.join("", settings).hashCode());
             List<String> words = new ArrayList<>(
-                    List.of("run", scene, "--observations", "--out", out.toString(), "--set", "run.duration=0.5 s"));
+                    List.of("run", scene, "--observations", "--out", out.toString(), "--set", "run.duration=0.2 s"));
             for (String setting : settings) {
                 words.addAll(List.of("--set", setting));
             }
