@@ -13,7 +13,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The threshold with which a sensor detects a drone from a given range on, with a clear line of sight and under the
+ * The threshold with which a sensor detects a drone at up to a given range, with a clear line of sight and under the
  * conditions of a scene ({@link FreeSight}). It uses {@link org.dronewatch.sensor.AssessableSensor#assess}, not runs,
  * so that nothing is left to chance.
  *
@@ -59,7 +59,7 @@ public record Calibration(
      * @param drone the drone, in any state
      * @param sensor name of the sensor, one of the scene's
      * @param range at which the drone is to be detected, but no farther, {@link #NEAREST} to {@link #FARTHEST}, m
-     * @param probability that a look at this range detects it at least, above 0 and at most 1
+     * @param probability minimum probability that a look at this range detects it, above 0 and at most 1
      * @throws InputException when the sensor has no threshold to fit, or none of its values gives the range
      */
     public static Calibration of(SceneSettings settings, Drone drone, String sensor, double range, double probability) {

@@ -36,7 +36,7 @@ final class CostsCommand implements Callable<Integer> {
             names = "--largest",
             defaultValue = "2000000",
             paramLabel = "N",
-            description = "Triangles of the largest ground, 1000 to 20000000; two million by default.")
+            description = "Triangles of the largest terrain, 1000 to 20000000; two million by default.")
     private int largest;
 
     @Option(

@@ -90,7 +90,7 @@ public final class Main implements Runnable {
     }
 
     /**
-     * Runs a command. Errors of Java such as lack of memory, too, become a line and an exit code.
+     * Runs a command. Java errors, such as lack of memory, also become a line and an exit code.
      *
      * @param out where results go
      * @param err where messages go
@@ -158,7 +158,7 @@ public final class Main implements Runnable {
         return problem instanceof InputException ? BAD_INPUT : FAILED;
     }
 
-    /** Without a subcommand: says what there is. */
+    /** Without a subcommand: fails, and lists the commands. */
     @Override
     public void run() {
         throw new ParameterException(

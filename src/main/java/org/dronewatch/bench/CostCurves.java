@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How a cost grows: lines over one quantity.
+ * How a cost grows: curves versus one quantity.
  *
  * @param name short, for the names of files
  * @param title what is shown

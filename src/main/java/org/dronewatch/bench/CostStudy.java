@@ -43,7 +43,7 @@ public final class CostStudy {
      * A study.
      *
      * @param droneMesh the drone's model in its own frame
-     * @param largest triangles of the largest ground
+     * @param largest triangles of the largest terrain
      * @param progress receives what is measured next
      */
     public CostStudy(TriangleMesh droneMesh, int largest, Consumer<String> progress) {

@@ -50,7 +50,7 @@ public final class KernelBench {
     }
 
     /**
-     * Measures one set of rays, after a second of passes to warm up, and one at least.
+     * Measures one set of rays, after warm-up passes for a second, at least one.
      *
      * @param passes how many passes count, 1 or more
      * @param progress is called when the warm-up is over, and after each pass that counts

@@ -25,7 +25,7 @@ final class TracingStudy {
     /**
      * A study.
      *
-     * @param largest triangles of the largest ground, 1000 or more
+     * @param largest triangles of the largest terrain, 1000 or more
      * @param progress receives what is measured next
      */
     TracingStudy(int largest, Stopwatch watch, Consumer<String> progress) {

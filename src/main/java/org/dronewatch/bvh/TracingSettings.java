@@ -12,7 +12,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param costs costs of a traversal step and of a triangle test assumed by the surface area heuristic
  */
 public record TracingSettings(RayTraversal traversal, SahCost costs) {
-    /** The fastest traversal, of trees built by the library's costs. */
+    /** The fastest traversal, of trees built with the library's costs. */
     public static final TracingSettings DEFAULT = new TracingSettings(RayTraversal.FASTEST, SahCost.DEFAULT);
 
     /** Checks that both are given. */

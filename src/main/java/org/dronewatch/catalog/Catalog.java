@@ -110,7 +110,7 @@ public final class Catalog implements Kinds.NamedSettings {
         }
     }
 
-    /** The settings that were written by a former name in what was read so far. */
+    /** The settings that were written under a former name in what was read so far. */
     public FormerNames formerNames() {
         return formerNames;
     }

@@ -95,7 +95,7 @@ public record CatalogEntry(
     /**
      * Copies the list: later changes by the caller have no effect.
      *
-     * @throws IllegalArgumentException when something is missing, or there are ranges without a basis or the reverse
+     * @throws IllegalArgumentException when something is missing, or there are ranges without a basis or vice versa
      */
     public CatalogEntry {
         Limits.check(CatalogEntry.class, title, source, basis, note, coverage, price, ranges, sensor);

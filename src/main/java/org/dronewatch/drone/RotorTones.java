@@ -17,8 +17,8 @@ import org.dronewatch.sound.Tone;
  *
  * @param rotorSpeed revolutions of a rotor, above 0 to 1000 Hz; also with {@code rpm}, as in {@code 6150 rpm}
  * @param blades of a rotor, 1 to 12; two on most quadrotors
- * @param shares the fraction of its octave band's power in each line, from the blade-passing frequency on, 0 to 1; up to
- *     50 lines, those of one octave at most 1 together. Lines outside the eight octave bands are not heard
+ * @param shares the fraction of its octave band's power in each line, from the blade-passing frequency on, 0 to 1; up to 50
+ *     lines, and those within one octave add up to at most 1. Lines outside the eight octave bands are not heard
  */
 public record RotorTones(
         @In(value = Quantity.FREQUENCY, above = 0, to = 1000) double rotorSpeed,

@@ -13,7 +13,7 @@ import org.dronewatch.geometry.Position;
  */
 public record FlightState(Position position, Position velocity, Attitude attitude, OptionalDouble gliding) {
 
-    /** A state with running motors. */
+    /** A state with the motors running. */
     public FlightState(Position position, Position velocity, Attitude attitude) {
         this(position, velocity, attitude, OptionalDouble.empty());
     }
@@ -23,7 +23,7 @@ public record FlightState(Position position, Position velocity, Attitude attitud
         this(position, velocity, Attitude.level(heading), gliding);
     }
 
-    /** A level state with running motors whose nose points to a heading, clockwise from north, rad. */
+    /** A level state with the motors running and the nose pointing to a heading, clockwise from north, rad. */
     public FlightState(Position position, Position velocity, double heading) {
         this(position, velocity, heading, OptionalDouble.empty());
     }

@@ -3,7 +3,7 @@ package org.dronewatch.fusion;
 import java.util.List;
 
 /**
- * An alert to a contact.
+ * An alert for a contact.
  *
  * @param contact number of the contact
  * @param time when, seconds since the start of the run

@@ -43,7 +43,7 @@ public final class AlertLog {
         }
     }
 
-    /** The alert to a contact, if there has been one. */
+    /** The alert for a contact, if there has been one. */
     public Optional<Alert> alert(int contact) {
         return Optional.ofNullable(alerts.get(contact));
     }

@@ -4,7 +4,7 @@ import org.dronewatch.geometry.Position;
 
 /**
  * Turns positions in the world frame (x east, y north, z up, m) into latitude and longitude on the WGS 84 ellipsoid.
- * The frame touches at the scene's origin a surface that lies above the ellipsoid by the origin's height; an origin
+ * At the scene's origin the frame is tangent to a surface that lies above the ellipsoid by the origin's height; an origin
  * whose height is not known is taken to lie on the ellipsoid, which at 1000 m would move what is 1 km away by 0.16 m on
  * the map.
  *

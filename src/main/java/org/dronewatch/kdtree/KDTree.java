@@ -21,7 +21,7 @@ public final class KDTree {
      * A finished tree; the builder's own arrays are handed over, not copied.
      *
      * @param mesh what it indexes
-     * @param costs by which it was built
+     * @param costs with which it was built
      * @param nodes packed nodes, the root first
      * @param leafTriangles indices of triangles in leaf order, leaf by leaf
      * @param triangles in leaf order
@@ -55,7 +55,7 @@ public final class KDTree {
     }
 
     /**
-     * Builds the tree of a mesh by other costs. They decide how fast rays are, not what they hit.
+     * Builds the tree of a mesh with other costs. They decide how fast rays are, not what they hit.
      *
      * @throws CancellationException when the thread is interrupted meanwhile
      */
@@ -63,7 +63,7 @@ public final class KDTree {
         return new KDTreeBuilder(mesh, costs).build();
     }
 
-    /** The costs by which it was built. */
+    /** The costs with which it was built. */
     public SahCost costs() {
         return costs;
     }

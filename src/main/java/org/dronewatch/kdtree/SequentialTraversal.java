@@ -16,7 +16,7 @@ package org.dronewatch.kdtree;
  * touches count, and each descent leads to a leaf that is later in one fixed order: no leaf comes twice, and the walk ends.
  *
  * <p>A hit ends the ray at its distance. All leaves up to there are tested, so the hit is the nearest of all to the last
- * bit, and of equally near ones that with the least number.
+ * bit, and of equally near ones that with the lowest number.
  */
 public final class SequentialTraversal extends KDTraversal {
     /** The index of no node. */

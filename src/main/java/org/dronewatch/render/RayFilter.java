@@ -5,7 +5,7 @@ import java.util.stream.IntStream;
 /**
  * Which segments of rays are drawn.
  *
- * @param fewest surfaces that their ray has met before, from this on
+ * @param fewest minimum reflection order: surfaces that their ray has met before
  * @param most maximum reflection order
  * @param heardOnly only paths that reached the sensor
  */

@@ -118,7 +118,7 @@ public final class WholeFile {
         }
     }
 
-    /** The file, from the root on. */
+    /** The file, as an absolute path. */
     public Path path() {
         return file;
     }

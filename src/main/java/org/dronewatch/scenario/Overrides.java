@@ -32,7 +32,7 @@ public final class Overrides {
     }
 
     /**
-     * The scene with one more setting changed, which may put a system in the place of a sensor, or the reverse.
+     * The scene with one more setting changed, which may put a system in the place of a sensor, or vice versa.
      *
      * @throws InputException when the path leads nowhere or the value does not fit
      */

@@ -100,7 +100,7 @@ public final class DroneInFlight {
      *
      * @param target the point, m
      * @param time when it is to be there, after now, seconds since the start of the run
-     * @throws InputException when that takes more than the drone's speed, the point is null, the time is not after now, the
+     * @throws InputException when that requires more than the drone's speed, the point is null, the time is not after now, the
      *     drone is neither steered nor recorded, the run is over, or another thread runs it
      */
     public void flyTo(Position target, double time) {

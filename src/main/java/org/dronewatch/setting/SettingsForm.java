@@ -107,7 +107,7 @@ public final class SettingsForm {
                         .toList();
     }
 
-    /** The part of a name. */
+    /** The part with this name. */
     public Optional<RecordComponent> part(String name) {
         return parts().stream().filter(part -> part.getName().equals(name)).findFirst();
     }

@@ -7,7 +7,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The air of a site. Its loss of sound is that of one temperature, humidity and pressure everywhere; wind and a temperature
+ * The air of a site. It absorbs sound as at one temperature, humidity and pressure everywhere; wind and a temperature
  * that changes with height bend the paths of sound.
  *
  * @param temperature air temperature, 213.15 to 333.15 K (-60 to 60 degrees Celsius)
@@ -23,7 +23,7 @@ public record Atmosphere(
         @In(value = Quantity.PRESSURE, from = 50_000, to = 120_000) double pressure,
         @In(value = Quantity.TEMPERATURE_GRADIENT, from = -1, to = 1) double temperatureGradient,
         Wind wind) {
-    /** 20 degrees Celsius, 70 %, one standard atmosphere; still, and as warm at every height. */
+    /** 20 degrees Celsius, 70 %, one standard atmosphere; still, and at the same temperature at every height. */
     @Defaults
     public static final Atmosphere STANDARD = new Atmosphere(293.15, 0.7, 101_325.0);
 
@@ -47,7 +47,7 @@ public record Atmosphere(
     }
 
     /**
-     * Still air, as warm at every height.
+     * Still air, at the same temperature at every height.
      *
      * @param temperature K
      * @param humidity relative humidity, 0 to 1

@@ -26,7 +26,7 @@ public final class DroneSounds {
     }
 
     /**
-     * The sound of a name.
+     * The sound with this name.
      *
      * @throws org.dronewatch.setting.InputException when there is none; names the nearest ones
      */
@@ -34,7 +34,7 @@ public final class DroneSounds {
         return TABLE.get(name);
     }
 
-    /** The sound of a name, if there is one. */
+    /** The sound with this name, if there is one. */
     public static Optional<DroneSound> find(String name) {
         return TABLE.find(name);
     }

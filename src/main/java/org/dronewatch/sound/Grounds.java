@@ -15,7 +15,7 @@ public final class Grounds {
         return TABLE.names();
     }
 
-    /** The impedance of the surface of a name; empty for one that is not in the table. */
+    /** The impedance of the surface with this name; empty for one that is not in the table. */
     public static Optional<GroundImpedance> find(String name) {
         return TABLE.find(name);
     }

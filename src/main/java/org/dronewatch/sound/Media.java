@@ -21,7 +21,7 @@ public final class Media {
     }
 
     /**
-     * The medium of a name.
+     * The medium with this name.
      *
      * @throws org.dronewatch.setting.InputException when there is none; names the nearest ones
      */

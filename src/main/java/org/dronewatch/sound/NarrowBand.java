@@ -3,7 +3,7 @@ package org.dronewatch.sound;
 import java.util.Optional;
 
 /**
- * The band in which a line is searched: as wide as the line, within one octave band.
+ * The band in which a line is searched for: as wide as the line, within one octave band.
  *
  * @param frequency of its middle, Hz
  * @param width Hz, above 0 and at most that of the octave band
@@ -20,7 +20,7 @@ public record NarrowBand(double frequency, double width, int octave) {
     private static final double HALF_OCTAVE = 0.15;
 
     /**
-     * The band of a line. The rotors of a drone never turn quite evenly, and less so in wind: the relative jitter of their
+     * The band of a line. The rotors of a drone never turn quite steadily, and less so in wind: the relative jitter of their
      * speed, 0.5 % and 0.52 % more for each m/s of wind, is the relative width of all their lines (Heutschi and others, Acta
      * Acustica 4, 24, 2020, at a height of 10 m).
      *
@@ -43,7 +43,7 @@ public record NarrowBand(double frequency, double width, int octave) {
         return width / octaveWidth(octave);
     }
 
-    /** How much less noise it lets in than its octave band, if that is even over frequency, dB: {@code 10 lg(B_octave / B)}. */
+    /** How much less noise it lets in than its octave band, if its spectrum is flat, dB: {@code 10 lg(B_octave / B)}. */
     public double gain() {
         return -Levels.ofRatio(fraction());
     }

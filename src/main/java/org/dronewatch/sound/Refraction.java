@@ -3,7 +3,7 @@ package org.dronewatch.sound;
 import java.util.OptionalDouble;
 
 /**
- * A plane wave at the flat interface of two fluids. Angles are measured from the normal, radians, 0 to pi/2.
+ * A plane wave at the flat interface between two fluids. Angles are measured from the normal, radians, 0 to pi/2.
  *
  * <p>From air the critical angle of solids is below 7 degrees, so this does not model a wall: a wall has a transmission
  * loss.
@@ -15,7 +15,7 @@ public final class Refraction {
      * Angle of refraction by Snell's law, {@code sin t2 / sin t1 = c2 / c1}.
      *
      * @param incidence 0 to pi/2
-     * @param speed speed of sound before the border, above 0, m/s
+     * @param speed speed of sound in front of the interface, above 0, m/s
      * @param speedBehind speed of sound behind it, above 0, m/s
      * @return 0 to pi/2; empty for total internal reflection
      */
@@ -27,7 +27,7 @@ public final class Refraction {
     /**
      * Critical angle of incidence, at and above which everything is reflected.
      *
-     * @param speed speed of sound before the border, above 0, m/s
+     * @param speed speed of sound in front of the interface, above 0, m/s
      * @param speedBehind speed of sound behind it, above 0, m/s
      * @return above 0 and below pi/2; empty where sound is not faster behind
      */

@@ -29,13 +29,13 @@ public final class SurfaceMaterials {
         return TABLE.names();
     }
 
-    /** The surface of a name, or empty. */
+    /** The surface with this name, or empty. */
     public static Optional<SurfaceMaterial> find(String name) {
         return TABLE.find(name);
     }
 
     /**
-     * The surface of a name.
+     * The surface with this name.
      *
      * @throws org.dronewatch.setting.InputException when there is none; names the nearest ones
      */

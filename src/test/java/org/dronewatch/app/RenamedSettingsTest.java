@@ -135,7 +135,7 @@ class RenamedSettingsTest {
         Outcome outcome = Program.run("check", scene.toString());
         assertThat(outcome.code()).isEqualTo(2);
         assertThat(outcome.complaints())
-                .containsExactly(scene + ":5:5: world.surfaces: 'defaultSurface' is also written by a former name;"
+                .containsExactly(scene + ":5:5: world.surfaces: 'defaultSurface' is also written under a former name;"
                         + " it is already given at " + scene + ":4:5");
     }
 

@@ -90,7 +90,8 @@ class FormerlyTest {
                         + " it is already given at a.yaml:2:3");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> read("columns: 800\nwidth: 800\n"))
-                .withMessage("a.yaml:2:1: 'width' is also written by a former name; it is already given at a.yaml:1:1");
+                .withMessage(
+                        "a.yaml:2:1: 'width' is also written under a former name; it is already given at a.yaml:1:1");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> read("lens: {near: 20, wide: 20, longest: 80}\n"))
                 .withMessageContaining("'wide' is a former name of 'shortest'; it is already given at a.yaml:1:8");

@@ -65,7 +65,7 @@ public final class MeshReaders {
         return found;
     }
 
-    /** All readers by extension, in the order of the alphabet. */
+    /** All readers by extension, in alphabetical order. */
     public Map<String, MeshReader> byExtension() {
         return Collections.unmodifiableMap(byExtension);
     }

@@ -14,7 +14,7 @@ import org.dronewatch.world.World;
 /**
  * Takes the pictures that a camera would take: the colours of the materials, Lambert's cosine law and shadows for
  * the sun, light from the sky, and haze by Koschmieder's law, all according to the world's {@link org.dronewatch.world.Light}.
- * Surfaces are matt; drones throw no shadows. No detection depends on it: the pixels that a sensor counts are those whose
+ * Surfaces are matt; drones cast no shadows. No detection depends on it: the pixels that a sensor counts are those whose
  * centres show the drone, whatever a picture shows.
  *
  * <p>The site without drones is exposed once and kept, so further pictures of a camera that stands still cost little. Pixels

@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * The colour of a clear sky: sunlight that the air of a round earth has scattered once (after Nishita, Sirai, Tadamura
  * and Nakamae, "Display of the earth taking into account atmospheric scattering", SIGGRAPH 1993), with multiple
- * scattering in its mean colour, less near the horizon, and the light of the night. How much of these two there is, is
+ * scattering in its mean colour, less near the horizon, and the light of the night sky. How much of these two there is, is
  * assumed. With the sun well below the horizon the earth's shadow is seen as an edge. Tabulated. Immutable.
  */
 final class ScatteredLight {

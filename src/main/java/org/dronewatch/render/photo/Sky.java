@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
  * How bright the sky is in each direction, relative to a white, matt, level surface. Its brightness is distributed as
  * that of the standard general skies of ISO 15469:2004 (CIE S 011): type 12, clear, where the sun is known, type 3,
  * overcast and moderately graded, where it is not; scaled so that the whole sky gives level ground the fraction of the
- * light stated by {@link Daylight}. The standard is made for a sun above the horizon; below, type 12 is used all the
+ * light stated by {@link Daylight}. The standard holds for a sun above the horizon; below, type 12 is used all the
  * same. A clear sky has the colours of {@link ScatteredLight}. Below the horizon it is what an infinitely long path
  * through air would show. Immutable.
  */

@@ -7,7 +7,7 @@ import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Where the optical axis of a camera meets its image, and between which planes across the axis the camera sees. A
+ * Where the optical axis of a camera meets its image, and between which planes perpendicular to it the camera sees. A
  * frustum of OpenGL with its left, right, bottom and top edges at the distance {@code near} has the shifts
  * {@code (left + right) / 2 / (right - left)} and {@code (bottom + top) / 2 / (top - bottom)}, and a vertical field of
  * view of {@code 2 atan((top - bottom) / 2 / near)}.

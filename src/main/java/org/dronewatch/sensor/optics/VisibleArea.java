@@ -40,7 +40,7 @@ public final class VisibleArea {
         return visibility.world();
     }
 
-    /** The area of a drone that is in the image and that nothing of the site hides, in pixels. */
+    /** The area of a drone that is in the image and that no part of the site hides, in pixels. */
     public double of(Drone drone) {
         return of(drone, false);
     }

@@ -57,7 +57,7 @@ final class FormerNameReader {
     private static String twice(SettingsForm form, String name, String current, Mark other) {
         String what = form.renamed().containsKey(name)
                 ? "'" + name + "' is a former name of '" + current + "'"
-                : "'" + name + "' is also written by a former name";
+                : "'" + name + "' is also written under a former name";
         return what + "; it is already given at " + other;
     }
 }

@@ -22,7 +22,7 @@ public final class Kinds {
     /** Ready settings that a file may take by name and change in part. */
     public interface NamedSettings {
         /**
-         * The settings of a name, as if they stood in the file.
+         * The settings with this name, as if they stood in the file.
          *
          * @throws org.dronewatch.setting.InputException when they cannot be read
          */
@@ -54,7 +54,7 @@ public final class Kinds {
         return new Kinds(registered, more);
     }
 
-    /** Whether kinds are known of a type. */
+    /** Whether any kinds of a type are known. */
     public boolean isChoice(Class<?> type) {
         return registered.containsKey(type) || Choices.isChoice(type);
     }

@@ -169,7 +169,7 @@ public sealed interface Node {
             return values.get(name) instanceof Scalar scalar ? Optional.of(scalar.text()) : Optional.empty();
         }
 
-        /** The mapping of a name; empty when there is none. */
+        /** The mapping with this name; empty when there is none. */
         public Optional<Mapping> mapping(String name) {
             return values.get(name) instanceof Mapping inner ? Optional.of(inner) : Optional.empty();
         }

@@ -35,7 +35,7 @@ final class Problems {
     }
 
     /**
-     * Adds that there is no kind of a name.
+     * Adds that there is no kind with this name.
      *
      * @param open whether other jars may bring kinds
      */
@@ -45,7 +45,7 @@ final class Problems {
         unknown(mark, field, KindChooser.KIND, name, known, meant.isEmpty() && open ? jar : meant);
     }
 
-    /** Adds that a record has no part of a name. */
+    /** Adds that a record has no part with this name. */
     void unknownSetting(Mark mark, String field, String name, SettingsForm form, List<String> others) {
         List<String> known = new ArrayList<>(form.names());
         known.addAll(others);

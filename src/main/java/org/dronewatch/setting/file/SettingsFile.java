@@ -19,7 +19,7 @@ public final class SettingsFile {
      * @param file of at most 1 MiB, in UTF-8
      * @param type the record that it describes
      * @param kinds among which to choose where the record has an interface
-     * @param used receives the settings that are written by a former name
+     * @param used receives the settings that are written under a former name
      * @throws InputException with a line for each mistake: file, line, column, setting, value and limit
      */
     public static <T extends Record> T read(Path file, Class<T> type, Kinds kinds, FormerNames used) {
@@ -62,7 +62,7 @@ public final class SettingsFile {
      *
      * @param type a record, or an interface with kinds
      * @param directory where file names start
-     * @param used receives the settings that are written by a former name
+     * @param used receives the settings that are written under a former name
      * @throws InputException with a line for each mistake
      */
     public static <T> T read(Node.Mapping part, Class<T> type, Kinds kinds, Path directory, FormerNames used) {

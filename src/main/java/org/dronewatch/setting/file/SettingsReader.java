@@ -38,7 +38,7 @@ final class SettingsReader {
     /**
      * A reader.
      *
-     * @param used receives the settings that are written by a former name
+     * @param used receives the settings that are written under a former name
      */
     SettingsReader(Kinds kinds, Path directory, FormerNames used, Problems problems) {
         this.kinds = kinds;

@@ -82,7 +82,7 @@ public record ArraySettings(
         return Levels.ofRatio(microphones);
     }
 
-    /** The distance of neighbouring microphones, m: on a sphere that of a square lattice of their density. */
+    /** The distance between neighbouring microphones, m: on a sphere that of a square lattice of their density. */
     public double spacing() {
         return switch (shape) {
             case LINE -> aperture / (microphones - 1);

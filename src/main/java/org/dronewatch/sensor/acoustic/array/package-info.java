@@ -1,2 +1,2 @@
-/** Arrays of microphones: their gain against noise, and how exactly they find the direction of a sound. */
+/** Arrays of microphones: their gain against noise, and how accurately they find the direction of a sound. */
 package org.dronewatch.sensor.acoustic.array;

@@ -118,7 +118,7 @@ public final class EdgePath {
     }
 
     /**
-     * How much longer the way found last is than the straight one, 0 or more, m: where sound runs in arcs, in the time that
+     * How much longer the path found last is than the straight line, 0 or more, m: where sound travels in arcs, in the time that
      * it takes, at the speed of sound on the straight line.
      */
     public double pathDifference() {
@@ -133,7 +133,7 @@ public final class EdgePath {
 
     /**
      * How much longer its arcs from edge to edge are than the arc from end to end that nothing would hide, m. Sound that bends
-     * runs faster on its way up, so this is more than {@link #pathDifference}; CNOSSOS-EU uses it where sound bends down.
+     * travels faster on its way up, so this is more than {@link #pathDifference}; CNOSSOS-EU uses it where sound bends down.
      */
     public double arcDifference() {
         return arcDifference;

@@ -10,7 +10,7 @@ import org.dronewatch.kdtree.EllipsoidQuery;
  * corner or an edge of the mesh, by its coordinates, share an end. A plane that runs through corners is taken for one an
  * infinitesimal distance beside it, so that each triangle is cut in one piece or not at all.
  *
- * <p>Where sound runs in arcs, the outline is bent the other way, so that the arcs are straight lines in it; its pieces are
+ * <p>Where sound travels in arcs, the outline is bent the other way, so that the arcs are straight lines in it; its pieces are
  * divided, as a flat ground becomes a bulge. One per thread.
  */
 final class PlaneCut {

@@ -69,7 +69,7 @@ final class ConnectingLeg {
     /**
      * Tells how air bends the legs over chains from now on.
      *
-     * @param isSoundAhead whether sound runs from their beginning to their end, and not the other way
+     * @param isSoundAhead whether sound travels from their beginning to their end, and not the other way
      */
     void bend(PathCurvature curvature, boolean isSoundAhead) {
         path.bend(curvature, isSoundAhead);

@@ -11,7 +11,7 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
  * @param sensor where the microphone is, m
  * @param ofSource the chains of walls that join sound scattered elsewhere to the source
  * @param ofSensor the chains of walls that join sound at its first scattering to the sensor
- * @param pureOfSource the chains that were found from the source: paths over specular reflections alone are exact
+ * @param pureOfSource the chains that were found from the source: paths of specular reflections alone are exact
  * @param pureOfSensor the chains that were found from the sensor
  * @param exactly the chains of exact paths, from the source on, and what they begin with
  * @param known about what is heard without rays that pass the source, in all bands, as intensity over the source's power, 1/m2

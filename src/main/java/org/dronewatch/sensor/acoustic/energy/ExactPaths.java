@@ -12,7 +12,7 @@ import org.dronewatch.world.World;
 
 /**
  * The deterministic paths: straight from source to sensor, through walls that transmit sound; round the edges of the
- * obstacles that hide the source; and over specular reflections. One per thread.
+ * obstacles that hide the source; and by specular reflections. One per thread.
  */
 final class ExactPaths {
     private static final int BANDS = OctaveBands.COUNT;

@@ -74,7 +74,7 @@ final class GroundReflection {
     }
 
     /**
-     * Searches for the ground along which sound runs in the shadow behind a bulge.
+     * Searches for the ground along which sound travels in the shadow behind a bulge.
      *
      * @param along how far along the straight line from the source, m
      * @return whether there is any

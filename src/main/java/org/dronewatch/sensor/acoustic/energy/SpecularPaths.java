@@ -14,7 +14,7 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Paths over specular reflections alone, exact: one in every wall, and several along the chains of walls that rays from
+ * Paths of specular reflections alone, exact: one off every wall, and several along the chains of walls that rays from
  * the sensor or from the source have found. One per thread.
  */
 final class SpecularPaths {

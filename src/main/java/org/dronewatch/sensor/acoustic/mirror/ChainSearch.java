@@ -14,8 +14,8 @@ import org.dronewatch.world.World;
 
 /**
  * Finds the chains of walls that matter to a point: those over which evenly spread rays from it are reflected (M.
- * Vorlaender, JASA 86, 172, 1989, for finding image sources by rays). A chain that is seen under a smaller solid angle
- * than that of one ray may be missed. The same point has the same chains. One per thread.
+ * Vorlaender, JASA 86, 172, 1989, for finding image sources by rays). A chain that subtends a smaller solid angle than one
+ * ray may be missed. The same point has the same chains. One per thread.
  */
 public final class ChainSearch {
     /** A ray that has less than this fraction of its energy left after reflections is abandoned. */

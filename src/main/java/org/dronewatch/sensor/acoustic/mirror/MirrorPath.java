@@ -49,7 +49,7 @@ public final class MirrorPath {
     /**
      * Sets how the air bends the paths that follow: each leg must be unobstructed as an arc, too. Without it, paths are straight.
      *
-     * @param isSoundAhead whether sound runs from a path's beginning to its end, and not the other way
+     * @param isSoundAhead whether sound travels from a path's beginning to its end, and not the other way
      */
     public void bend(PathCurvature ofAir, boolean isSoundAhead) {
         curvature = ofAir;
@@ -57,7 +57,7 @@ public final class MirrorPath {
     }
 
     /**
-     * Follows the path from a point to that of the images, over the chain's last wall first.
+     * Follows the path from a point to the one whose images are given, via the chain's last wall first.
      *
      * @param images of the other point in each chain: {@link MirrorChains#images}
      * @return whether there is a path; this object then holds its figures

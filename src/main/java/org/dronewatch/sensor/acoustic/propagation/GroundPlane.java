@@ -74,7 +74,7 @@ public final class GroundPlane {
      * @param second another one, m
      * @param wavelength of the sound, which determines the size of the zone, m, above 0
      * @param curvature of sound from one to the other, 1/m: arcs are straight lines over ground that is bent the other way
-     * @return whether there is ground that reflects, seen from both points; the figures of this object are then those of it
+     * @return whether there is ground that reflects, seen from both points; this object then holds its figures
      */
     public boolean find(Position first, Position second, double wavelength, double curvature) {
         from = first;

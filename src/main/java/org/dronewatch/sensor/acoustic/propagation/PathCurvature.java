@@ -13,7 +13,7 @@ import org.dronewatch.sound.Atmosphere;
  * @param northward of sound that travels north, 1/m
  */
 public record PathCurvature(double everywhere, double eastward, double northward) {
-    /** That of still air as warm at every height: straight paths. */
+    /** That of still air of uniform temperature: straight paths. */
     public static final PathCurvature NONE = new PathCurvature(0.0, 0.0, 0.0);
 
     /** Sharper arcs, in reciprocals of their length, are taken for this: the formulas hold for flat ones. */

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** How exactly arrays find directions. */
+/** How accurately arrays find directions. */
 class DirectionFinderTest {
     private static final double SOUND = 343.2;
     private static final int SENSORS = 8;
