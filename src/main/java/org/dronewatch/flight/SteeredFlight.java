@@ -55,8 +55,9 @@ public final class SteeredFlight implements FlownPath {
      * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void fly(double time, Position velocity) {
-        double from = begun(time, velocity);
-        add(from, velocity, along(velocity, Leg.at(legs, from)));
+        double from = effective(time);
+        checkSpeed(velocity);
+        command(from, velocity, along(velocity, Leg.at(legs, from)));
     }
 
     /**
@@ -70,8 +71,9 @@ public final class SteeredFlight implements FlownPath {
      * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void fly(double time, Position velocity, Attitude attitude) {
-        Check.present("attitude", attitude);
-        add(begun(time, velocity), velocity, attitude);
+        double from = effective(time);
+        checkSpeed(velocity);
+        command(from, velocity, Check.present("attitude", attitude));
     }
 
     /**
@@ -88,31 +90,21 @@ public final class SteeredFlight implements FlownPath {
     public synchronized void flyTo(double time, Position target, double arrival) {
         double from = effective(time);
         Check.present("target", target);
-        if (!(arrival > from) || !Double.isFinite(arrival)) {
+        if (!(arrival > from && Double.isFinite(arrival))) {
             throw new IllegalArgumentException(
                     "arrival at " + arrival + " s must be after the command, at " + from + " s");
         }
         FlightState here = Leg.at(legs, from);
         Position velocity = target.minus(here.position()).times(1.0 / (arrival - from));
         checkSpeed(velocity);
-        now = from;
         Attitude attitude = along(velocity, here);
-        add(from, velocity, attitude);
-        Leg way = legs.get(legs.size() - 1);
-        legs.add(new Leg(arrival, new FlightState(way.at(arrival).position(), REST, attitude, OptionalDouble.empty())));
+        command(from, velocity, attitude);
+        add(arrival, REST, attitude);
     }
 
     private static Attitude along(Position velocity, FlightState here) {
         boolean isVertical = velocity.x() == 0.0 && velocity.y() == 0.0;
         return Attitude.level(isVertical ? here.heading() : Math.atan2(velocity.x(), velocity.y()));
-    }
-
-    /** Checks a command before anything is changed. */
-    private double begun(double time, Position velocity) {
-        double from = effective(time);
-        checkSpeed(Check.present("velocity", velocity));
-        now = from;
-        return from;
     }
 
     /** When a command takes effect, s. */
@@ -125,8 +117,11 @@ public final class SteeredFlight implements FlownPath {
                     + Thread.currentThread().getName() + "', but only '" + steering.getName()
                     + "', which runs the scene, may steer: give commands in events of its simulator");
         }
+        if (!Double.isFinite(time)) {
+            throw new IllegalArgumentException("a command at " + time + " s: its time must be a finite number");
+        }
         double from = time <= looked ? Math.nextUp(looked) : time;
-        if (!(time >= looked && from >= now) || !Double.isFinite(time)) {
+        if (!(time >= looked && from >= now)) {
             throw new IllegalArgumentException("a command at " + time + " s must not be before " + now
                     + " s, up to when the flight is already known");
         }
@@ -134,6 +129,7 @@ public final class SteeredFlight implements FlownPath {
     }
 
     private void checkSpeed(Position velocity) {
+        Check.present("velocity", velocity);
         double speed = velocity.length();
         if (speed > fastest * (1.0 + ROUNDING)) {
             throw new IllegalArgumentException(
@@ -141,31 +137,39 @@ public final class SteeredFlight implements FlownPath {
         }
     }
 
-    /** A new leg from where it is then; the rest of the previous command is discarded. */
+    /** A command that has been checked. */
+    private void command(double from, Position velocity, Attitude attitude) {
+        now = from;
+        add(from, velocity, attitude);
+    }
+
+    /** A new leg from where it is then; what an earlier command planned for later is discarded. */
     private void add(double from, Position velocity, Attitude attitude) {
         Position here = Leg.at(legs, from).position();
-        legs.removeIf(leg -> leg.time() >= from);
+        for (int last = legs.size() - 1; last >= 0 && legs.get(last).time() >= from; last--) {
+            legs.remove(last);
+        }
         legs.add(new Leg(from, new FlightState(here, velocity, attitude, OptionalDouble.empty())));
     }
 
     /** From now on the calling thread runs the scene, and it alone steers. */
-    public synchronized void steerHere() {
+    synchronized void steerHere() {
         steering = Thread.currentThread();
     }
 
     /** Advances the flight: it is then known up to this time, and at this time unless a command changes it. */
-    public synchronized void advance(double time) {
+    synchronized void advance(double time) {
         now = Math.max(now, time);
     }
 
     /** Records that sensors look at a time: up to and including that time, the flight can no longer change. */
-    public synchronized void look(double time) {
+    synchronized void look(double time) {
         advance(time);
         looked = Math.max(looked, time);
     }
 
     /** Ends the run: no more commands are accepted. */
-    public synchronized void end() {
+    synchronized void end() {
         over = true;
     }
 

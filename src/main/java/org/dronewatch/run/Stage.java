@@ -8,10 +8,9 @@ import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightPath;
-import org.dronewatch.flight.SteeredFlight;
+import org.dronewatch.flight.SteeringClock;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.positioner.Pointing;
@@ -42,6 +41,7 @@ public final class Stage {
     private final List<String> raySensors;
     private final List<ActiveSensor> active = new ArrayList<>();
     private final Map<String, Pointing> pointings = new LinkedHashMap<>();
+    private final SteeringClock clock;
     private final PerfectAssociation association = new PerfectAssociation();
     private List<ContactLook> contactLooks = List.of();
     private final long runSeed;
@@ -68,6 +68,7 @@ public final class Stage {
             fliers.add(new Flier(created, paths.of(id, drone)));
             droneColours.put(id, Map.copyOf(models.colours(List.of(drone.model()))));
         });
+        this.clock = SteeringClock.of(fliers.stream().map(Flier::path).toList());
         this.sensors = settings.enabledSensors();
         sensors.forEach((id, sensor) -> active.add(new ActiveSensor(id, sensor)));
         this.raySensors = active.stream()
@@ -82,7 +83,7 @@ public final class Stage {
      */
     void release() {
         active.clear();
-        steered().forEach(SteeredFlight::end);
+        clock.end();
     }
 
     /** The world. */
@@ -141,24 +142,20 @@ public final class Stage {
         return paths;
     }
 
-    private Stream<SteeredFlight> steered() {
-        return fliers.stream().flatMap(flier -> SteeredFlight.in(flier.path).stream());
-    }
-
     /** The time up to which the positions of all drones are known, s: infinity unless one is steered. */
     public double known() {
-        return steered().mapToDouble(SteeredFlight::known).min().orElse(Double.POSITIVE_INFINITY);
+        return clock.known();
     }
 
     /** From now on the calling thread runs the scene: it alone steers the drones. */
     public void steerHere() {
-        steered().forEach(SteeredFlight::steerHere);
+        clock.steerHere();
     }
 
     /** Advances steered drones to a time, s; the calling thread steers them from then on. */
     void flyTo(double time) {
         steerHere();
-        steered().forEach(flight -> flight.advance(time));
+        clock.advance(time);
     }
 
     /**
@@ -233,7 +230,7 @@ public final class Stage {
 
     /** Runs the looks of every sensor that is due at a time. */
     List<Observation> look(double time, List<Drone> drones, LookTimes times) {
-        steered().forEach(flight -> flight.look(time));
+        clock.look(time);
         pointings.clear();
         List<Supplier<List<Observation>>> looks = new ArrayList<>();
         for (ActiveSensor one : active) {

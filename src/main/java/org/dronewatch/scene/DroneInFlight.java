@@ -1,5 +1,6 @@
 package org.dronewatch.scene;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleSupplier;
 import java.util.function.ObjDoubleConsumer;
@@ -8,6 +9,7 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.flight.FlownPath;
 import org.dronewatch.flight.SteeredFlight;
+import org.dronewatch.flight.SteeringClock;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.InputException;
 
@@ -27,11 +29,13 @@ import org.dronewatch.setting.InputException;
 public final class DroneInFlight {
     private final String id;
     private final FlightPath path;
+    private final SteeringClock steering;
     private final DoubleSupplier clock;
 
     DroneInFlight(String id, FlightPath path, DoubleSupplier clock) {
         this.id = id;
         this.path = path;
+        this.steering = SteeringClock.of(List.of(path));
         this.clock = clock;
     }
 
@@ -48,8 +52,8 @@ public final class DroneInFlight {
     /** Where it is now and how it moves, with all commands so far. */
     public FlightState state() {
         double now = clock.getAsDouble();
-        SteeredFlight.in(path).ifPresent(flight -> flight.advance(now));
-        return path.at(SteeredFlight.in(path).map(SteeredFlight::known).orElse(now));
+        steering.advance(now);
+        return path.at(isSteered() ? steering.known() : now);
     }
 
     /**
@@ -63,7 +67,7 @@ public final class DroneInFlight {
             throw new InputException(here() + "its state at " + time + " s: the time must be 0 s or later");
         }
         double now = clock.getAsDouble();
-        SteeredFlight.in(path).ifPresent(flight -> flight.advance(now));
+        steering.advance(now);
         try {
             return path.at(time);
         } catch (IllegalStateException e) {

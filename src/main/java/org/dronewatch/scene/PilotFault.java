@@ -12,7 +12,7 @@ import org.dronewatch.setting.PlainText;
 /**
  * An exception that a pilot throws: the user's mistake, not the program's.
  *
- * @param pilot its class
+ * @param pilot its class, or that of what should have made it
  * @param problem what it throws
  */
 record PilotFault(Class<?> pilot, Throwable problem) {
@@ -23,9 +23,17 @@ record PilotFault(Class<?> pilot, Throwable problem) {
      * @param time seconds since the start of the run
      */
     InputException at(double time) {
+        return inOneLine("pilot " + name() + " at " + time + " s: ");
+    }
+
+    /** The mistake in one line when there is no pilot yet: its class is that of whatever makes it. */
+    InputException beforeTheRun() {
+        return inOneLine("no pilot from " + name() + ": ");
+    }
+
+    private InputException inOneLine(String beginning) {
         String line = place().map(frame -> ", at " + frame).orElse("");
-        return new InputException(
-                "pilot " + name() + " at " + time + " s: " + PlainText.value(problem) + line, problem);
+        return new InputException(beginning + PlainText.value(problem) + line, problem);
     }
 
     /** A lambda has the name of the class that it is written in. */

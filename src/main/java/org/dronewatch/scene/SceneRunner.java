@@ -45,7 +45,7 @@ public final class SceneRunner {
     private Pace pace = Pace.AS_FAST_AS_POSSIBLE;
     private BooleanSupplier cancelled = () -> false;
     private Consumer<String> notes = NOBODY;
-    private Supplier<Pilot> pilots;
+    private Pilots pilots;
     private final Set<FormerNames.Renamed> renamed = new HashSet<>();
     private SceneModels models;
     private Optional<InputFiles> inputs = Optional.empty();
@@ -56,7 +56,7 @@ public final class SceneRunner {
     public SceneRunner(Scene scene) {
         this.scene = scene;
         this.configured = new ConfiguredScene(scene);
-        this.pilots = scene::pilot;
+        this.pilots = new Pilots(scene::pilot);
     }
 
     /** Overrides a setting, by its current or a former name; overriding the swept setting ends the sweep. */
@@ -103,7 +103,7 @@ public final class SceneRunner {
      * @param source gives a new pilot for each run
      */
     public SceneRunner pilot(Supplier<Pilot> source) {
-        this.pilots = source;
+        this.pilots = new Pilots(source);
         return this;
     }
 

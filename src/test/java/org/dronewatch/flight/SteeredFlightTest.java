@@ -9,6 +9,8 @@ import java.util.Random;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Ground;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is commanded is flown: between two commands velocity is constant, and the position is its integral. */
 class SteeredFlightTest {
@@ -109,6 +111,32 @@ class SteeredFlightTest {
                 .withMessage("arrival at 1.0 s must be after the command, at 1.0 s");
         flight.advance(2.0);
         assertThat(flight.at(2.0).position()).as("nothing was changed").isEqualTo(START.plus(new Position(40, 0, 0)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
+    void aTimeThatIsNotFiniteIsRefusedAndChangesNothing(double value) {
+        flight.fly(0.0, new Position(1, 0, 0));
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> flight.flyTo(1.0, START, value))
+                .withMessageContaining("arrival at " + value + " s");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> flight.fly(value, new Position(1, 0, 0)))
+                .withMessage("a command at " + value + " s: its time must be a finite number");
+        flight.advance(2.0);
+        assertThat(flight.at(2.0).position()).isEqualTo(START.plus(new Position(2, 0, 0)));
+        assertThat(flight.legs()).hasSize(1);
+    }
+
+    /** Commands at every millisecond, each of which discards a plan for later: the time for one must not grow. */
+    @Test
+    void manyCommandsKeepOnlyWhatWasFlown() {
+        for (int i = 1; i <= 200_000; i++) {
+            flight.flyTo(1e-3 * i, START, 1e3);
+        }
+        flight.advance(200.0);
+        assertThat(flight.legs()).hasSize(200_001);
+        assertThat(flight.at(200.0).position()).isEqualTo(START);
     }
 
     @Test

@@ -82,6 +82,25 @@ class PilotErrorsTest {
                 .hasMessageStartingWith("drone 'prey' at 1.0 s: cannot be steered");
     }
 
+    /** So it is with a pilot that cannot even be made, or is null. */
+    @Test
+    void aPilotThatCannotBeMadeIsOneLine() {
+        SceneRunner runner = piloted(run -> {});
+        assertThatThrownBy(runner.pilot(() -> unfinished())::run)
+                .isInstanceOf(InputException.class)
+                .hasMessageMatching(
+                        "no pilot from org\\.dronewatch\\.scene\\.PilotErrorsTest: "
+                                + "java\\.lang\\.UnsupportedOperationException: no plan yet, "
+                                + "at org\\.dronewatch\\.scene\\.PilotErrorsTest\\.unfinished\\(PilotErrorsTest\\.java:\\d+\\)");
+        assertThatThrownBy(runner.pilot(() -> null)::run)
+                .isInstanceOf(InputException.class)
+                .hasMessage("the scene's pilot is missing: a pilot may be Pilot.NONE, but not null");
+    }
+
+    private static Pilot unfinished() {
+        throw new UnsupportedOperationException("no plan yet");
+    }
+
     /** Whatever a pilot throws is the user's mistake, too: one line with pilot, time, exception and the line of the code. */
     @Test
     void anExceptionOfItsOwnNamesPilotTimeAndLine() {

@@ -1,0 +1,48 @@
+package org.dronewatch.flight;
+
+import java.util.Collection;
+import java.util.List;
+
+/**
+ * How far a run has come, for the flights that are steered in it. Whoever runs a scene has one; those who steer give their
+ * commands to a {@link SteeredFlight}, whose past only this advances. Flights of other kinds need no clock and are left alone.
+ */
+public final class SteeringClock {
+    private final List<SteeredFlight> flights;
+
+    private SteeringClock(List<SteeredFlight> flights) {
+        this.flights = flights;
+    }
+
+    /** The clock of some flights. */
+    public static SteeringClock of(Collection<? extends FlightPath> flights) {
+        return new SteeringClock(flights.stream()
+                .flatMap(path -> SteeredFlight.in(path).stream())
+                .toList());
+    }
+
+    /** From now on the calling thread runs the scene: it alone steers. */
+    public void steerHere() {
+        flights.forEach(SteeredFlight::steerHere);
+    }
+
+    /** Advances to a time, s: the flights are known up to it, and at this time unless a command changes them. */
+    public void advance(double time) {
+        flights.forEach(flight -> flight.advance(time));
+    }
+
+    /** Records that sensors look at a time, s: up to and including that time, the flights can no longer change. */
+    public void look(double time) {
+        flights.forEach(flight -> flight.look(time));
+    }
+
+    /** The time up to which all flights are known, s: infinity if none is steered. */
+    public double known() {
+        return flights.stream().mapToDouble(SteeredFlight::known).min().orElse(Double.POSITIVE_INFINITY);
+    }
+
+    /** Ends the run: no more commands are accepted. */
+    public void end() {
+        flights.forEach(SteeredFlight::end);
+    }
+}
