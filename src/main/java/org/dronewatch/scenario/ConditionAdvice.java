@@ -26,10 +26,12 @@ public final class ConditionAdvice {
 
     private record Concern(Condition condition, String kind, String instead) {}
 
+    private record Subject(String sensors, String instead) {}
+
     private ConditionAdvice() {}
 
     /**
-     * One line for each condition and kind of sensor that ignores it; none for a scene with default weather and light.
+     * One line for each kind of sensor and the conditions that it ignores for the same reason; none for a scene with default weather and light.
      *
      * @param runs the settings of all runs of a scene
      */
@@ -56,12 +58,23 @@ public final class ConditionAdvice {
         }
     }
 
+    /** Conditions that the same sensors ignore, and for which the same would help, share a line. */
     private List<String> lines() {
+        Map<Subject, List<String>> settings = new LinkedHashMap<>();
+        sensors.forEach((concern, ids) -> settings.computeIfAbsent(
+                        new Subject(named(concern.kind(), List.copyOf(ids)), concern.instead()),
+                        subject -> new ArrayList<>())
+                .add(written.get(concern.condition())));
         List<String> lines = new ArrayList<>();
-        sensors.forEach(
-                (concern, ids) -> lines.add(written.get(concern.condition()) + " does not change what is detected by "
-                        + named(concern.kind(), List.copyOf(ids)) + ": " + concern.instead()));
+        settings.forEach((subject, ignored) -> lines.add(enumerated(ignored)
+                + (ignored.size() == 1 ? " does" : " do")
+                + " not change what is detected by " + subject.sensors() + ": " + subject.instead()));
         return lines;
+    }
+
+    private static String enumerated(List<String> words) {
+        int last = words.size() - 1;
+        return last == 0 ? words.get(0) : String.join(", ", words.subList(0, last)) + " and " + words.get(last);
     }
 
     /** The setting of a condition with its value, unless it is the default. */

@@ -36,7 +36,7 @@ public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) d
     /** A count of pixels takes no account of weather and light. */
     @Override
     public Map<Condition, String> ignoredConditions() {
-        String other = "cameras with 'detection: {kind: target-task}' take it into account";
+        String other = "'detection: {kind: target-task}' takes light and weather into account";
         return Map.of(
                 Condition.VISIBILITY, other,
                 Condition.ILLUMINANCE, other,

@@ -116,9 +116,9 @@ public record LevelModel(
     public Map<Condition, String> ignoredConditions() {
         return Map.of(
                 Condition.AIR,
-                "'propagation: energy-model' takes it into account",
+                "'propagation: energy-model' takes the air into account",
                 Condition.WIND,
-                "'propagation: energy-model' takes it into account",
+                "'propagation: energy-model' takes the air into account",
                 Condition.NOISE_SOURCES,
                 "state its soundLevel, which the level model needs");
     }
