@@ -48,7 +48,7 @@ import org.dronewatch.world.World;
  *     quadrotor
  * @param glideReduction how much quieter it is with its motors off, when only airflow is heard, 0 to 100 dB
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; with a {@code spectrum}, any
- *     name for it; {@code soundPowerLevel} and {@code directivity} are set apart from it
+ *     other name for it; {@code soundPowerLevel} and {@code directivity} are set apart from it
  * @param spectrum the drone's own spectrum in place of the table's: A-weighted levels of the octave bands relative to
  *     one another, as in the table; {@code soundPowerLevel} sets how loud it is
  * @param directivity how the sound radiated depends on elevation, for the energy model
@@ -110,10 +110,20 @@ public record DroneSettings(
         checkSound(sound, spectrum.isPresent());
     }
 
-    /** A sound with its own spectrum may have any name; otherwise the name must be in the table. */
+    /**
+     * A sound with its own spectrum may have any name that is not in the table, and need not have one: then it has that of the
+     * default. Otherwise the name must be in the table.
+     */
     private static void checkSound(String name, boolean own) {
         if (own && name.isBlank()) {
             throw new IllegalArgumentException("sound '" + name + "' must be a name");
+        }
+        if (own
+                && !name.equals(DroneSounds.SMALL_QUADROTOR)
+                && DroneSounds.find(name).isPresent()) {
+            throw new IllegalArgumentException(
+                    "spectrum and sound '" + name
+                            + "' are two answers to one question, since the table has a spectrum of that name: leave one of them out");
         }
         try {
             if (!own) {
@@ -202,7 +212,8 @@ public record DroneSettings(
      * These settings with the sound of another kind of drone, spectrum and loudness: one from the library's table, with its
      * directivity if that was measured, or a sound of your own.
      *
-     * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB
+     * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB, or a sound of your own
+     *     has a name of the table
      */
     public DroneSettings withSound(DroneSound other) {
         boolean packaged = DroneSounds.find(other.name()).equals(Optional.of(other));
@@ -222,7 +233,12 @@ public record DroneSettings(
      * @param shape A-weighted levels of the octave bands relative to one another, -200 to 200 dB
      */
     public DroneSettings withSpectrum(BandLevels shape) {
-        return SettingsForm.with(this, "spectrum", Optional.of(Check.present("spectrum", shape)));
+        Map<String, Object> parts = Map.of(
+                "sound",
+                DroneSounds.find(sound).isPresent() ? DroneSounds.SMALL_QUADROTOR : sound,
+                "spectrum",
+                Optional.of(Check.present("spectrum", shape)));
+        return SettingsForm.with(this, parts);
     }
 
     /** These settings with another directivity. */

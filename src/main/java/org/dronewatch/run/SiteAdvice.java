@@ -12,7 +12,6 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.setting.Switchable;
-import org.dronewatch.sound.DroneSounds;
 import org.dronewatch.world.Clearance;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
@@ -26,7 +25,6 @@ record SiteAdvice(SceneSettings settings, World world) {
     /** Gives one line for each warning. */
     void giveTo(Consumer<String> target) {
         onSurfaces(target);
-        onSounds(target);
         if (isListening()) {
             settings.drones().forEach((id, drone) -> new SoundAdvice(id, drone).giveTo(target));
         }
@@ -53,19 +51,6 @@ record SiteAdvice(SceneSettings settings, World world) {
                 .forEach(name -> target.accept("world.surfaces.own." + name
                         + " has no effect: no material of the models uses this surface; the materials are "
                         + String.join(", ", world.mesh().materialNames())));
-    }
-
-    /** If a drone has its own spectrum, its sound is only a label; the name of another spectrum would mislead. */
-    private void onSounds(Consumer<String> target) {
-        settings.drones().forEach((id, drone) -> {
-            boolean isMisleading = drone.spectrum().isPresent()
-                    && !drone.sound().equals(DroneSounds.SMALL_QUADROTOR)
-                    && DroneSounds.find(drone.sound()).isPresent();
-            if (isMisleading) {
-                target.accept("drones." + id + ".spectrum takes the place of the table's spectrum of sound '"
-                        + drone.sound() + "', which has no effect");
-            }
-        });
     }
 
     private boolean isListening() {

@@ -64,16 +64,20 @@ class OwnSoundRunTest {
                 .isNotEqualTo(packaged);
     }
 
-    /** The name of another spectrum beside it would mislead. */
+    /** Two answers to one question. */
     @Test
-    void aSoundOfTheTableHasNoEffectBesideASpectrum() throws IOException {
+    void aSoundOfTheTableBesideASpectrumIsRefused() throws IOException {
         String own = "spectrum: [0, -60, -60, -60, -60, -60, -60, -60]";
-        String alone = observations(own);
-        assertThat(said.toString()).doesNotContain("drones.buzzer");
-        assertThat(observations(own + "\n    sound: petrol-fixed-wing")).isEqualTo(alone);
-        assertThat(said.toString().lines().filter(line -> line.contains("drones.buzzer")))
-                .containsExactly("warning: drones.buzzer.spectrum takes the place of the table's spectrum of sound"
-                        + " 'petrol-fixed-wing', which has no effect");
+        String refusal =
+                "drones.buzzer: spectrum and sound 'petrol-fixed-wing' are two answers to one question, since the"
+                        + " table has a spectrum of that name: leave one of them out";
+        assertThat(run(own + "\n    sound: petrol-fixed-wing", directory.resolve("both")))
+                .isEqualTo(2);
+        assertThat(said.toString().lines()).singleElement().asString().endsWith(refusal);
+        assertThat(run(own, directory.resolve("set"), "--set", "drones.buzzer.sound=petrol-fixed-wing"))
+                .isEqualTo(2);
+        assertThat(said.toString().lines()).last().asString().contains("are two answers to one question");
+        assertThat(directory.resolve("both")).doesNotExist();
     }
 
     @Test

@@ -74,15 +74,24 @@ class OwnSoundTest {
         assertThat(DroneSounds.measuredDirectivity("hexacopter")).isEmpty();
     }
 
-    /** A packaged name with other figures is a sound that is not in the table. */
+    /** A name of the table with other figures would mislead whoever reads the settings. */
     @Test
-    void theFiguresCountNotTheName() {
+    void aSoundOfItsOwnNeedsAnotherName() {
         DroneSound packaged = DroneSounds.get("hexacopter");
-        DroneSound louder = new DroneSound(
-                packaged.name(), packaged.level() + 3, Collections.nCopies(8, 0.0), Basis.ASSUMED, "mine");
-        DroneSettings drone = DRONE.withSound(louder);
+        double louder = packaged.level() + 3;
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> DRONE.withSound(mine(packaged.name(), louder)))
+                .withMessageContaining("spectrum and sound 'hexacopter' are two answers to one question");
+        DroneSettings drone = DRONE.withSound(mine("my hexacopter", louder));
         assertThat(drone.spectrum()).contains(BandLevels.flat(0.0));
-        assertThat(drone.soundPower()).isEqualTo(louder.octaves(packaged.level() + 3));
+        assertThat(drone.soundPower()).isEqualTo(mine("any", louder).octaves(louder));
+        assertThat(DRONE.withSound(packaged).withSpectrum(BandLevels.flat(0.0)).sound())
+                .as("a spectrum takes the place of a sound of the table")
+                .isEqualTo(DroneSounds.SMALL_QUADROTOR);
+    }
+
+    private static DroneSound mine(String name, double level) {
+        return new DroneSound(name, level, Collections.nCopies(8, 0.0), Basis.ASSUMED, "mine");
     }
 
     @Test
