@@ -6,18 +6,21 @@ import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
+import org.dronewatch.catalog.CatalogTexts;
 import org.dronewatch.catalog.Positioners;
 import org.dronewatch.catalog.SensorSystem;
 import org.dronewatch.mesh.io.MeshReaders;
 import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.FoundKind;
+import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Kind;
 import org.dronewatch.setting.KindRegistry;
 import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** Lists what comes with the program. */
@@ -25,7 +28,8 @@ import picocli.CommandLine.Spec;
         name = "list",
         mixinStandardHelpOptions = true,
         description = "Lists the packaged scenes and the sensors of the catalogue, one per line; or the kinds that"
-                + " scenes can choose.")
+                + " scenes can choose; or one entry of the catalogue with its source and its assumptions.",
+        footer = {"", "Example:", "  dronewatch list spotterrf-c550"})
 final class ListCommand implements Callable<Integer> {
     private static final String KIND_LINE = "%-19s %-19s %s; %s%n";
 
@@ -36,12 +40,28 @@ final class ListCommand implements Callable<Integer> {
                             + " where on the class path they come from.")
     private boolean kinds;
 
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "NAME",
+            description =
+                    "Prints this sensor, system or positioner as it is written in the catalogue: source, assumptions,"
+                            + " ranges and settings.")
+    private String name;
+
     @Spec
     private CommandSpec spec;
 
     @Override
     public Integer call() {
         PrintWriter out = spec.commandLine().getOut();
+        if (name != null) {
+            if (kinds) {
+                throw new InputException("--kinds lists all kinds: leave out " + PlainText.value(name));
+            }
+            out.print(CatalogTexts.of(name));
+            out.flush();
+            return 0;
+        }
         if (kinds) {
             listKinds(out);
             listReaders(out);

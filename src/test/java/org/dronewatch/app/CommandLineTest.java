@@ -161,6 +161,26 @@ class CommandLineTest extends CommandLines {
         assertThat(directory.resolve("no.png")).doesNotExist();
     }
 
+    /** Each entry of the list, by the name in its second column, states where its figures come from. */
+    @Test
+    void listPrintsEveryEntryWithItsSource() {
+        List<String> names = Program.run("list")
+                .out()
+                .lines()
+                .filter(line -> !line.startsWith("scene "))
+                .map(line -> line.split("\\s+")[1])
+                .toList();
+        assertThat(names).hasSizeGreaterThan(15).contains("spotterrf-c550", "liteye", "viper");
+        assertThat(names)
+                .allSatisfy(name -> assertThat(Program.run("list", name).out()).contains("title: ", "source: "));
+        assertThat(Program.run("list", "spotter-c550").complaints())
+                .singleElement()
+                .asString()
+                .startsWith("no entry 'spotter-c550' in the catalogue; closest matches: spotterrf-c550, ");
+        assertThat(Program.run("list", "spotter-c550").code()).isEqualTo(2);
+        assertThat(Program.run("list", "--kinds", "viper").code()).isEqualTo(2);
+    }
+
     @Test
     void listTellsEachSceneInALine() {
         assertThat(Program.run("list").out().lines().map(line -> line.split("\\s+")[1]))
