@@ -34,6 +34,8 @@ public final class House {
             new Storey("what flies", "drone"),
             new Storey("", "flight"),
             new Storey("the site", "world"),
+            new Storey("", "terrain"),
+            new Storey("", "terrain.io"),
             new Storey("", "mesh.io", "geo"),
             new Storey("the ray kernel", "bvh", "raster"),
             new Storey("", "kdtree"),

@@ -206,6 +206,14 @@ class HouseRulesTest {
             .resideInAPackage("org.locationtech.proj4j..");
 
     @ArchTest
+    static final ArchRule ONLY_TERRAIN_KNOWS_THE_DECODER_OF_TIFF = noClasses()
+            .that()
+            .resideOutsideOfPackage("org.dronewatch.terrain.io")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("com.twelvemonkeys..");
+
+    @ArchTest
     static final ArchRule ONLY_THE_SCENE_KNOWS_DSOL = noClasses()
             .that()
             .resideOutsideOfPackage("org.dronewatch.scene")

@@ -52,7 +52,8 @@ public record CalibratedEntry(
                     + " {use: NAME}, the name of this file without .yaml.\n";
 
     /** The components of a world that belong to the place, not to its conditions. */
-    private static final List<String> PLACE = List.of("models", "noiseSources", "surfaces", "origin", "tracing");
+    private static final List<String> PLACE =
+            List.of("models", "terrain", "noiseSources", "surfaces", "origin", "tracing");
 
     private static final String POSITIONER = "positioner";
 

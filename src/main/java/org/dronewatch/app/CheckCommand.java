@@ -8,6 +8,7 @@ import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.world.WorldSettings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -41,7 +42,7 @@ final class CheckCommand implements Callable<Integer> {
                 .printf(
                         "%s is valid: %s, %s, %s, %s of %s s%n",
                         scene.name(),
-                        counted(first.world().models().size(), "model"),
+                        site(first.world()),
                         counted(first.fliers().size(), "drone"),
                         sensors(first),
                         counted(runs.size(), "run"),
@@ -56,6 +57,11 @@ final class CheckCommand implements Callable<Integer> {
                     .getOut()
                     .printf("drone '%s' is labelled %s%n", id, drone.label().inWords());
         }
+    }
+
+    private static String site(WorldSettings world) {
+        return (world.terrain().isPresent() ? "terrain, " : "")
+                + counted(world.models().size(), "model");
     }
 
     /** All sensors of a run, and how many of them are switched off, if any. */

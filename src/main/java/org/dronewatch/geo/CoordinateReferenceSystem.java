@@ -2,6 +2,8 @@ package org.dronewatch.geo;
 
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronewatch.setting.InputException;
@@ -20,6 +22,9 @@ public final class CoordinateReferenceSystem {
             "(?:EPSG:|URN:OGC:DEF:CRS:EPSG:[^:]*:|HTTPS?://WWW\\.OPENGIS\\.NET/DEF/CRS/EPSG/[^/]*/)" + "(\\d{4,6})");
 
     private static final String EXAMPLE = "must be an EPSG code, as in EPSG:25832";
+
+    /** Looking one up takes milliseconds. */
+    private static final Map<Integer, CoordinateReferenceSystem> KNOWN = new ConcurrentHashMap<>();
 
     /** Longitude and latitude in degrees on the ellipsoid of GPS. */
     public static final CoordinateReferenceSystem WGS_84 = of("EPSG:4326");
@@ -45,22 +50,24 @@ public final class CoordinateReferenceSystem {
         if (!matcher.matches()) {
             throw new InputException("coordinate reference system '" + shown + "' " + EXAMPLE);
         }
-        int number = Integer.parseInt(matcher.group(1));
+        return KNOWN.computeIfAbsent(Integer.parseInt(matcher.group(1)), CoordinateReferenceSystem::find);
+    }
+
+    private static CoordinateReferenceSystem find(int number) {
+        String name = "EPSG:" + number;
         String[] parameters = EpsgParameters.of(number);
         if (parameters.length == 0) {
-            throw new InputException("coordinate reference system 'EPSG:" + number
+            throw new InputException("coordinate reference system '" + name
                     + "' is not known: give the code of the grid, or of longitude and latitude, that the file uses");
         }
         if (Arrays.asList(parameters).contains("+proj=geocent")) {
-            throw new InputException("coordinate reference system 'EPSG:" + number
+            throw new InputException("coordinate reference system '" + name
                     + "' has earth-centred coordinates: needs those of a map, as in EPSG:25832");
         }
         try {
-            return new CoordinateReferenceSystem(
-                    "EPSG:" + number, new CRSFactory().createFromParameters("EPSG:" + number, parameters));
+            return new CoordinateReferenceSystem(name, new CRSFactory().createFromParameters(name, parameters));
         } catch (Proj4jException e) {
-            throw new InputException(
-                    "coordinate reference system 'EPSG:" + number + "' cannot be used: " + e.getMessage(), e);
+            throw new InputException("coordinate reference system '" + name + "' cannot be used: " + e.getMessage(), e);
         }
     }
 

@@ -10,12 +10,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.bvh.TracingSettings;
 import org.dronewatch.flight.FlightsFile;
+import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.LoadedModel;
 import org.dronewatch.mesh.io.ModelLoader;
@@ -24,8 +26,12 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.setting.file.LinkOut;
+import org.dronewatch.terrain.LoadedTerrain;
+import org.dronewatch.terrain.TerrainLoader;
+import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
+import org.dronewatch.world.WorldSettings;
 
 /**
  * Loads each model and builds each tree once, however many runs need them, and measures how long that takes; reads each file
@@ -38,6 +44,7 @@ public final class ModelCache {
     private final ModelLoader loader;
     private final Consumer<String> notes;
     private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
+    private final Map<Place, LoadedTerrain> terrains = new HashMap<>();
     private final Map<Site, TracingIndex> indexes = new HashMap<>();
     private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
     private final Map<String, FlightsFile> flights = new HashMap<>();
@@ -45,8 +52,20 @@ public final class ModelCache {
     private double loadSeconds;
     private double buildSeconds;
 
+    /** What a terrain depends on. */
+    private record Place(TerrainSettings terrain, Origin origin) {
+        static Optional<Place> of(WorldSettings world) {
+            return world.terrain()
+                    .map(terrain -> new Place(terrain, world.origin().orElseThrow()));
+        }
+    }
+
     /** What an index depends on. */
-    private record Site(List<ModelSettings> models, TracingSettings tracing) {}
+    private record Site(Optional<Place> terrain, List<ModelSettings> models, TracingSettings tracing) {
+        static Site of(WorldSettings world) {
+            return new Site(Place.of(world), world.models(), world.tracing());
+        }
+    }
 
     /**
      * An empty cache.
@@ -94,25 +113,63 @@ public final class ModelCache {
         }
     }
 
-    /** The ray-tracing index over some models, merged into one mesh. */
-    synchronized TracingIndex index(List<ModelSettings> settings, TracingSettings tracing) {
-        return indexes.computeIfAbsent(new Site(settings, tracing), this::build);
+    /** Reads the terrain of a world, if it has one, once. */
+    public synchronized void readTerrain(WorldSettings world) {
+        Place.of(world).ifPresent(this::terrain);
     }
 
-    /** The colours of some models' materials, by name: red, green and blue in the lowest 24 bits. */
-    synchronized Map<String, Integer> colours(List<ModelSettings> settings) {
-        Map<String, Integer> colours = new HashMap<>();
-        for (ModelSettings model : settings) {
-            models.computeIfAbsent(model, this::load).colours().forEach(colours::putIfAbsent);
+    private LoadedTerrain terrain(Place place) {
+        LoadedTerrain known = terrains.get(place);
+        if (known == null) {
+            long start = System.nanoTime();
+            known = new TerrainLoader(directory, notes).load(place.terrain(), place.origin());
+            loadSeconds += NANO * (System.nanoTime() - start);
+            terrains.put(place, known);
+            for (int i = 0; i < known.files().size(); i++) {
+                files.put(
+                        place.terrain().allFiles().get(i), List.of(known.files().get(i)));
+            }
+            known.description().forEach(notes);
+            known.warnings().forEach(this::warn);
         }
+        return known;
+    }
+
+    /** The ray-tracing index over a world's terrain and models, merged into one mesh. */
+    synchronized TracingIndex index(WorldSettings world) {
+        return indexes.computeIfAbsent(Site.of(world), this::build);
+    }
+
+    /** The ray-tracing index over one model. */
+    synchronized TracingIndex index(ModelSettings model, TracingSettings tracing) {
+        return indexes.computeIfAbsent(new Site(Optional.empty(), List.of(model), tracing), this::build);
+    }
+
+    /** The colours of a world's materials, by name: red, green and blue in the lowest 24 bits. */
+    synchronized Map<String, Integer> colours(WorldSettings world) {
+        Map<String, Integer> colours = new HashMap<>();
+        for (ModelSettings model : world.models()) {
+            colours(model).forEach(colours::putIfAbsent);
+        }
+        world.terrain().ifPresent(terrain -> colours.putIfAbsent(terrain.material(), TerrainSettings.COLOUR));
         return colours;
     }
 
-    /** Some models, in their order, by the number of the first triangle of each in their tree's mesh. */
-    synchronized NavigableMap<Integer, SiteModel> firstTriangles(List<ModelSettings> settings) {
+    /** The colours of a model's materials, by name. */
+    synchronized Map<String, Integer> colours(ModelSettings model) {
+        return models.computeIfAbsent(model, this::load).colours();
+    }
+
+    /** A world's terrain and models, in their order, by the number of the first triangle of each in their tree's mesh. */
+    synchronized NavigableMap<Integer, SiteModel> firstTriangles(WorldSettings world) {
         NavigableMap<Integer, SiteModel> starts = new TreeMap<>();
         int next = 0;
-        for (ModelSettings model : settings) {
+        Optional<Place> place = Place.of(world);
+        if (place.isPresent()) {
+            starts.put(next, SiteModel.of(place.get().terrain()));
+            next += terrain(place.get()).mesh().triangleCount();
+        }
+        for (ModelSettings model : world.models()) {
             starts.put(next, SiteModel.of(model));
             next += models.computeIfAbsent(model, this::load).mesh().triangleCount();
         }
@@ -129,6 +186,7 @@ public final class ModelCache {
 
     private TracingIndex build(Site site) {
         List<TriangleMesh> meshes = new ArrayList<>();
+        site.terrain().ifPresent(place -> meshes.add(terrain(place).mesh()));
         for (ModelSettings model : site.models()) {
             meshes.add(models.computeIfAbsent(model, this::load).mesh());
         }

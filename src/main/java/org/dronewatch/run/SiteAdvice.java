@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.mesh.io.ModelRole;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.scenario.PositionerAdvice;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SoundAdvice;
@@ -12,6 +14,7 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.setting.Switchable;
+import org.dronewatch.terrain.ElevationSurface;
 import org.dronewatch.world.Clearance;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
@@ -25,6 +28,7 @@ record SiteAdvice(SceneSettings settings, World world) {
     /** Gives one line for each warning. */
     void giveTo(Consumer<String> target) {
         onSurfaces(target);
+        onTerrain(target);
         if (isListening()) {
             settings.drones().forEach((id, drone) -> new SoundAdvice(id, drone).giveTo(target));
         }
@@ -51,6 +55,20 @@ record SiteAdvice(SceneSettings settings, World world) {
                 .forEach(name -> target.accept("world.surfaces.own." + name
                         + " has no effect: no material of the models uses this surface; the materials are "
                         + String.join(", ", world.mesh().materialNames())));
+    }
+
+    /** Heights of roofs, and buildings on them. */
+    private void onTerrain(Consumer<String> target) {
+        List<String> buildings = settings.world().models().stream()
+                .filter(model -> model.role() == ModelRole.BUILDING)
+                .map(ModelSettings::shownFile)
+                .toList();
+        boolean hasRoofs =
+                settings.world().terrain().stream().anyMatch(terrain -> terrain.surface() == ElevationSurface.DSM);
+        if (hasRoofs && !buildings.isEmpty()) {
+            target.accept("world.terrain.surface is dsm: roofs may be in its heights, and in "
+                    + String.join(", ", buildings) + " again");
+        }
     }
 
     private boolean isListening() {

@@ -49,24 +49,21 @@ public final class Stage {
     public Stage(SceneSettings settings, ModelCache models, long runSeed) {
         PictureMemory.check(settings, Runtime.getRuntime().maxMemory());
         WorldSettings site = settings.world();
-        this.world = new World(
-                        models.index(site.models(), site.tracing()), site.noise(), site.surfaces(), site.atmosphere())
+        this.world = new World(models.index(site), site.noise(), site.surfaces(), site.atmosphere())
                 .withRain(site.rain())
                 .withLight(site.light())
                 .withNoiseSources(site.noiseSources())
-                .withModels(models.firstTriangles(site.models()));
-        this.colours = Map.copyOf(models.colours(site.models()));
+                .withModels(models.firstTriangles(site));
+        this.colours = Map.copyOf(models.colours(site));
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
         FlightPaths paths =
                 new FlightPaths(world.newGround(), settings.run().duration(), models::flights, models::warn);
         settings.fliers().forEach((id, drone) -> {
             Drone created = new Drone(
-                    id,
-                    drone,
-                    models.index(List.of(drone.model()), site.tracing()).tree());
+                    id, drone, models.index(drone.model(), site.tracing()).tree());
             fliers.add(new Flier(created, paths.of(id, drone)));
-            droneColours.put(id, Map.copyOf(models.colours(List.of(drone.model()))));
+            droneColours.put(id, Map.copyOf(models.colours(drone.model())));
         });
         this.clock = SteeringClock.of(fliers.stream().map(Flier::path).toList());
         this.sensors = settings.enabledSensors();

@@ -13,6 +13,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
+import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.WorldSettings;
@@ -41,6 +42,10 @@ public final class SceneBuilder {
 
     public void addToWorld(ModelSettings model) {
         world = world == null ? WorldSettings.of(model) : world.withModel(model);
+    }
+
+    public void setTerrain(TerrainSettings terrain) {
+        world = (world == null ? WorldSettings.EMPTY : world).withTerrain(terrain);
     }
 
     public void nameSurface(String ofTheModel, String ofTheTable) {
@@ -104,7 +109,8 @@ public final class SceneBuilder {
             return whole;
         }
         if (world == null) {
-            throw new IllegalArgumentException("the scene has no world: its build() must call loadWorld");
+            throw new IllegalArgumentException(
+                    "the scene has no world: its build() must call loadWorld or loadTerrain");
         }
         WorldSettings anywhere = world.withBackgroundNoise(backgroundNoise)
                 .withSurfaces(surfaces)

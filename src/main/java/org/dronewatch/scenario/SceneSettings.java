@@ -49,7 +49,7 @@ public record SceneSettings(
 
     /** Checks ids and copies the maps. */
     public SceneSettings {
-        Check.present("world", world);
+        checkSite(Check.present("world", world));
         Check.present("alert", alert);
         Check.present("prices", prices);
         Check.present("run", run);
@@ -75,6 +75,21 @@ public record SceneSettings(
         sensors.forEach((id, sensor) -> checkLooks(id, sensor.rate(), duration));
         sensors.forEach((id, sensor) ->
                 Mounted.positioner(sensor).ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
+    }
+
+    private static void checkSite(WorldSettings world) {
+        if (world.models().isEmpty() && world.terrain().isEmpty()) {
+            throw new IllegalArgumentException("world.models is empty: a world needs at least one, or a terrain");
+        }
+        world.terrain().ifPresent(terrain -> {
+            if (terrain.allFiles().isEmpty()) {
+                throw new IllegalArgumentException("world.terrain needs a 'file' of elevations, or several 'files'");
+            }
+            if (world.origin().isEmpty()) {
+                throw new IllegalArgumentException(
+                        "world.terrain needs a world.origin, the latitude and longitude of x = y = 0");
+            }
+        });
     }
 
     /** More would take days even for the fastest sensor. */

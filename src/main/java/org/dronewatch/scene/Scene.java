@@ -35,6 +35,7 @@ import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
+import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.world.Light;
 
 /**
@@ -128,6 +129,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /** Adds a model to the world, such as a hill, then a house on it. */
     protected final void loadWorld(ModelSettings model) {
         building().addToWorld(model);
+    }
+
+    /** Sets the ground of a real place, from files of elevations; it needs {@link #setOrigin}. */
+    protected final void loadTerrain(TerrainSettings terrain) {
+        building().setTerrain(terrain);
     }
 
     /** Sets the sound pressure level of the background, A-weighted, dB re 20 uPa; 30 dB unless set. */

@@ -7,7 +7,7 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * States that a text in a settings record names a file. In a settings file it is resolved against that file's
+ * States that a text in a settings record names a file, or each of a list of texts does. In a settings file it is resolved against that file's
  * directory, and may not lead out of it.
  */
 @Documented

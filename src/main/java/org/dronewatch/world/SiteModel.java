@@ -2,6 +2,7 @@ package org.dronewatch.world;
 
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.terrain.TerrainSettings;
 
 /**
  * One of the models that a world was merged from.
@@ -12,6 +13,11 @@ import org.dronewatch.mesh.io.ModelSettings;
 public record SiteModel(String file, ModelRole role) {
     /** A model about which nothing is known: a building without a file. */
     static final SiteModel UNNAMED = new SiteModel("", ModelRole.BUILDING);
+
+    /** The ground that a scene's terrain is. */
+    public static SiteModel of(TerrainSettings settings) {
+        return new SiteModel(String.join(", ", settings.allFiles()), ModelRole.TERRAIN);
+    }
 
     /** As its settings name it. */
     public static SiteModel of(ModelSettings settings) {

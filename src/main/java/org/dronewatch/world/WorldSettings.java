@@ -17,11 +17,13 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.BandLevels;
+import org.dronewatch.terrain.TerrainSettings;
 
 /**
  * The site: its models, its surfaces, and the conditions in which sensors work.
  *
- * @param models the meshes, merged into one; at least one
+ * @param models the meshes, merged into one with the terrain; at least one, unless there is a terrain
+ * @param terrain the ground of a real place, from files of elevations; omit it for none. It needs the origin
  * @param backgroundNoise sound pressure level of the background, A-weighted, -20 to 140 dB re 20 uPa
  * @param noiseShape spectrum of the background: the levels of the octave bands relative to one another, dB
  * @param noiseSources sources of noise on the site in addition to the background, by name
@@ -35,6 +37,7 @@ import org.dronewatch.sound.BandLevels;
  */
 public record WorldSettings(
         List<ModelSettings> models,
+        Optional<TerrainSettings> terrain,
         @In(value = Quantity.LEVEL, from = -20, to = 140) double backgroundNoise,
         BandLevels noiseShape,
         Map<String, NoiseSource> noiseSources,
@@ -47,8 +50,12 @@ public record WorldSettings(
     /** Background of a quiet rural site, dB re 20 uPa. */
     public static final double QUIET = 30.0;
 
+    /** A quiet world of nothing yet. */
+    @Defaults
+    public static final WorldSettings EMPTY = of(List.of());
+
     /**
-     * Checks the limits and copies the list.
+     * Checks the limits and copies the list. That there is something in the world, the whole scene checks.
      *
      * @throws IllegalArgumentException if a value is out of range, or a surface has an unknown name
      */
@@ -56,6 +63,7 @@ public record WorldSettings(
         Limits.check(
                 WorldSettings.class,
                 models,
+                terrain,
                 backgroundNoise,
                 noiseShape,
                 noiseSources,
@@ -72,9 +80,6 @@ public record WorldSettings(
         }
         models = List.copyOf(models);
         noiseSources = Collections.unmodifiableMap(new LinkedHashMap<>(noiseSources));
-        if (models.isEmpty()) {
-            throw new IllegalArgumentException("models is empty: a world needs at least one");
-        }
     }
 
     /** A quiet world of one model. */
@@ -83,10 +88,10 @@ public record WorldSettings(
     }
 
     /** A quiet world of some models, merged into one. */
-    @Defaults("models")
     public static WorldSettings of(List<ModelSettings> models) {
         return new WorldSettings(
                 models,
+                Optional.empty(),
                 QUIET,
                 BackgroundNoise.FALLING,
                 Map.of(),
@@ -103,6 +108,11 @@ public record WorldSettings(
         List<ModelSettings> more = new ArrayList<>(models);
         more.add(model);
         return SettingsForm.with(this, "models", more);
+    }
+
+    /** These settings with the ground of a real place; they need an {@link #origin}, too. */
+    public WorldSettings withTerrain(TerrainSettings ground) {
+        return SettingsForm.with(this, "terrain", Optional.of(ground));
     }
 
     /** These settings with another level of the background, A-weighted, dB re 20 uPa. */

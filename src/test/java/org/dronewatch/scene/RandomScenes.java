@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
@@ -71,6 +72,9 @@ public final class RandomScenes {
             Map.entry("TerrainFollowing.height", 100.0),
             Map.entry("LowApproach.distance", 2000.0));
 
+    /** What would need files of its own. */
+    private static final Set<String> LEFT_OUT = Set.of("WorldSettings.terrain");
+
     private final SplittableRandom random;
     private final Kinds kinds = SensorKinds.kinds(Catalog.packaged());
     private final List<String> sensorIds = new ArrayList<>();
@@ -127,7 +131,13 @@ public final class RandomScenes {
             int kept = attempt < ATTEMPTS / 2 ? 2 : 1;
             Map<String, Object> values = new LinkedHashMap<>();
             for (RecordComponent part : form.parts()) {
-                boolean isNeeded = form.required().contains(part.getName()) || type == SceneSettings.class;
+                String name = type.getSimpleName() + "." + part.getName();
+                if (LEFT_OUT.contains(name)) {
+                    continue;
+                }
+                boolean isNeeded = form.required().contains(part.getName())
+                        || type == SceneSettings.class
+                        || name.equals("WorldSettings.models");
                 if (isNeeded || isCostly(type, part) || random.nextInt(3) < kept) {
                     draw(type, part).ifPresent(value -> values.put(part.getName(), value));
                 }

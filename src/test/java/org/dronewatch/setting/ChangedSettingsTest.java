@@ -12,6 +12,7 @@ import java.lang.reflect.Modifier;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -86,9 +87,11 @@ class ChangedSettingsTest {
                 "file", "hill.obj",
                 "model", ModelSettings.of("drone.obj"),
                 "flight", Hover.at(new Position(4, 5, 6)));
+        Map<String, Object> needed = new HashMap<>(known);
+        needed.keySet().retainAll(form.required());
         boolean hasDefaults = form.required().size() < form.parts().size();
         return hasDefaults && known.keySet().containsAll(form.required())
-                ? Optional.of(form.create(known))
+                ? Optional.of(form.create(needed))
                 : Optional.empty();
     }
 

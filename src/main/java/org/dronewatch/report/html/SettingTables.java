@@ -130,6 +130,10 @@ final class SettingTables {
                 number(world.rain()) + " mm/h",
                 number(result.simulated()) + " s",
                 Long.toString(result.seed())));
+        world.terrain().ifPresent(terrain -> {
+            head.add("terrain");
+            row.add(String.join(", ", terrain.allFiles()));
+        });
         Wind wind = world.atmosphere().wind();
         if (wind.speed() > 0.0) {
             head.add("wind");

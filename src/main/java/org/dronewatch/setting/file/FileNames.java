@@ -3,6 +3,9 @@ package org.dronewatch.setting.file;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.RegularFile;
 
 /** Names of files that stand in a settings file: they start from its directory and may not lead out of it. */
@@ -13,8 +16,37 @@ final class FileNames {
         this.directory = directory.normalize();
     }
 
+    /**
+     * Whether a file, each of a list, or one that may be left out is where a settings file may name it; adds a problem for
+     * each that is not.
+     *
+     * @param field path of the setting
+     */
+    boolean areThere(FileName rule, Node node, Object value, String field, Problems problems) {
+        if (value instanceof Optional<?> optional) {
+            return optional.isEmpty() || areThere(rule, node, optional.get(), field, problems);
+        }
+        if (value instanceof List<?> list) {
+            boolean all = true;
+            for (int i = 0; i < list.size(); i++) {
+                Node item =
+                        node instanceof Node.Sequence written ? written.items().get(i) : node;
+                all &= areThere(rule, item, list.get(i), field + "." + i, problems);
+            }
+            return all;
+        }
+        if (!rule.unless().isEmpty() && value.toString().startsWith(rule.unless())) {
+            return true;
+        }
+        String wrong = wrongWith(value.toString());
+        if (!wrong.isEmpty()) {
+            problems.add(node.mark(), field, "file '" + value + "' " + wrong);
+        }
+        return wrong.isEmpty();
+    }
+
     /** The error in a name; empty if it is valid. */
-    String wrongWith(String name) {
+    private String wrongWith(String name) {
         Path file;
         try {
             file = directory.resolve(name).normalize();

@@ -46,7 +46,7 @@ final class RelocatedFiles {
             Object value = SettingsForm.get(settings, part);
             String here = path.isEmpty() ? part.getName() : path + "." + part.getName();
             FileName rule = part.getAnnotation(FileName.class);
-            Object moved = rule == null ? value(value, here) : name(value.toString(), rule, here);
+            Object moved = rule == null ? value(value, here) : names(value, rule, here);
             if (!moved.equals(value)) {
                 changed.put(part.getName(), moved);
             }
@@ -72,6 +72,17 @@ final class RelocatedFiles {
         }
         boolean isWritten = value instanceof Node;
         return value instanceof Record settings && !isWritten ? record(settings, path) : value;
+    }
+
+    /** A name, a name that may be left out, or a list of names. */
+    private Object names(Object value, FileName rule, String path) {
+        if (value instanceof Optional<?> optional) {
+            return optional.map(inside -> names(inside, rule, path));
+        }
+        if (value instanceof List<?> list) {
+            return list.stream().map(inside -> names(inside, rule, path)).toList();
+        }
+        return name(value.toString(), rule, path);
     }
 
     private String name(String name, FileName rule, String path) {

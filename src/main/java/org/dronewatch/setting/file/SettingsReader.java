@@ -287,14 +287,6 @@ final class SettingsReader {
             return false;
         }
         FileName rule = part.getAnnotation(FileName.class);
-        if (rule == null || !rule.unless().isEmpty() && value.toString().startsWith(rule.unless())) {
-            return true;
-        }
-        String wrong = files.wrongWith(value.toString());
-        if (wrong.isEmpty()) {
-            return true;
-        }
-        problems.add(node.mark(), field, "file '" + value + "' " + wrong);
-        return false;
+        return rule == null || files.areThere(rule, node, value, field, problems);
     }
 }

@@ -1,0 +1,38 @@
+package org.dronewatch.terrain;
+
+import java.util.Arrays;
+
+/**
+ * Triangles whose corners are posts.
+ *
+ * @param corners three posts of each, by row * columns + column, clockwise on a map whose rows go south
+ * @param error the greatest vertical distance of a post from the triangle that it lies in, m
+ */
+record PostTriangles(int[] corners, double error) {
+    /** All triangles of all squares, cut along the north-west diagonal; none where a post has no height. */
+    static PostTriangles all(Posts posts) {
+        int columns = posts.columns();
+        int[] corners = new int[6 * (columns - 1) * (posts.rows() - 1)];
+        int count = 0;
+        for (int row = 0; row < posts.rows() - 1; row++) {
+            for (int column = 0; column < columns - 1; column++) {
+                int post = row * columns + column;
+                if (posts.hasSouthWest(post)) {
+                    corners[count++] = post;
+                    corners[count++] = post + columns + 1;
+                    corners[count++] = post + columns;
+                }
+                if (posts.hasNorthEast(post)) {
+                    corners[count++] = post;
+                    corners[count++] = post + 1;
+                    corners[count++] = post + columns + 1;
+                }
+            }
+        }
+        return new PostTriangles(Arrays.copyOf(corners, count), 0.0);
+    }
+
+    int count() {
+        return corners.length / 3;
+    }
+}

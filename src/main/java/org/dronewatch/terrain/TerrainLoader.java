@@ -1,0 +1,131 @@
+package org.dronewatch.terrain;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.dronewatch.geo.MapPoint;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.terrain.io.ElevationFile;
+import org.dronewatch.terrain.io.ElevationFiles;
+import org.dronewatch.terrain.io.Window;
+
+/**
+ * Makes triangles in the world frame of files of elevations: the posts near the origin are read, as few of them kept as the
+ * accuracy allows, and each is taken to the world frame in double precision. Immutable.
+ */
+public final class TerrainLoader {
+    /** Reading more takes seconds. */
+    private static final long LONG = 3_000_000;
+
+    private final Path directory;
+    private final Consumer<String> progress;
+
+    /**
+     * A loader of files by name.
+     *
+     * @param directory of relative paths
+     * @param progress receives a line before something that takes seconds
+     */
+    public TerrainLoader(Path directory, Consumer<String> progress) {
+        this.directory = directory;
+        this.progress = progress;
+    }
+
+    /**
+     * Reads a terrain.
+     *
+     * @param settings with at least one file
+     * @param origin of the world frame; where its height is not known, z is the height that the files state
+     * @throws InputException in one line when a file is missing, of no known format or damaged, has no posts near the origin or
+     *     too many, or does not go together with the others
+     * @throws java.util.concurrent.CancellationException when the thread is interrupted
+     */
+    public LoadedTerrain load(TerrainSettings settings, Origin origin) {
+        ElevationFiles source = new ElevationFiles(directory);
+        List<ElevationFile> files = new ArrayList<>();
+        List<FileHash> hashes = new ArrayList<>();
+        for (String name : settings.allFiles()) {
+            files.add(source.open(name));
+            hashes.add(source.hash(name));
+        }
+        if (files.isEmpty()) {
+            throw new InputException("needs a 'file' of elevations, or several 'files'");
+        }
+        Mosaic mosaic = new Mosaic(files, settings, origin);
+        Window window = mosaic.window();
+        if (window.posts() > LONG) {
+            progress.accept(String.format(Locale.ROOT, "terrain: reading %,d posts ...", window.posts()));
+        }
+        float[] raw = mosaic.heights();
+        Heights heights = new Heights(raw, settings.nodata());
+        Grid grid = Grid.southward(mosaic.lattice(), window.columns(), window.rows(), raw, mosaic.map());
+        double level = heightAt(grid, mosaic, raw, settings.verticalOffset());
+        Posts posts = grid.posts(mosaic.map(), settings.verticalOffset());
+        PostTriangles all = PostTriangles.all(posts);
+        if (all.count() == 0) {
+            throw new InputException(files.get(0).name() + ": none of its " + window.posts() + " posts within "
+                    + settings.radius() + " m of the origin has a height that makes a triangle");
+        }
+        PostTriangles kept = Decimation.of(posts, settings.accuracy());
+        List<String> warnings = new ArrayList<>();
+        heights.warn(warnings, settings.nodata().isPresent() || files.stream().allMatch(ElevationFile::statesNodata));
+        TerrainReport report = new TerrainReport(settings, mosaic, files);
+        report.warn(warnings, level);
+        return new LoadedTerrain(
+                mesh(posts, kept, settings.material()),
+                heights.known(),
+                heights.holes(),
+                all.count(),
+                kept.error(),
+                hashes,
+                report.lines(posts, heights, all.count(), kept, level, origin),
+                warnings);
+    }
+
+    /** The height of the post nearest to the origin, m; NaN where there is none. */
+    private static double heightAt(Grid grid, Mosaic mosaic, float[] heights, double offset) {
+        MapPoint origin = mosaic.map().onMap(new Position(0, 0, 0));
+        long column = Math.round(grid.lattice().columnAt(origin.x(), origin.y()));
+        long row = Math.round(grid.lattice().rowAt(origin.x(), origin.y()));
+        boolean isInside = column >= 0 && column < grid.columns() && row >= 0 && row < grid.rows();
+        return isInside ? heights[(int) (row * grid.columns() + column)] + offset : Double.NaN;
+    }
+
+    private static TriangleMesh mesh(Posts posts, PostTriangles kept, String material) {
+        int[] numbers = new int[posts.columns() * posts.rows()];
+        int[] corners = new int[kept.corners().length];
+        for (int post : kept.corners()) {
+            numbers[post] = 1;
+        }
+        int count = 0;
+        for (int post = 0; post < numbers.length; post++) {
+            numbers[post] = numbers[post] == 0 ? -1 : count++;
+        }
+        float[] vertices = new float[3 * count];
+        PostFrame.Row frame = posts.frame().newRow();
+        for (int post = 0; post < numbers.length; post++) {
+            if (numbers[post] >= 0) {
+                frame.to(post / posts.columns());
+                frame.column(post % posts.columns());
+                vertices[3 * numbers[post]] = (float) frame.east(posts.up(post));
+                vertices[3 * numbers[post] + 1] = (float) frame.north(posts.up(post));
+                vertices[3 * numbers[post] + 2] = posts.up(post);
+            }
+        }
+        int[] sources = new int[kept.count()];
+        for (int i = 0; i < kept.count(); i++) {
+            // From clockwise to counter-clockwise.
+            corners[3 * i] = numbers[kept.corners()[3 * i]];
+            corners[3 * i + 1] = numbers[kept.corners()[3 * i + 2]];
+            corners[3 * i + 2] = numbers[kept.corners()[3 * i + 1]];
+            sources[i] = i;
+        }
+        return new TriangleMesh(vertices, corners, new int[kept.count()], sources, List.of(material));
+    }
+}

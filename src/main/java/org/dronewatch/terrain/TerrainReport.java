@@ -1,0 +1,99 @@
+package org.dronewatch.terrain;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.terrain.io.ElevationFile;
+
+/** Says in lines what was read of a terrain, and what looks odd. */
+record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile> files) {
+
+    List<String> lines(Posts posts, Heights heights, int all, PostTriangles kept, double level, Origin origin) {
+        List<String> lines = new ArrayList<>();
+        for (ElevationFile file : files) {
+            lines.add(String.format(
+                    Locale.ROOT,
+                    "read %s: %,d x %,d posts, %s",
+                    file.name(),
+                    file.columns(),
+                    file.rows(),
+                    mosaic.crs()));
+        }
+        PostFrame.Row frame = posts.frame().newRow();
+        int right = posts.columns() - 1;
+        int low = posts.rows() - 1;
+        frame.to(low / 2);
+        frame.column(0);
+        double west = frame.east(0.0);
+        frame.column(right);
+        double east = frame.east(0.0);
+        frame.column(right / 2);
+        frame.to(0);
+        double north = frame.north(0.0);
+        frame.to(low);
+        double south = frame.north(0.0);
+        lines.add(String.format(
+                Locale.ROOT,
+                "terrain: %.2f km to the west, %.2f east, %.2f north and %.2f south of the origin; %,d x %,d posts %.1f x %.1f m"
+                        + " apart, %.1f to %.1f m high%s",
+                -west / 1000.0,
+                east / 1000.0,
+                north / 1000.0,
+                -south / 1000.0,
+                posts.columns(),
+                posts.rows(),
+                (east - west) / right,
+                (north - south) / low,
+                heights.lowest() + settings.verticalOffset(),
+                heights.highest() + settings.verticalOffset(),
+                atOrigin(level, origin)));
+        lines.add(String.format(
+                Locale.ROOT,
+                "terrain: %,d of %,d triangles, greatest vertical error %.3f m (accuracy: %s m)%s",
+                kept.count(),
+                all,
+                kept.error(),
+                settings.accuracy(),
+                heights.holes() == 0
+                        ? ", no holes"
+                        : String.format(
+                                Locale.ROOT,
+                                "; %,d %s without a height: holes",
+                                heights.holes(),
+                                heights.holes() == 1 ? "post" : "posts")));
+        return lines;
+    }
+
+    private static String atOrigin(double level, Origin origin) {
+        return Double.isNaN(level)
+                ? ""
+                : String.format(
+                        Locale.ROOT,
+                        ", %.1f m at the origin, which is z = %.1f m",
+                        level,
+                        level - origin.height().orElse(0.0));
+    }
+
+    void warn(List<String> warnings, double level) {
+        for (ElevationFile file : mosaic.unused()) {
+            warnings.add(file.name() + ": nothing of it lies within " + settings.radius() + " m of the origin");
+        }
+        settings.crs()
+                .ifPresent(given -> files.forEach(file -> file.crs()
+                        .filter(own -> !own.equals(mosaic.crs()))
+                        .ifPresent(own -> warnings.add(file.name() + ": states " + own + "; world.terrain.crs takes "
+                                + mosaic.crs() + " instead"))));
+        for (ElevationFile file : files) {
+            if (file.isSurfaceModel() && settings.surface() == ElevationSurface.DTM) {
+                warnings.add(
+                        file.name()
+                                + ": its heights seem to be those of roofs and treetops, not of the ground: surface: dsm says so");
+                break;
+            }
+        }
+        if (Double.isNaN(level)) {
+            warnings.add("terrain: there is no ground at the origin");
+        }
+    }
+}

@@ -1,0 +1,135 @@
+package org.dronewatch.terrain;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.FileName;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * The ground of a real place, from files of elevations: GeoTIFF, SRTM tiles (.hgt, also in .zip or .gz) or ESRI ASCII grids
+ * (.asc). It lies about the scene's geographic origin, {@code world.origin}, which such a scene must give.
+ *
+ * @param file the file of elevations
+ * @param files several files instead, which make one terrain; they must have the same grid of posts. Where they overlap, the
+ *     first one counts that has a height there
+ * @param crs coordinate reference system of the files by its EPSG code, such as EPSG:25832; omit it for that which the files
+ *     state
+ * @param radius how far from the origin the terrain reaches, 10 m to 100 km; it is cut along the rows and columns of its grid
+ * @param accuracy greatest vertical error where triangles are saved, 0 to 1000 m; at 0 every post is kept
+ * @param surface what the heights are those of: the bare ground (dtm), or roofs and treetops where there are any (dsm)
+ * @param verticalOffset what is added to the heights of the files, -1000 to 1000 m: for files that count from another level than
+ *     {@code world.origin.height} does
+ * @param nodata a height that stands for none, in addition to those that the files state; omit it for no other
+ * @param material name of the ground's material, to which {@code world.surfaces} assigns an acoustic surface; one that is in the
+ *     table of surfaces itself needs no assignment
+ */
+public record TerrainSettings(
+        @FileName Optional<String> file,
+        @FileName List<String> files,
+        Optional<String> crs,
+        @In(value = Quantity.LENGTH, from = 10, to = 100_000) double radius,
+        @In(value = Quantity.LENGTH, from = 0, to = 1000) double accuracy,
+        ElevationSurface surface,
+        @In(value = Quantity.LENGTH, from = -1000, to = 1000) double verticalOffset,
+        @In(Quantity.NUMBER) Optional<Double> nodata,
+        String material) {
+    /** What ground looks like in daylight, that of meadows: red, green and blue in the lowest 24 bits. */
+    public static final int COLOUR = 0x617838;
+
+    /** Half a metre, within 2 km, on pasture; without a file yet. */
+    @Defaults
+    public static final TerrainSettings DEFAULT = new TerrainSettings(
+            Optional.empty(),
+            List.of(),
+            Optional.empty(),
+            2000.0,
+            0.5,
+            ElevationSurface.DTM,
+            0.0,
+            Optional.empty(),
+            "pasture_uncompacted");
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range, a text is empty, or the code of the coordinate reference
+     *     system is not known
+     */
+    public TerrainSettings {
+        Limits.check(
+                TerrainSettings.class, file, files, crs, radius, accuracy, surface, verticalOffset, nodata, material);
+        files = List.copyOf(files);
+        if (file.isPresent() && !files.isEmpty()) {
+            throw new IllegalArgumentException("files and 'file' are both given: name all files under 'files'");
+        }
+        if (material.isBlank()) {
+            throw new IllegalArgumentException("material is empty: it must be a name");
+        }
+        if (crs.isPresent()) {
+            try {
+                CoordinateReferenceSystem.of(crs.get());
+            } catch (InputException e) {
+                throw new IllegalArgumentException(e.getMessage(), e);
+            }
+        }
+    }
+
+    /** Terrain from a file. */
+    public static TerrainSettings of(String file) {
+        return SettingsForm.with(DEFAULT, "file", Optional.of(file));
+    }
+
+    /** Terrain from several files. */
+    public static TerrainSettings of(List<String> files) {
+        return SettingsForm.with(DEFAULT, "files", files);
+    }
+
+    /** The names of all files. */
+    public List<String> allFiles() {
+        List<String> all = new ArrayList<>(files);
+        file.ifPresent(all::add);
+        return List.copyOf(all);
+    }
+
+    /** These settings with another coordinate reference system, such as {@code EPSG:25832}. */
+    public TerrainSettings withCrs(String code) {
+        return SettingsForm.with(this, "crs", Optional.of(code));
+    }
+
+    /** These settings with another radius, m. */
+    public TerrainSettings withRadius(double metres) {
+        return SettingsForm.with(this, "radius", metres);
+    }
+
+    /** These settings with another greatest vertical error, m; 0 keeps every post. */
+    public TerrainSettings withAccuracy(double metres) {
+        return SettingsForm.with(this, "accuracy", metres);
+    }
+
+    /** These settings with heights of something else. */
+    public TerrainSettings withSurface(ElevationSurface other) {
+        return SettingsForm.with(this, "surface", other);
+    }
+
+    /** These settings with heights shifted by as many metres. */
+    public TerrainSettings withVerticalOffset(double metres) {
+        return SettingsForm.with(this, "verticalOffset", metres);
+    }
+
+    /** These settings with another height that stands for none. */
+    public TerrainSettings withNodata(double height) {
+        return SettingsForm.with(this, "nodata", Optional.of(height));
+    }
+
+    /** These settings with ground of another material. */
+    public TerrainSettings withMaterial(String name) {
+        return SettingsForm.with(this, "material", name);
+    }
+}

@@ -1,0 +1,166 @@
+package org.dronewatch.terrain.io;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipException;
+import java.util.zip.ZipInputStream;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.RegularFile;
+import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.file.LinkOut;
+
+/** Opens files of elevations by what they begin with, whatever they are called; only tiles of SRTM must have their names. */
+public final class ElevationFiles {
+    private static final long MOST_BYTES = 1L << 33;
+    private static final int MOST_ENTRIES = 1000;
+    private static final int LONGEST_KEY = 16;
+
+    private final Path directory;
+
+    /**
+     * Opens files by name.
+     *
+     * @param directory of relative paths, that of a scene file or empty for the working directory
+     */
+    public ElevationFiles(Path directory) {
+        this.directory = directory;
+    }
+
+    /** Where a file is. */
+    private Path path(String name) {
+        Path path;
+        try {
+            path = directory.resolve(name);
+        } catch (InvalidPathException e) {
+            throw new InputException("terrain file '" + PlainText.value(name) + "' is not a path: " + e.getReason(), e);
+        }
+        String obstacle = RegularFile.obstacle(path);
+        if (!obstacle.isEmpty()) {
+            throw new InputException("terrain file " + PlainText.value(path) + ": " + obstacle);
+        }
+        LinkOut.refuse(directory, path, "terrain file");
+        return path;
+    }
+
+    /** Which bytes a file has. */
+    public FileHash hash(String name) {
+        Path path = path(name);
+        try (InputStream in = Files.newInputStream(path)) {
+            return FileHash.of(String.valueOf(path.getFileName()), in);
+        } catch (IOException e) {
+            throw unreadable(name, e);
+        }
+    }
+
+    /**
+     * Opens a file.
+     *
+     * @throws InputException when it is none of the formats, or damaged
+     */
+    public ElevationFile open(String name) {
+        Path path = path(name);
+        try {
+            ElevationBytes bytes = ElevationBytes.of(name, path);
+            if (bytes.size() > MOST_BYTES) {
+                throw new InputException(String.format(
+                        Locale.ROOT, "%s: has %,d bytes, must have at most %,d", name, bytes.size(), MOST_BYTES));
+            }
+            return open(bytes);
+        } catch (IOException e) {
+            throw unreadable(name, e);
+        }
+    }
+
+    /** What is wrong with a file, in one line. */
+    public static InputException unreadable(String name, IOException problem) {
+        if (problem instanceof EOFException) {
+            return new InputException(name + ": ends too early: it is cut off or damaged", problem);
+        }
+        return new InputException(name + ": cannot be read: " + problem.getMessage(), problem);
+    }
+
+    private static ElevationFile open(ElevationBytes bytes) throws IOException {
+        byte[] start = bytes.read(0, 8);
+        if (TiffDirectory.isTiff(start)) {
+            return new GeoTiffFile(bytes);
+        }
+        if (start[0] == 'P' && start[1] == 'K') {
+            return unzipped(bytes);
+        }
+        if (start[0] == 0x1F && (start[1] & 0xFF) == 0x8B) {
+            try (InputStream in = new GZIPInputStream(bytes.open())) {
+                return new HgtFile(tile(bytes.name(), in), bytes.shortName().replaceFirst("[.]gz$", ""));
+            }
+        }
+        if (isAsciiGrid(bytes)) {
+            return new AsciiGridFile(bytes);
+        }
+        if (bytes.shortName().endsWith(".hgt")) {
+            return new HgtFile(bytes, bytes.shortName());
+        }
+        throw new InputException(bytes.name()
+                + ": is none of GeoTIFF, SRTM (.hgt, also in .zip or .gz) and ESRI ASCII grid; gdal_translate "
+                + bytes.shortName() + " dem.tif converts most other formats");
+    }
+
+    private static boolean isAsciiGrid(ElevationBytes bytes) throws IOException {
+        try (InputStream in = bytes.open()) {
+            int one = in.read();
+            while (one == ' ' || one == '\n' || one == '\r' || one == '\t') {
+                one = in.read();
+            }
+            // Keys may come in any order.
+            StringBuilder word = new StringBuilder();
+            while (word.length() < LONGEST_KEY && (Character.isLetter(one) || one == '_')) {
+                word.append((char) Character.toLowerCase(one));
+                one = in.read();
+            }
+            return AsciiGridFile.KEYS.contains(word.toString());
+        }
+    }
+
+    private static HgtFile unzipped(ElevationBytes bytes) throws IOException {
+        Optional<HgtFile> found = Optional.empty();
+        try (ZipInputStream zip = new ZipInputStream(bytes.open())) {
+            int entries = 0;
+            for (ZipEntry entry = zip.getNextEntry(); entry != null; entry = zip.getNextEntry()) {
+                if (++entries > MOST_ENTRIES) {
+                    throw new InputException(bytes.name() + ": has more than " + MOST_ENTRIES + " files");
+                }
+                if (entry.getName().toLowerCase(Locale.ROOT).endsWith(".hgt")) {
+                    if (found.isPresent()) {
+                        throw new InputException(bytes.name() + ": has several .hgt files, must have one");
+                    }
+                    found = Optional.of(
+                            new HgtFile(tile(bytes.name(), zip), ElevationBytes.shortName(entry.getName())));
+                } else if (zip.skip(HgtFile.MOST_BYTES + 1L) > HgtFile.MOST_BYTES) {
+                    throw new InputException(bytes.name() + ": '" + PlainText.value(entry.getName())
+                            + "' unpacks to more than " + HgtFile.MOST_BYTES + " bytes: leave it out");
+                }
+            }
+        } catch (ZipException | IllegalArgumentException e) {
+            throw new InputException(bytes.name() + ": is damaged: " + e.getMessage(), e);
+        }
+        return found.orElseThrow(() -> new InputException(
+                bytes.name() + ": has no .hgt file; unpack it if it holds elevations in another format"));
+    }
+
+    /** No more is unpacked than the largest tile has. */
+    private static ElevationBytes tile(String name, InputStream in) throws IOException {
+        byte[] all = in.readNBytes(HgtFile.MOST_BYTES + 1);
+        if (all.length > HgtFile.MOST_BYTES) {
+            throw new InputException(
+                    name + ": unpacks to more than the " + HgtFile.MOST_BYTES + " bytes of the largest tile");
+        }
+        return ElevationBytes.of(name, all);
+    }
+}

@@ -1,0 +1,95 @@
+package org.dronewatch.terrain.io;
+
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.setting.InputException;
+
+/** What a GeoTIFF file says about its map (OGC GeoTIFF standard 1.1, OGC 19-008r4), and where its posts are on it. */
+final class GeoKeys {
+    private static final int DIRECTORY = 34735;
+    private static final int PIXEL_SCALE = 33550;
+    private static final int TIE_POINTS = 33922;
+    private static final int MATRIX = 34264;
+
+    private static final int RASTER_TYPE = 1025;
+    private static final int PIXEL_IS_POINT = 2;
+    private static final int GEOGRAPHIC = 2048;
+    private static final int PROJECTED = 3072;
+    private static final int VERTICAL_UNITS = 4099;
+    private static final int USER_DEFINED = 32767;
+    private static final int METRE = 9001;
+    private static final Map<Integer, Double> UNITS = Map.of(METRE, 1.0, 9002, 0.3048, 9003, 1200.0 / 3937.0);
+
+    private final String name;
+    private final TiffDirectory tags;
+    private final Map<Integer, Integer> keys = new HashMap<>();
+
+    GeoKeys(String name, TiffDirectory tags) throws IOException {
+        this.name = name;
+        this.tags = tags;
+        long[] directory = tags.longs(DIRECTORY);
+        for (int i = 4; i + 3 < directory.length; i += 4) {
+            if (directory[i + 1] == 0) {
+                keys.put((int) directory[i], (int) directory[i + 3]);
+            }
+        }
+    }
+
+    /** The system of the map, if it has a code. */
+    Optional<CoordinateReferenceSystem> crs() {
+        int code = keys.getOrDefault(PROJECTED, keys.getOrDefault(GEOGRAPHIC, 0));
+        if (code == 0 || code == USER_DEFINED) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(CoordinateReferenceSystem.of("EPSG:" + code));
+        } catch (InputException e) {
+            throw new InputException(name + ": " + e.getMessage() + "; world.terrain.crs can name another", e);
+        }
+    }
+
+    /** Metres of a unit of height. */
+    double unit() {
+        int code = keys.getOrDefault(VERTICAL_UNITS, METRE);
+        Double metres = UNITS.get(code);
+        if (metres == null) {
+            throw new InputException(
+                    name + ": heights in unit " + code + " must be in metres (9001) or feet (9002, 9003)");
+        }
+        return metres;
+    }
+
+    /** Where the posts are: in the middle of pixels that are areas, at those that are points. */
+    Lattice lattice() throws IOException {
+        double[] m = tags.doubles(MATRIX);
+        double[] scale = tags.doubles(PIXEL_SCALE);
+        double[] tie = tags.doubles(TIE_POINTS);
+        Lattice corner;
+        if (m.length >= 8 && scale.length == 0) {
+            corner = new Lattice(m[3], m[7], m[0], m[4], m[1], m[5]);
+        } else if (scale.length >= 2 && tie.length >= 6) {
+            corner = new Lattice(tie[3] - tie[0] * scale[0], tie[4] + tie[1] * scale[1], scale[0], 0.0, 0.0, -scale[1]);
+        } else {
+            throw new InputException(name
+                    + ": has no georeference (tags 33550 and 33922, or 34264): gdal_translate -a_ullr W N E S -a_srs EPSG:CODE"
+                    + " adds one");
+        }
+        if (!corner.isUsable()) {
+            throw new InputException(
+                    name + ": its georeference (tags 33550 and 33922, or 34264) spans no area: " + corner);
+        }
+        if (keys.getOrDefault(RASTER_TYPE, 1) == PIXEL_IS_POINT) {
+            return corner;
+        }
+        return new Lattice(
+                corner.xAt(0.5, 0.5),
+                corner.yAt(0.5, 0.5),
+                corner.columnX(),
+                corner.columnY(),
+                corner.rowX(),
+                corner.rowY());
+    }
+}

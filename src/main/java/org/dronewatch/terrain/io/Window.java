@@ -1,0 +1,35 @@
+package org.dronewatch.terrain.io;
+
+/**
+ * Some columns and rows of a grid.
+ *
+ * @param column the first of them
+ * @param row the first of them
+ * @param columns how many
+ * @param rows how many
+ */
+public record Window(int column, int row, int columns, int rows) {
+    /** What it shares with another one; without columns or rows if nothing. */
+    public Window and(Window other) {
+        int west = Math.max(column, other.column);
+        int north = Math.max(row, other.row);
+        int east = Math.min(column + columns, other.column + other.columns);
+        int south = Math.min(row + rows, other.row + other.rows);
+        return new Window(west, north, Math.max(0, east - west), Math.max(0, south - north));
+    }
+
+    /** Whether it has no columns or no rows. */
+    public boolean isEmpty() {
+        return columns == 0 || rows == 0;
+    }
+
+    /** As many columns and rows further on. */
+    public Window moved(int byColumns, int byRows) {
+        return new Window(column + byColumns, row + byRows, columns, rows);
+    }
+
+    /** How many posts it has. */
+    public long posts() {
+        return (long) columns * rows;
+    }
+}

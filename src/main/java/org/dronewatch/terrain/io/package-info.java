@@ -1,0 +1,2 @@
+/** Reads files of elevations: where their posts are on the map, and how high. */
+package org.dronewatch.terrain.io;

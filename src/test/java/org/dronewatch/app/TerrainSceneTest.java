@@ -1,0 +1,194 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.mesh.io.ModelRole;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.world.Obstacle;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Scenes whose ground comes from a file of elevations, as a user writes and runs them. */
+class TerrainSceneTest {
+    private static final String SITE =
+            """
+            world:
+              origin: {latitude: 50.0 deg, longitude: 15.0 deg, height: 200 m}
+              terrain: {file: ground.asc, crs: EPSG:32633, accuracy: 0}
+            """;
+
+    @TempDir
+    private Path directory;
+
+    /** A wall of ground 20 m high runs north to south 50 m east of the origin, which is at grid 500000, 5538630.74. */
+    @BeforeEach
+    void writeGround() throws IOException {
+        StringBuilder text =
+                new StringBuilder("ncols 41\nnrows 41\nxllcenter 499900\nyllcenter 5538530.74\ncellsize 5\n");
+        for (int row = 0; row < 41; row++) {
+            for (int column = 0; column < 41; column++) {
+                text.append(column == 30 ? "220 " : "200 ");
+            }
+            text.append('\n');
+        }
+        Files.writeString(directory.resolve("ground.asc"), text);
+    }
+
+    private Path scene(String text) throws IOException {
+        return Files.writeString(directory.resolve("site.yaml"), text);
+    }
+
+    private World world(String text, List<String> notes) throws IOException {
+        SceneRunner runner = new SceneRunner(new SceneFile(scene(text))).notes(notes::add);
+        SceneSettings settings = runner.settings();
+        return runner.stage(settings).world();
+    }
+
+    @Test
+    void theGroundAloneIsAWorld() throws IOException {
+        List<String> notes = new ArrayList<>();
+        World world = world(SITE, notes);
+        assertThat(world.surfaceHeight(10.0, 7.0).orElseThrow()).isBetween(-0.01, 0.01);
+        Obstacle wall = new Visibility(world)
+                .obstacle(new Position(0, 0, 10), new Position(80, 0, 10))
+                .orElseThrow();
+        assertThat(wall.model().role()).isEqualTo(ModelRole.TERRAIN);
+        assertThat(wall.model().file()).isEqualTo("ground.asc");
+        assertThat(wall.material()).isEqualTo("pasture_uncompacted");
+        assertThat(new Visibility(world).isFree(0, 0, 10, 80, 0, 40)).isTrue();
+        assertThat(String.join("\n", notes))
+                .contains("read ground.asc: 41 x 41 posts, EPSG:32633")
+                .contains("0.10 km to the west, 0.10 east, 0.10 north and 0.10 south of the origin")
+                .contains("200.0 to 220.0 m high, 200.0 m at the origin, which is z = 0.0 m")
+                .contains("3,200 of 3,200 triangles, greatest vertical error 0.000 m (accuracy: 0.0 m), no holes");
+    }
+
+    /** Models stand on the ground, and each hides as what it is. */
+    @Test
+    void groundAndModelsMakeOneWorld() throws IOException {
+        Files.writeString(
+                directory.resolve("house.obj"),
+                "v 20 0 -9\nv 20 0 9\nv 20 15 9\nv 20 15 -9\nusemtl brick_rough\nf 1 2 3 4\n");
+        List<String> notes = new ArrayList<>();
+        World world = world(
+                SITE.replace("accuracy: 0", "accuracy: 0, surface: dsm, material: grass_turf")
+                        + "  models: [house.obj]\n",
+                notes);
+        Visibility visibility = new Visibility(world);
+        assertThat(visibility
+                        .obstacle(new Position(0, 0, 10), new Position(40, 0, 10))
+                        .orElseThrow()
+                        .model()
+                        .role())
+                .isEqualTo(ModelRole.BUILDING);
+        Obstacle ground = visibility
+                .obstacle(new Position(25, 0, 10), new Position(80, 0, 10))
+                .orElseThrow();
+        assertThat(ground.model().role()).isEqualTo(ModelRole.TERRAIN);
+        assertThat(ground.material()).isEqualTo("grass_turf");
+        assertThat(world.surfaces()).extracting(surface -> surface.name()).containsExactly("grass_turf", "brick_rough");
+        assertThat(notes)
+                .anyMatch(line -> line.contains("world.terrain.surface is dsm: roofs may be in its heights")
+                        && line.contains("house.obj"));
+    }
+
+    @Test
+    void checkSaysWhatWasRead() throws IOException {
+        Outcome outcome = Program.run(
+                "check",
+                scene(SITE).toString(),
+                "--set",
+                "world.terrain.accuracy=1",
+                "--set",
+                "world.terrain.radius=50");
+        assertThat(outcome.code()).isZero();
+        assertThat(outcome.out()).contains("site is valid: terrain, 0 models, 0 drones");
+        assertThat(outcome.err())
+                .contains("read ground.asc: 41 x 41 posts")
+                .contains("greatest vertical error 0.00")
+                .contains("(accuracy: 1.0 m)");
+    }
+
+    /** Each mistake is a line with its place in the file, and exit code 2. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "file: ground.asc, crs: EPSG:32633|file: missing.asc|site.yaml:3:19: world.terrain.file: file 'missing.asc' does not exist",
+                "file: ground.asc, crs: EPSG:32633|file: ground.asc|site.yaml:3:12: world.terrain: ground.asc: does not say in which coordinate reference system",
+                "EPSG:32633|EPSG:99999|site.yaml:3:36: world.terrain.crs: coordinate reference system 'EPSG:99999' is not known",
+                "EPSG:32633|EPSG:32632|site.yaml:3:12: world.terrain: ground.asc: no posts within 2000.0 m of the origin",
+                "file: ground.asc|files: [ground.asc, missing.asc]|world.terrain.files.1: file 'missing.asc' does not exist",
+                "file: ground.asc|files: [ground.asc], file: ground.asc|files and 'file' are both given",
+                "file: ground.asc|files: [../ground.asc]|leads out of the directory",
+                "file: ground.asc, crs: EPSG:32633|radius: 1 km|world.terrain needs a 'file'",
+                "accuracy: 0|accuracy: -1|world.terrain.accuracy: accuracy -1 m must be 0 to 1000",
+                "accuracy: 0|accurracy: 0|unknown setting 'accurracy'; did you mean 'accuracy'?",
+                "  origin: {latitude: 50.0 deg, longitude: 15.0 deg, height: 200 m}||world.terrain needs a world.origin",
+            })
+    void mistakesAreNamedWithTheirPlace(String from, String to, String message) throws IOException {
+        Outcome outcome = Program.run(
+                "check", scene(SITE.replace(from, to == null ? "" : to)).toString());
+        assertThat(outcome.err()).contains(message);
+        assertThat(outcome.complaints()).as(outcome.err()).hasSize(1);
+        assertThat(outcome.code()).isEqualTo(2);
+    }
+
+    @Test
+    void aWorldOfNothingIsRefused() throws IOException {
+        Outcome outcome = Program.run("check", scene("world: {rain: 1}\n").toString());
+        assertThat(outcome.err()).contains("world.models is empty: a world needs at least one, or a terrain");
+        assertThat(outcome.code()).isEqualTo(2);
+    }
+
+    @Test
+    void aSavedSceneHasTheSameGround() throws IOException {
+        Path saved = directory.resolve("saved.yaml");
+        Outcome outcome = Program.run("save", scene(SITE).toString(), "--out", saved.toString());
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(Files.readString(saved)).contains("ground.asc").contains("EPSG:32633");
+        assertThat(new SceneFile(saved).describe()).isEqualTo(new SceneFile(directory.resolve("site.yaml")).describe());
+        Path elsewhere = Files.createDirectory(directory.resolve("elsewhere")).resolve("saved.yaml");
+        Outcome refused = Program.run("save", directory.resolve("site.yaml").toString(), "--out", elsewhere.toString());
+        assertThat(refused.code()).isEqualTo(2);
+        assertThat(refused.err()).contains("world.terrain.file: file '").contains("is neither in");
+        String several = SITE.replace("file: ground.asc", "files: [ground.asc]");
+        Path list = Files.writeString(directory.resolve("list.yaml"), several);
+        assertThat(Program.run("save", list.toString(), "--out", saved.toString())
+                        .code())
+                .isZero();
+        assertThat(new SceneFile(saved)
+                        .describe()
+                        .world()
+                        .terrain()
+                        .orElseThrow()
+                        .files())
+                .containsExactly("ground.asc");
+    }
+
+    /** What lies in the documentation for readers to copy. */
+    @Test
+    void theExampleIsValid() {
+        Outcome outcome = Program.run("check", "src/examples/terrain/monaco.yaml");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.err())
+                .contains("-2.0 to 608.0 m high")
+                .contains("of 5,118 triangles")
+                .contains("1 post without a height: holes")
+                .doesNotContain("warning");
+    }
+}
