@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.scenario.LightAdvice;
 import org.dronewatch.scenario.PositionerAdvice;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SoundAdvice;
@@ -29,6 +30,7 @@ record SiteAdvice(SceneSettings settings, World world) {
     void giveTo(Consumer<String> target) {
         onSurfaces(target);
         onTerrain(target);
+        new LightAdvice(settings.world().light()).giveTo(target);
         if (isListening()) {
             settings.drones().forEach((id, drone) -> new SoundAdvice(id, drone).giveTo(target));
         }

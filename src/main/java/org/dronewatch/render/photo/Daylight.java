@@ -2,6 +2,7 @@ package org.dronewatch.render.photo;
 
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.world.ClearSky;
 import org.dronewatch.world.Light;
 
 /**
@@ -9,10 +10,8 @@ import org.dronewatch.world.Light;
  * illuminance of level ground, {@link Light#illuminance()}, and the radiance of a white, matt surface that receives it.
  * Immutable.
  *
- * <p>For a clear sky: direct normal illuminance {@code 127.5 klx exp(-0.21 m)} and diffuse horizontal illuminance {@code
- * 0.8 + 15.5 sqrt(sin h) klx} (IESNA Lighting Handbook, 9th ed., ch. 8), scaled so that both together give the world's
- * illuminance. The air mass m is that of Kasten and Young (Applied Optics 28, 1989, 4735). Without a sun, or with one
- * below the horizon, all light is that of the sky.
+ * <p>Under a clear sky they are in the proportion of {@link ClearSky}, scaled so that both together give the world's
+ * illuminance. Without a sun, or with one below the horizon, all light is that of the sky.
  */
 final class Daylight {
     /** Red, green, blue. */
@@ -24,9 +23,6 @@ final class Daylight {
     /** Optical depths of the clear air at 610, 550 and 465 nm, for light from the zenith (Bucholtz 1995). */
     private static final double[] AIR = {0.064, 0.097, 0.193};
 
-    private static final double SUN_OUTSIDE = 127.5;
-    private static final double EXTINCTION = 0.21;
-
     private final Optional<Light.Sun> sun;
     private final double diffuse;
     private final double direct;
@@ -37,15 +33,15 @@ final class Daylight {
         double elevation = sun.map(Light.Sun::elevation).orElse(-1.0);
         double up = Math.sin(elevation);
         if (up > 0.0) {
-            double normal = SUN_OUTSIDE * Math.exp(-EXTINCTION * airMass(elevation));
-            double sky = 0.8 + 15.5 * Math.sqrt(up);
+            double sky = ClearSky.diffuse(elevation);
+            double normal = ClearSky.direct(elevation);
             this.diffuse = sky / (sky + normal * up);
             this.direct = normal / (sky + normal * up);
         } else {
             this.diffuse = 1.0;
             this.direct = 0.0;
         }
-        this.colour = tint(airMass(elevation));
+        this.colour = tint(ClearSky.airMass(elevation));
     }
 
     /** The sun; empty when it is hidden by cloud. It may be below the horizon. */
@@ -71,16 +67,6 @@ final class Daylight {
     /** Irradiance by the sun alone of a surface that faces it, relative to the illuminance of level ground. */
     double direct(int channel) {
         return direct * colour[channel];
-    }
-
-    /**
-     * The air mass that light at an elevation passes through, 1 for the zenith.
-     *
-     * @param elevation rad; below the horizon, that of the horizon is used
-     */
-    static double airMass(double elevation) {
-        double above = Math.max(0.0, elevation);
-        return 1.0 / (Math.sin(above) + 0.50572 * Math.pow(Math.toDegrees(above) + 6.07995, -1.6364));
     }
 
     /** Optical depth of the clear air for light from the zenith. */

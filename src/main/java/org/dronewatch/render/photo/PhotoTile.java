@@ -137,7 +137,7 @@ final class PhotoTile {
     private void shade(int column, int row, int part, List<DroneLayer> layers) {
         double length = grid.direction(column, row, direction);
         if (triangles[part] == NONE) {
-            light.backdrop(direction, rgb);
+            light.backdrop(grid.from().z(), direction, rgb, scratch);
             return;
         }
         boolean ofSite = drones[part] == NONE;

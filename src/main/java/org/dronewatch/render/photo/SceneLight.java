@@ -4,21 +4,32 @@ import org.dronewatch.world.Light;
 import org.dronewatch.world.World;
 
 /** All the light of a world: sun, sky, light reflected by the ground, and the air in between. Immutable. */
-record SceneLight(World world, Daylight daylight, Sky sky, AmbientLight ambient) {
+record SceneLight(World world, Daylight daylight, Sky sky, AmbientLight ambient, OpenCountry country) {
 
     /** The light of a world. */
     static SceneLight of(World world) {
         Daylight daylight = new Daylight(world.light());
         Sky sky = new Sky(daylight);
-        return new SceneLight(world, daylight, sky, new AmbientLight(sky));
+        AmbientLight ambient = new AmbientLight(sky);
+        return new SceneLight(world, daylight, sky, ambient, OpenCountry.around(world, daylight, ambient));
     }
 
     Light light() {
         return world.light();
     }
 
-    /** Writes what is seen where nothing is hit. */
-    void backdrop(double[] direction, double[] rgb) {
+    /**
+     * Writes what is seen where nothing of the site is hit: sky, sun, or the country around.
+     *
+     * @param from height of the camera, m
+     * @param scratch for one colour
+     */
+    void backdrop(double from, double[] direction, double[] rgb, double[] scratch) {
+        if (direction[2] < 0.0) {
+            country.write(rgb);
+            addHaze(direction, country.distance(from, direction[2]), rgb, scratch);
+            return;
+        }
         sky.radiance(direction[0], direction[1], direction[2], rgb);
         sky.addSun(direction[0], direction[1], direction[2], rgb);
     }

@@ -1,0 +1,57 @@
+package org.dronewatch.scenario;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.ClearSky;
+import org.dronewatch.world.Light;
+
+/**
+ * What looks odd about the light of a site, although it is not wrong: an illuminance that no weather brings about with the sun
+ * where it is.
+ *
+ * @param light of the site
+ */
+public record LightAdvice(Light light) {
+    /** The thickest clouds leave this fraction of the light of a clear sky: assumed. */
+    private static final double DARKEST = 0.005;
+
+    /** Bright clouds beside the sun add to it, and in twilight it changes by a factor of three in one degree. */
+    private static final double BRIGHTEST = 1.5;
+
+    private static final double BRIGHTEST_IN_TWILIGHT = 3.0;
+
+    /** No darker night can be set, lx. */
+    private static final double DARKEST_NIGHT = 1e-5;
+
+    /** A full moon at the zenith, lx (Seidelmann, ed., Explanatory Supplement to the Astronomical Almanac, 1992). */
+    private static final double MOON = 0.27;
+
+    /** Gives a line if the two do not fit. */
+    public void giveTo(Consumer<String> target) {
+        light.sun().ifPresent(sun -> {
+            double clear = ClearSky.illuminance(sun.elevation());
+            boolean isSet = sun.elevation() < 0.0;
+            double low = Math.max(DARKEST_NIGHT, DARKEST * clear);
+            double high = (isSet ? BRIGHTEST_IN_TWILIGHT : BRIGHTEST) * clear + MOON;
+            if (light.illuminance() < low || light.illuminance() > high) {
+                target.accept(String.format(
+                        Locale.ROOT,
+                        "world.light.illuminance %s does not fit a sun %.3g degrees %s the horizon: the natural range there is %s"
+                                + " to %s; each is used as it is",
+                        Quantity.ILLUMINANCE.inWords(light.illuminance()),
+                        Math.abs(Math.toDegrees(sun.elevation())),
+                        isSet ? "below" : "above",
+                        Quantity.ILLUMINANCE.inWords(rounded(low)),
+                        Quantity.ILLUMINANCE.inWords(rounded(high))));
+            }
+        });
+    }
+
+    /** To two digits. */
+    private static double rounded(double value) {
+        return new BigDecimal(value).round(new MathContext(2)).doubleValue();
+    }
+}
