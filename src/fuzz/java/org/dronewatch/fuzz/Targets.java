@@ -15,6 +15,7 @@ final class Targets {
                 new FilesTarget(),
                 new TextTarget(),
                 new ObjTarget(),
+                new TerrainTarget(),
                 new YamlTarget(),
                 new SetTarget(),
                 new KernelTarget(),

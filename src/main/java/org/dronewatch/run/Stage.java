@@ -66,6 +66,9 @@ public final class Stage {
             droneColours.put(id, Map.copyOf(models.colours(drone.model())));
         });
         this.clock = SteeringClock.of(fliers.stream().map(Flier::path).toList());
+        if (site.terrain().isPresent()) {
+            new TerrainAdvice(settings, world.newGround()).giveTo(flights(), models::warn);
+        }
         this.sensors = settings.enabledSensors();
         sensors.forEach((id, sensor) -> active.add(new ActiveSensor(id, sensor)));
         this.raySensors = active.stream()

@@ -1,7 +1,9 @@
 package org.dronewatch.terrain;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import org.dronewatch.setting.InputException;
 
 /**
  * Triangles for posts, as few as keep every post within a vertical error: greedy insertion (Garland and Heckbert, Fast
@@ -13,6 +15,9 @@ import java.util.concurrent.CancellationException;
  * the few posts are added that are too far off there.
  */
 final class Decimation {
+    /** At a hundred bytes each, with a tree over them, they fill some gigabytes. */
+    private static final int MOST_TRIANGLES = 10_000_000;
+
     private static final int NONE = -1;
     private static final int PATIENCE = 1 << 12;
     private static final long PRIME = 1_000_003;
@@ -20,6 +25,7 @@ final class Decimation {
     private final Posts posts;
     private final int columns;
     private final double accuracy;
+    private final int most;
     private final Triangulation triangulation;
     private final PostFrame.Row frame;
     private final boolean[] isCorner;
@@ -31,10 +37,11 @@ final class Decimation {
     private int turn;
     private boolean isInWorld;
 
-    private Decimation(Posts posts, double accuracy) {
+    private Decimation(Posts posts, double accuracy, int most) {
         this.posts = posts;
         this.columns = posts.columns();
         this.accuracy = accuracy;
+        this.most = most;
         this.triangulation = new Triangulation(columns, posts.rows());
         this.frame = posts.frame().newRow();
         this.isCorner = new boolean[columns * posts.rows()];
@@ -59,9 +66,34 @@ final class Decimation {
      * The triangles.
      *
      * @param accuracy the greatest vertical error at a post, m; at 0 every post is a corner
+     * @throws InputException when that takes more than {@value #MOST_TRIANGLES} triangles
      */
     static PostTriangles of(Posts posts, double accuracy) {
-        return accuracy == 0.0 ? PostTriangles.all(posts) : new Decimation(posts, accuracy).run();
+        return of(posts, accuracy, MOST_TRIANGLES);
+    }
+
+    /**
+     * The triangles.
+     *
+     * @param most how many there may be
+     */
+    static PostTriangles of(Posts posts, double accuracy, int most) {
+        if (accuracy > 0.0) {
+            return new Decimation(posts, accuracy, most).run();
+        }
+        checkCount(PostTriangles.countAll(posts), accuracy, most);
+        return PostTriangles.all(posts);
+    }
+
+    private static void checkCount(int count, double accuracy, int most) {
+        if (count > most) {
+            throw new InputException(String.format(
+                    Locale.ROOT,
+                    "an accuracy of %s m takes more than %,d triangles, the most that are built: choose a greater error, or a"
+                            + " smaller radius",
+                    accuracy,
+                    most));
+        }
     }
 
     private PostTriangles run() {
@@ -110,6 +142,7 @@ final class Decimation {
             if (++done % PATIENCE == 0 && Thread.currentThread().isInterrupted()) {
                 throw new CancellationException("interrupted while reading the terrain");
             }
+            checkCount(triangulation.count(), accuracy, most);
             int t = worst.worst();
             int post = candidates[t];
             triangulation.insert(post, t);

@@ -1,7 +1,5 @@
 package org.dronewatch.terrain;
 
-import java.util.Arrays;
-
 /**
  * Triangles whose corners are posts.
  *
@@ -12,7 +10,7 @@ record PostTriangles(int[] corners, double error) {
     /** All triangles of all squares, cut along the north-west diagonal; none where a post has no height. */
     static PostTriangles all(Posts posts) {
         int columns = posts.columns();
-        int[] corners = new int[6 * (columns - 1) * (posts.rows() - 1)];
+        int[] corners = new int[3 * countAll(posts)];
         int count = 0;
         for (int row = 0; row < posts.rows() - 1; row++) {
             for (int column = 0; column < columns - 1; column++) {
@@ -29,7 +27,20 @@ record PostTriangles(int[] corners, double error) {
                 }
             }
         }
-        return new PostTriangles(Arrays.copyOf(corners, count), 0.0);
+        return new PostTriangles(corners, 0.0);
+    }
+
+    /** How many triangles there are if every post is kept. */
+    static int countAll(Posts posts) {
+        int columns = posts.columns();
+        int count = 0;
+        for (int row = 0; row < posts.rows() - 1; row++) {
+            for (int column = 0; column < columns - 1; column++) {
+                int post = row * columns + column;
+                count += (posts.hasSouthWest(post) ? 1 : 0) + (posts.hasNorthEast(post) ? 1 : 0);
+            }
+        }
+        return count;
     }
 
     int count() {

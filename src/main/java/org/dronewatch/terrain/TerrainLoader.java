@@ -67,8 +67,8 @@ public final class TerrainLoader {
         Grid grid = Grid.southward(mosaic.lattice(), window.columns(), window.rows(), raw, mosaic.map());
         double level = heightAt(grid, mosaic, raw, settings.verticalOffset());
         Posts posts = grid.posts(mosaic.map(), settings.verticalOffset());
-        PostTriangles all = PostTriangles.all(posts);
-        if (all.count() == 0) {
+        int all = PostTriangles.countAll(posts);
+        if (all == 0) {
             throw new InputException(files.get(0).name() + ": none of its " + window.posts() + " posts within "
                     + settings.radius() + " m of the origin has a height that makes a triangle");
         }
@@ -81,10 +81,10 @@ public final class TerrainLoader {
                 mesh(posts, kept, settings.material()),
                 heights.known(),
                 heights.holes(),
-                all.count(),
+                all,
                 kept.error(),
                 hashes,
-                report.lines(posts, heights, all.count(), kept, level, origin),
+                report.lines(posts, heights, all, kept, level, origin),
                 warnings);
     }
 

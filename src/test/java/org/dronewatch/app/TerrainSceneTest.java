@@ -123,6 +123,34 @@ class TerrainSceneTest {
                 .contains("(accuracy: 1.0 m)");
     }
 
+    /** Nothing hides what flies where nothing is known: a line says so, once for each sensor and each drone. */
+    @Test
+    void whatLeavesTheGroundIsNamed() throws IOException {
+        String scene = SITE
+                + """
+                drones:
+                  far:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: waypoints, points: [[0, 0, 30], [0, 200, 30]]}
+                    speed: 10 m/s
+                  near:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: hover, position: [10, 10, 30]}
+                sensors:
+                  outside: {kind: camera, position: [300, 0, 10]}
+                  inside: {kind: camera, position: [0, 0, 10]}
+                run: {duration: 20 s}
+                """;
+        Outcome outcome = Program.run("check", scene(scene).toString());
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.err())
+                .containsPattern(
+                        "warning: drone 'far' has no terrain below it at 1[0-9][.]. s, at \\(0[.]0, 1..[.].\\) m")
+                .contains("warning: sensor 'outside' at (300.0, 0.0) m has no terrain below it")
+                .doesNotContain("'near' has")
+                .doesNotContain("'inside' at");
+    }
+
     /** Each mistake is a line with its place in the file, and exit code 2. */
     @ParameterizedTest
     @CsvSource(

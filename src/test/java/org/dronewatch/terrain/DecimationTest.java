@@ -1,6 +1,7 @@
 package org.dronewatch.terrain;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
@@ -9,6 +10,7 @@ import java.util.stream.IntStream;
 import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.geo.MapTransform;
 import org.dronewatch.geo.Origin;
+import org.dronewatch.setting.InputException;
 import org.dronewatch.terrain.io.Lattice;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -153,6 +155,17 @@ class DecimationTest {
         assertThat(Decimation.of(flat, 0.05).count()).isEqualTo(2);
         assertThat(Decimation.of(flat, 0.05).error()).isBetween(0.002, 0.01);
         assertThat(Decimation.of(flat, 0.002).count()).isGreaterThan(2);
+    }
+
+    /** Noise cannot be decimated: before it fills the memory there is a line. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.0, 0.001})
+    void trianglesAreBounded(double accuracy) {
+        Posts noise = posts(41, 33, hills(new Random(3), 41, 33));
+        assertThatThrownBy(() -> Decimation.of(noise, accuracy, 1000))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("an accuracy of " + accuracy + " m takes more than 1,000 triangles");
+        assertThat(Decimation.of(noise, 10.0, 1000).count()).isLessThan(1000);
     }
 
     /** At accuracy 0 every post is kept, and every square cut from its north-western to its south-eastern post. */

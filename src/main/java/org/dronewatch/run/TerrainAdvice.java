@@ -1,0 +1,62 @@
+package org.dronewatch.run;
+
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.dronewatch.flight.FlightPath;
+import org.dronewatch.flight.SteeredFlight;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.world.Ground;
+
+/**
+ * Warns of sensors and flights where a terrain has no ground: beyond its rim or over a hole nothing hides a drone, because
+ * nothing is known there.
+ *
+ * @param ground the highest surfaces of the world
+ */
+record TerrainAdvice(SceneSettings settings, Ground ground) {
+    /** How many places of a flight are looked at. */
+    private static final int PLACES = 200;
+
+    /** Gives one line for each sensor and each flight that leaves the ground. */
+    void giveTo(Map<String, FlightPath> flights, Consumer<String> target) {
+        settings.enabledSensors().forEach((id, sensor) -> {
+            Position at = sensor.position();
+            if (isBeyond(at)) {
+                target.accept(String.format(
+                        Locale.ROOT,
+                        "sensor '%s' at (%.1f, %.1f) m has no terrain below it: nothing is known of what hides drones there",
+                        id,
+                        at.x(),
+                        at.y()));
+            }
+        });
+        flights.forEach((id, path) -> {
+            if (SteeredFlight.in(path).isEmpty()) {
+                onFlight(id, path, target);
+            }
+        });
+    }
+
+    private void onFlight(String id, FlightPath path, Consumer<String> target) {
+        for (int i = 0; i <= PLACES; i++) {
+            double time = settings.run().duration() * i / PLACES;
+            Position at = path.at(time).position();
+            if (isBeyond(at)) {
+                target.accept(String.format(
+                        Locale.ROOT,
+                        "drone '%s' has no terrain below it at %.1f s, at (%.1f, %.1f) m: nothing is known of what hides it there",
+                        id,
+                        time,
+                        at.x(),
+                        at.y()));
+                return;
+            }
+        }
+    }
+
+    private boolean isBeyond(Position at) {
+        return ground.height(at.x(), at.y()).isEmpty();
+    }
+}
