@@ -118,7 +118,7 @@ public final class ModelCache {
         Place.of(world).ifPresent(this::terrain);
     }
 
-    private LoadedTerrain terrain(Place place) {
+    private synchronized LoadedTerrain terrain(Place place) {
         LoadedTerrain known = terrains.get(place);
         if (known == null) {
             long start = System.nanoTime();
@@ -196,7 +196,7 @@ public final class ModelCache {
         return index;
     }
 
-    private LoadedModel load(ModelSettings settings) {
+    private synchronized LoadedModel load(ModelSettings settings) {
         long start = System.nanoTime();
         LoadedModel model = loader.load(settings);
         loadSeconds += NANO * (System.nanoTime() - start);

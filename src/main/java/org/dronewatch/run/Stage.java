@@ -122,7 +122,7 @@ public final class Stage {
     }
 
     /**
-     * The flight of a drone; {@link SteeredFlight#in} gives the one that is steered.
+     * The flight of a drone; {@link org.dronewatch.flight.SteeredFlight#in} gives the one that is steered.
      *
      * @throws IllegalArgumentException when there is no such drone
      */

@@ -211,8 +211,9 @@ final class Decimation {
         double[] corners = new double[9];
         for (int k = 0; k < 3; k++) {
             int post = triangulation.corner(t, k);
+            int row = post / columns;
             corners[3 * k] = post % columns;
-            corners[3 * k + 1] = post / columns;
+            corners[3 * k + 1] = row;
             corners[3 * k + 2] = up(post);
         }
         return Plane.through(corners);
