@@ -125,13 +125,18 @@ public final class MapTransform {
         throw new InputException(beyond(x, y));
     }
 
+    /** PROJ4J would take what lies beyond the date line for the date line. */
+    private static double withinHalfATurn(double longitude) {
+        return Math.abs(longitude) <= FULL_TURN / 2.0 ? longitude : nearest(longitude, 0.0);
+    }
+
     /** A longitude as many whole turns away as makes it nearest to another one. */
     private static double nearest(double longitude, double other) {
         return longitude + FULL_TURN * Math.rint((other - longitude) / FULL_TURN);
     }
 
     private void transform(CoordinateTransform transform, double x, double y) {
-        from.x = x;
+        from.x = transform == toMap || crs.isGeographic() ? withinHalfATurn(x) : x;
         from.y = y;
         from.z = Double.NaN;
         try {

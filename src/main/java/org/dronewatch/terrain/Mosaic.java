@@ -30,6 +30,9 @@ final class Mosaic {
 
     private static final int DIRECTIONS = 720;
 
+    /** Degrees. */
+    private static final double FULL_TURN = 360.0;
+
     private final List<ElevationFile> files;
     private final List<Window> windows = new ArrayList<>();
     private final CoordinateReferenceSystem crs;
@@ -70,9 +73,11 @@ final class Mosaic {
     /** Where a file is in the grid of the first one. */
     private Window windowOf(ElevationFile file) {
         Lattice own = file.lattice();
-        double column = lattice.columnAt(own.x(), own.y());
-        double row = lattice.rowAt(own.x(), own.y());
-        double lastX = own.xAt(file.columns() - 1, file.rows() - 1);
+        // Tiles on either side of the date line lie side by side.
+        double turn = crs.isGeographic() ? FULL_TURN * Math.rint((lattice.x() - own.x()) / FULL_TURN) : 0.0;
+        double column = lattice.columnAt(own.x() + turn, own.y());
+        double row = lattice.rowAt(own.x() + turn, own.y());
+        double lastX = own.xAt(file.columns() - 1, file.rows() - 1) + turn;
         double lastY = own.yAt(file.columns() - 1, file.rows() - 1);
         double lastColumn = lattice.columnAt(lastX, lastY) - file.columns() + 1;
         double lastRow = lattice.rowAt(lastX, lastY) - file.rows() + 1;
@@ -159,7 +164,7 @@ final class Mosaic {
     private double near(double longitude) {
         double middle =
                 lattice.xAt(0.5 * files.get(0).columns(), 0.5 * files.get(0).rows());
-        return longitude + 360.0 * Math.rint((middle - longitude) / 360.0);
+        return longitude + FULL_TURN * Math.rint((middle - longitude) / FULL_TURN);
     }
 
     private String covered() {

@@ -8,11 +8,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
@@ -121,6 +124,42 @@ class TerrainSceneTest {
                 .contains("read ground.asc: 41 x 41 posts")
                 .contains("greatest vertical error 0.00")
                 .contains("(accuracy: 1.0 m)");
+    }
+
+    /** As in a file, so in Java. */
+    @Test
+    void aSceneInJavaHasGroundToo() throws IOException {
+        TerrainSettings ground = TerrainSettings.of(
+                        directory.resolve("ground.asc").toString())
+                .withCrs("EPSG:32633")
+                .withAccuracy(0.0);
+        Scene scene = new Scene() {
+            @Override
+            protected void build() {
+                loadTerrain(ground);
+                setOrigin(Origin.at(Math.toRadians(50.0), Math.toRadians(15.0)).withHeight(200.0));
+                surface("pasture_uncompacted", "grass_turf");
+            }
+        };
+        SceneRunner runner = new SceneRunner(scene);
+        World world = runner.stage(runner.settings()).world();
+        assertThat(world.mesh().triangleCount()).isEqualTo(3200);
+        assertThat(world.surfaces()).extracting(surface -> surface.name()).containsExactly("grass_turf");
+        assertThat(world.surfaceHeight(10.0, 7.0).orElseThrow()).isBetween(-0.01, 0.01);
+    }
+
+    /** A sweep over the accuracy reads the files once for each of its values. */
+    @Test
+    void theAccuracyCanBeSwept() throws IOException {
+        Outcome outcome = Program.run(
+                "check",
+                scene(SITE + "sweep: {parameter: world.terrain.accuracy, values: [0, 5, 30]}\n")
+                        .toString());
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.err())
+                .contains("3,200 of 3,200 triangles")
+                .contains("(accuracy: 5.0 m)")
+                .contains("terrain: 2 of 3,200 triangles, greatest vertical error 20.0");
     }
 
     /** Nothing hides what flies where nothing is known: a line says so, once for each sensor and each drone. */

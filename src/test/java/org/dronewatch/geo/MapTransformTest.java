@@ -112,6 +112,23 @@ class MapTransformTest {
         }
     }
 
+    /** Positions beyond the date line, where longitudes go on from that of the origin. */
+    @ParameterizedTest
+    @ValueSource(strings = {"EPSG:4326", "EPSG:32701", "EPSG:32760", "EPSG:3832"})
+    void theDateLineIsALineLikeOthers(String code) {
+        for (double longitude : new double[] {179.9999, -179.9999}) {
+            Origin origin =
+                    Origin.at(Math.toRadians(-16.8), Math.toRadians(longitude)).withHeight(0.0);
+            MapTransform map = transform(code, origin);
+            for (double x = -5000.0; x <= 5000.0; x += 500.0) {
+                MapPoint point = map.onMap(new Position(x, 300.0, 20.0));
+                Position back = map.inWorld(point.x(), point.y(), point.height());
+                assertThat(back.x()).isEqualTo(x, within(1e-6));
+                assertThat(back.y()).isEqualTo(300.0, within(1e-6));
+            }
+        }
+    }
+
     @Test
     void longitudeComesFirstWhateverTheRegisterSays() {
         Position east = transform("EPSG:4326", PRAGUE).inWorld(14.43, 50.08, 250.0);

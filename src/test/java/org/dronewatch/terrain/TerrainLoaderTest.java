@@ -244,6 +244,31 @@ class TerrainLoaderTest {
         assertThat(String.join("\n", broken.description())).contains("600 posts without a height: holes");
     }
 
+    /** The island of Taveuni lies on both sides of the date line, and so does its ground. */
+    @Test
+    void tilesMeetAtTheDateLine() throws IOException {
+        for (double west : new double[] {179.99, -180.0}) {
+            TiffFixture tile = grid(101, 101, i -> 40.0);
+            tile.keys.remove(3072);
+            tile.keys.put(2048, 4326);
+            tile.scale = new double[] {1e-4, 1e-4, 0};
+            tile.tie = new double[] {0, 0, 0, west, -16.795, 0};
+            write(west > 0 ? "west.tif" : "east.tif", tile);
+        }
+        for (double longitude : new double[] {179.9999, -179.9999}) {
+            Origin origin =
+                    Origin.at(Math.toRadians(-16.8), Math.toRadians(longitude)).withHeight(0.0);
+            for (List<String> files : List.of(List.of("west.tif", "east.tif"), List.of("east.tif", "west.tif"))) {
+                LoadedTerrain both = load(TerrainSettings.of(files).withRadius(400), origin);
+                assertThat(both.holes()).isZero();
+                World world = World.of(both.mesh());
+                for (double x = -390.0; x <= 390.0; x += 13.0) {
+                    assertThat(world.surfaceHeight(x, 1.0).orElseThrow()).isEqualTo(40.0, within(0.05));
+                }
+            }
+        }
+    }
+
     /** Where files overlap the first one counts that has a height. */
     @Test
     void theFirstFileWithAHeightCounts() throws IOException {
