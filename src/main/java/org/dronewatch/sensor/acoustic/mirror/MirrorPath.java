@@ -16,9 +16,6 @@ import org.dronewatch.world.World;
 public final class MirrorPath {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** Distance from the edge of two walls at which each of them is searched for, as a multiple of the planes' tolerance. */
-    private static final double BESIDE = 30.0;
-
     /** The largest part of a leg, at either end, along which an arc need not be free. */
     private static final double MOST_OFF = 0.01;
 
@@ -26,6 +23,7 @@ public final class MirrorPath {
     private final WallPlanes planes;
     private final BandSurfaces surfaces;
     private final Visibility visibility;
+    private final Corners corners;
     private final double[] reflected = new double[BANDS];
     private final ArcSight arcs;
     private PathCurvature curvature = PathCurvature.NONE;
@@ -43,6 +41,7 @@ public final class MirrorPath {
         this.planes = planes;
         this.surfaces = surfaces;
         this.visibility = Visibility.ofClearPoints(world);
+        this.corners = new Corners(planes, visibility);
         this.arcs = new ArcSight(world);
     }
 
@@ -70,6 +69,7 @@ public final class MirrorPath {
         int corner = chain;
         set(before, fromX, fromY, fromZ);
         Arrays.fill(reflected, 1.0);
+        boolean isInEdge = false;
         for (int rest = chain; rest != MirrorChains.EMPTY; rest = chains.parent(rest)) {
             int next = chains.wall(rest);
             double here = planes.height(next, x, y, z);
@@ -81,13 +81,21 @@ public final class MirrorPath {
             boolean isThere = wall != WallPlanes.NONE && planes.meet(wall, next) && Math.abs(here) < planes.tolerance();
             double fraction = isThere ? 0.0 : here / (here - there);
             corner = isThere ? corner : rest;
+            // It must come from the side on which it goes on: also in an edge, which other walls may close.
+            double seen = isThere ? planes.height(next, before[0], before[1], before[2]) : here;
             if (isMetTwice(chains, corner, rest)
-                    || !isThere && !(here * there < 0.0)
+                    || !(seen * there < 0.0)
                     || !planes.mayContain(next, x + fraction * dx, y + fraction * dy, z + fraction * dz)) {
                 return false;
             }
+            if (!isThere
+                    && !isInEdge
+                    && corners.isCut(before, x, y, z, fraction * dx, fraction * dy, fraction * dz, wall, next)) {
+                return false;
+            }
+            isInEdge = isThere;
             int triangle = isThere
-                    ? besideEdge(wall, next, x, y, z, before[0], before[1], before[2])
+                    ? corners.besideEdge(wall, next, x, y, z, before[0], before[1], before[2])
                     : met(x, y, z, dx, dy, dz, fraction, wall, next);
             if (triangle < 0) {
                 return false;
@@ -116,7 +124,7 @@ public final class MirrorPath {
             }
             wall = next;
         }
-        return isFreeToTheEnd(x, y, z, images, wall);
+        return isFreeToTheEnd(x, y, z, images, wall, isInEdge);
     }
 
     /**
@@ -139,13 +147,15 @@ public final class MirrorPath {
         vector[2] = z;
     }
 
-    private boolean isFreeToTheEnd(double x, double y, double z, double[] images, int wall) {
+    private boolean isFreeToTheEnd(double x, double y, double z, double[] images, int wall, boolean isInEdge) {
         double dx = images[0] - x;
         double dy = images[1] - y;
         double dz = images[2] - z;
         double leg = Math.sqrt(dx * dx + dy * dy + dz * dz);
         set(last, dx / leg, dy / leg, dz / leg);
-        return !findFirst(x, y, z, dx, dy, dz, 1.0, wall) && isFreeAsArc(x, y, z, dx, dy, dz);
+        return !findFirst(x, y, z, dx, dy, dz, 1.0, wall)
+                && (isInEdge || !corners.isCut(before, x, y, z, dx, dy, dz, wall, WallPlanes.NONE))
+                && isFreeAsArc(x, y, z, dx, dy, dz);
     }
 
     /** Whether a leg that is free as a straight line is so as an arc. */
@@ -159,7 +169,7 @@ public final class MirrorPath {
             return true;
         }
         // Rounding may have put the ends behind the walls on which they lie.
-        double off = Math.min(MOST_OFF, BESIDE * planes.tolerance() / whole);
+        double off = Math.min(MOST_OFF, Corners.BESIDE * planes.tolerance() / whole);
         double end = 1.0 - off;
         return arcs.isFree(x + off * dx, y + off * dy, z + off * dz, x + end * dx, y + end * dy, z + end * dz, bent);
     }
@@ -185,36 +195,8 @@ public final class MirrorPath {
         // In the edge of two walls rounding decides which of them is met first.
         double off = Math.abs(visibility.distance() - fraction) * Math.sqrt(dx * dx + dy * dy + dz * dz);
         return off < planes.tolerance()
-                ? besideEdge(met, to, x + fraction * dx, y + fraction * dy, z + fraction * dz, x, y, z)
+                ? corners.besideEdge(met, to, x + fraction * dx, y + fraction * dy, z + fraction * dz, x, y, z)
                 : -1;
-    }
-
-    /**
-     * The triangle of a wall beside its edge with another one.
-     *
-     * @param other the other wall
-     * @param wall the wall
-     * @param x of a point in the edge, m
-     * @param seenX of a point on that side of both walls from which they are seen, m
-     * @return its number; negative if the wall is not there
-     */
-    private int besideEdge(
-            int other, int wall, double x, double y, double z, double seenX, double seenY, double seenZ) {
-        double step = BESIDE * planes.tolerance();
-        double up = Math.copySign(step, planes.height(other, seenX, seenY, seenZ));
-        double off = Math.copySign(step, planes.height(wall, seenX, seenY, seenZ));
-        double startX = x + up * planes.normal(other, 0) + off * planes.normal(wall, 0);
-        double startY = y + up * planes.normal(other, 1) + off * planes.normal(wall, 1);
-        double startZ = z + up * planes.normal(other, 2) + off * planes.normal(wall, 2);
-        boolean found = visibility.findFirstAlong(
-                startX,
-                startY,
-                startZ,
-                -2.0 * off * planes.normal(wall, 0),
-                -2.0 * off * planes.normal(wall, 1),
-                -2.0 * off * planes.normal(wall, 2),
-                1.0);
-        return found && planes.wallOf(visibility.triangle()) == wall ? visibility.triangle() : -1;
     }
 
     /**

@@ -5,11 +5,15 @@ import static org.assertj.core.api.Assertions.within;
 import static org.dronewatch.sensor.acoustic.energy.Sites.LOWEST;
 
 import java.util.List;
+import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.world.Clearance;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Microphones and drones that lie on a surface hear and are heard as just before it. */
 class SurfaceContactTest {
@@ -66,5 +70,28 @@ class SurfaceContactTest {
         }
         assertThat(clearance.of(GROUND)).isEqualTo(new Position(3, 5, Clearance.GAP));
         assertThat(clearance.of(new Position(3, 5, -1e-5)).z()).isCloseTo(Clearance.GAP, within(1e-12));
+    }
+
+    /**
+     * A box of outward triangles: what lies on its walls, edges and corners is put just outside, and hears nothing of a drone
+     * inside, though every wall is within rounding of it.
+     */
+    @ParameterizedTest
+    @CsvSource({"3, 3, 0", "10, 8, 4", "0, 4, 2", "0, 4, 0", "0, 0, 0", "10, 0, 0", "5e-5, 5e-5, 5e-5"})
+    void aSealedBoxDoesNotLeakIntoItsOwnSurface(double x, double y, double z) {
+        World box = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.1, 0.3));
+        Position on = new Position(x, y, z);
+        Position inside = new Position(7, 5, 2);
+        assertThat(broadbandLevel(box, inside, on)).isEqualTo(Double.NEGATIVE_INFINITY);
+        assertThat(broadbandLevel(box, on, inside)).isEqualTo(Double.NEGATIVE_INFINITY);
+        assertThat(broadbandLevel(box, inside, new Position(1e-3, 1e-3, 1e-3)))
+                .as("inside")
+                .isGreaterThan(90.0);
+    }
+
+    private static double broadbandLevel(World world, Position drone, Position microphone) {
+        return new EnergyTracer(EnergyModel.DEFAULT, microphone, 0.5, world)
+                .trace(Sites.broadband(drone), new SplittableRandom(1), RayRecorder.NONE)
+                .totalLevel();
     }
 }

@@ -1,0 +1,85 @@
+package org.dronewatch.sensor.acoustic.mirror;
+
+import org.dronewatch.world.Visibility;
+
+/**
+ * Where walls meet, rounding decides on which side of each other one a point in one of them lies. This looks a little away from
+ * there. One per thread.
+ */
+final class Corners {
+    /** How far away, as a multiple of the planes' tolerance. */
+    static final double BESIDE = 30.0;
+
+    private final WallPlanes planes;
+    private final Visibility visibility;
+
+    Corners(WallPlanes planes, Visibility visibility) {
+        this.planes = planes;
+        this.visibility = visibility;
+    }
+
+    /**
+     * Whether another wall stands in the corner in which a leg begins: rounding may have put its beginning behind that wall, so
+     * that the leg does not cross it. The last leg came from the right side.
+     *
+     * @param before where the last leg began, m
+     * @param x of the beginning, on a wall, m
+     * @param dx along the leg to its end, m
+     * @param wall on which it begins; {@link WallPlanes#NONE} where it does not begin on one
+     * @param next on which it ends, or NONE
+     */
+    boolean isCut(double[] before, double x, double y, double z, double dx, double dy, double dz, int wall, int next) {
+        if (wall == WallPlanes.NONE) {
+            return false;
+        }
+        double step = BESIDE * planes.tolerance();
+        double back = part(step, before[0] - x, before[1] - y, before[2] - z);
+        double on = part(step, dx, dy, dz);
+        double startX = x + back * (before[0] - x);
+        double startY = y + back * (before[1] - y);
+        double startZ = z + back * (before[2] - z);
+        boolean found = visibility.findFirstAlong(
+                startX, startY, startZ, x + on * dx - startX, y + on * dy - startY, z + on * dz - startZ, 1.0);
+        while (found && isOf(visibility.triangle(), wall, next)) {
+            found = visibility.findNext();
+        }
+        return found;
+    }
+
+    private boolean isOf(int triangle, int wall, int other) {
+        int met = planes.wallOf(triangle);
+        return met != WallPlanes.NONE && (met == wall || met == other);
+    }
+
+    /** The part of a vector that is not longer than a step, nor than half of it. */
+    private static double part(double step, double x, double y, double z) {
+        return Math.min(0.5, step / Math.sqrt(x * x + y * y + z * z));
+    }
+
+    /**
+     * The triangle of a wall beside its edge with another one.
+     *
+     * @param other the other wall
+     * @param wall the wall
+     * @param x of a point in the edge, m
+     * @param seenX of a point on that side of both walls from which they are seen, m
+     * @return its number; negative if the wall is not there
+     */
+    int besideEdge(int other, int wall, double x, double y, double z, double seenX, double seenY, double seenZ) {
+        double step = BESIDE * planes.tolerance();
+        double up = Math.copySign(step, planes.height(other, seenX, seenY, seenZ));
+        double off = Math.copySign(step, planes.height(wall, seenX, seenY, seenZ));
+        double startX = x + up * planes.normal(other, 0) + off * planes.normal(wall, 0);
+        double startY = y + up * planes.normal(other, 1) + off * planes.normal(wall, 1);
+        double startZ = z + up * planes.normal(other, 2) + off * planes.normal(wall, 2);
+        boolean found = visibility.findFirstAlong(
+                startX,
+                startY,
+                startZ,
+                -2.0 * off * planes.normal(wall, 0),
+                -2.0 * off * planes.normal(wall, 1),
+                -2.0 * off * planes.normal(wall, 2),
+                1.0);
+        return found && planes.wallOf(visibility.triangle()) == wall ? visibility.triangle() : -1;
+    }
+}
