@@ -25,14 +25,22 @@ public record RadarSignature(
 
     private static final int MAX_ASPECTS = 360;
 
-    /** How a cross-section changes: Swerling's cases, from look to look. */
+    /**
+     * How a cross-section changes: Swerling's cases (P. Swerling, "Probability of detection for fluctuating targets", IRE
+     * Transactions on Information Theory 6, 1960). Cases 2 and 4 differ from 1 and 3 only where a radar adds up several
+     * pulses.
+     */
     public enum Fluctuation {
         /** Not at all: Swerling's case 0. */
         STEADY,
-        /** As of many similar scatterers: exponentially distributed, case 1. */
+        /** As of many similar scatterers, from look to look: exponentially distributed, case 1. */
         SWERLING_1,
-        /** As of one large scatterer with many small ones: chi-square with four degrees of freedom, case 3. */
-        SWERLING_3
+        /** As of many similar scatterers, from pulse to pulse: exponentially distributed, case 2. */
+        SWERLING_2,
+        /** As of one large scatterer with many small ones, from look to look: chi-square, four degrees of freedom, case 3. */
+        SWERLING_3,
+        /** As of one large scatterer with many small ones, from pulse to pulse: case 4. */
+        SWERLING_4
     }
 
     /**

@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.radar;
 
 import java.util.Optional;
+import java.util.function.DoubleBinaryOperator;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
@@ -25,7 +26,18 @@ public sealed interface LinkBudget {
      * @param crossSection radar cross-section, m2
      * @param range m, above 0
      */
-    double signalToNoise(double frequency, double crossSection, double range);
+    default double signalToNoise(double frequency, double crossSection, double range) {
+        return echo(frequency, 1).applyAsDouble(crossSection, range);
+    }
+
+    /**
+     * The signal-to-noise ratio of each of a number of pulses, after coherent processing, dB, in clear air: a function of
+     * radar cross-section, m2, and range, m, above 0.
+     *
+     * @param frequency carrier, Hz
+     * @param pulses how many pulses of a look are integrated non-coherently, 1 to 1000
+     */
+    DoubleBinaryOperator echo(double frequency, int pulses);
 
     /** The radial speed above which an echo leaves its range cell during integration, m/s; infinity if unknown. */
     default double migrationSpeed() {
@@ -80,8 +92,13 @@ public sealed interface LinkBudget {
             return new Hardware(power, gain, integrationTime, 10e6, 0.0, 0.0);
         }
 
+        /** The ratio of one pulse, however many there are. */
         @Override
-        public double signalToNoise(double frequency, double crossSection, double range) {
+        public DoubleBinaryOperator echo(double frequency, int pulses) {
+            return (crossSection, range) -> ofPulse(frequency, crossSection, range);
+        }
+
+        private double ofPulse(double frequency, double crossSection, double range) {
             double wavelength = LIGHT / frequency;
             double received = power
                     * wavelength
@@ -105,7 +122,7 @@ public sealed interface LinkBudget {
 
     /**
      * What a data sheet states: at what range which target is detected, and with what probability. It determines the
-     * overall gain; the echo then falls with the fourth power of the range.
+     * overall gain, including that from integrating pulses; the echo then falls with the fourth power of the range.
      *
      * @param range range at which the target is detected, 0.1 m to 1000 km, m
      * @param crossSection radar cross-section of that target, 1e-9 to 1e6 m2
@@ -131,10 +148,15 @@ public sealed interface LinkBudget {
             return new DataSheet(range, crossSection, 0.9, 1e-6, Fluctuation.STEADY);
         }
 
+        /**
+         * What the data sheet promises includes all processing: its target at its range has as much in each pulse as the
+         * pulses together need.
+         */
         @Override
-        public double signalToNoise(double frequency, double area, double distance) {
-            double promised = Detectability.required(probability, falseAlarm, fluctuation);
-            return promised + 10.0 * Math.log10(area / crossSection) - 40.0 * Math.log10(distance / range);
+        public DoubleBinaryOperator echo(double frequency, int pulses) {
+            double promised = Detectability.required(probability, falseAlarm, fluctuation, pulses);
+            return (area, distance) ->
+                    promised + 10.0 * Math.log10(area / crossSection) - 40.0 * Math.log10(distance / range);
         }
     }
 

@@ -10,33 +10,46 @@ import org.dronewatch.setting.Quantity;
 /** Decides from the signal-to-noise ratio whether an echo is detected. */
 public sealed interface RadarDetection {
     /**
-     * What an echo must reach in one look, dB.
-     *
-     * @param fluctuation of the target
-     * @param random the look's random numbers
-     */
-    double threshold(Fluctuation fluctuation, RandomGenerator random);
-
-    /**
-     * The signal-to-noise ratio at which the probability of detection is 0.5, dB: for a fixed threshold, that
-     * threshold.
+     * How echoes of targets with a fluctuation are decided on.
      *
      * @param fluctuation of the target
      */
-    double evenThreshold(Fluctuation fluctuation);
+    Decision on(Fluctuation fluctuation);
+
+    /** How many pulses per look are integrated non-coherently, 1 to 1000. */
+    default int pulses() {
+        return 1;
+    }
+
+    /** Decides on the echoes of targets with one kind of fluctuation. */
+    interface Decision {
+        /**
+         * What an echo must reach in one look, dB.
+         *
+         * @param random the look's random numbers
+         */
+        double threshold(RandomGenerator random);
+
+        /**
+         * The signal-to-noise ratio at which the probability of detection is 0.5, dB: for a fixed threshold, that
+         * threshold.
+         */
+        double evenThreshold();
+
+        /**
+         * The probability that one look detects an echo, 0 to 1.
+         *
+         * @param signalToNoise dB
+         */
+        double probability(double signalToNoise);
+    }
 
     /**
-     * The probability that one look detects an echo, 0 to 1.
+     * A fixed threshold, as in the thesis that this project grew from. A target that fluctuates needs more on average by
+     * the fluctuation loss (L. V. Blake, Radar Range-Performance Analysis, chapter 2): the difference between what it and a
+     * steady one need to be detected nine times of ten, with one false alarm in a million, by one pulse.
      *
-     * @param signalToNoise dB
-     * @param fluctuation of the target
-     */
-    double probability(double signalToNoise, Fluctuation fluctuation);
-
-    /**
-     * A fixed threshold, as in the thesis that this project grew from.
-     *
-     * @param signalToNoise signal-to-noise ratio, -50 to 100 dB
+     * @param signalToNoise signal-to-noise ratio that a steady target must reach, -50 to 100 dB
      */
     record FixedThreshold(@In(value = Quantity.LEVEL, from = -50, to = 100) double signalToNoise)
             implements RadarDetection {
@@ -44,24 +57,39 @@ public sealed interface RadarDetection {
         @Defaults
         public static final FixedThreshold DEFAULT = new FixedThreshold(15.0);
 
+        private static final double USUAL_PROBABILITY = 0.9;
+        private static final double USUAL_FALSE_ALARM = 1e-6;
+
         /** Checks the limit. */
         public FixedThreshold {
             Limits.check(FixedThreshold.class, signalToNoise);
         }
 
         @Override
-        public double threshold(Fluctuation fluctuation, RandomGenerator random) {
-            return signalToNoise;
+        public Decision on(Fluctuation fluctuation) {
+            double least = fluctuation == Fluctuation.STEADY ? signalToNoise : signalToNoise + loss(fluctuation);
+            return new Decision() {
+                @Override
+                public double threshold(RandomGenerator random) {
+                    return least;
+                }
+
+                @Override
+                public double evenThreshold() {
+                    return least;
+                }
+
+                @Override
+                public double probability(double ratio) {
+                    return ratio >= least ? 1.0 : 0.0;
+                }
+            };
         }
 
-        @Override
-        public double evenThreshold(Fluctuation fluctuation) {
-            return signalToNoise;
-        }
-
-        @Override
-        public double probability(double ratio, Fluctuation fluctuation) {
-            return ratio >= signalToNoise ? 1.0 : 0.0;
+        private static double loss(Fluctuation fluctuation) {
+            SquareLawDetector detector = new SquareLawDetector(USUAL_FALSE_ALARM, 1);
+            return detector.required(USUAL_PROBABILITY, fluctuation)
+                    - detector.required(USUAL_PROBABILITY, Fluctuation.STEADY);
         }
     }
 
@@ -70,7 +98,7 @@ public sealed interface RadarDetection {
      * 1 is drawn, and the ratio for which the probability of detection is that number is what this look's echo must
      * reach.
      *
-     * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01; to 0.001 with several pulses
+     * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01
      * @param pulses number of pulses per look that are integrated non-coherently, 1 to 1000; the signal-to-noise ratio
      *     is that of one of them
      */
@@ -81,13 +109,7 @@ public sealed interface RadarDetection {
         /** Noise alone may be taken for a target, but not for a drone without an echo, dB. */
         private static final double FAINTEST = -100.0;
 
-        /** Up to here the approximations for several pulses hold. */
-        private static final double MAX_FALSE_ALARM_WITH_PULSES = 1e-3;
-
         private static final double EVEN_CHANCE = 0.5;
-
-        /** Enough for a probability to a billionth. */
-        private static final int HALVINGS = 30;
 
         /** One false alarm in a million, one pulse. */
         @Defaults
@@ -96,41 +118,31 @@ public sealed interface RadarDetection {
         /** Checks the limits. */
         public Chance {
             Limits.check(Chance.class, falseAlarm, pulses);
-            if (pulses > 1 && falseAlarm > MAX_FALSE_ALARM_WITH_PULSES) {
-                throw new IllegalArgumentException("falseAlarm " + falseAlarm + " must be at most "
-                        + MAX_FALSE_ALARM_WITH_PULSES + " where several pulses are integrated, here " + pulses);
-            }
         }
 
         @Override
-        public double threshold(Fluctuation fluctuation, RandomGenerator random) {
-            // 1 - u is above 0, so that the ratio is finite at that end, too; below 1 by as much as u can be small.
-            double probability = Math.min(1.0 - 1e-9, 1.0 - random.nextDouble());
-            return Math.max(FAINTEST, Detectability.required(probability, falseAlarm, fluctuation, pulses));
-        }
+        public Decision on(Fluctuation fluctuation) {
+            SquareLawDetector detector = new SquareLawDetector(falseAlarm, pulses);
+            double even = Math.max(FAINTEST, detector.required(EVEN_CHANCE, fluctuation));
+            return new Decision() {
+                @Override
+                public double threshold(RandomGenerator random) {
+                    // 1 - u is above 0, so that the ratio is finite at that end, too; below 1 by as much as u can be
+                    // small.
+                    double probability = Math.min(1.0 - 1e-9, 1.0 - random.nextDouble());
+                    return Math.max(FAINTEST, detector.required(probability, fluctuation));
+                }
 
-        @Override
-        public double evenThreshold(Fluctuation fluctuation) {
-            return Math.max(FAINTEST, Detectability.required(EVEN_CHANCE, falseAlarm, fluctuation, pulses));
-        }
+                @Override
+                public double evenThreshold() {
+                    return even;
+                }
 
-        @Override
-        public double probability(double ratio, Fluctuation fluctuation) {
-            if (ratio < FAINTEST) {
-                return 0.0;
-            }
-            if (pulses == 1) {
-                return Detectability.probability(ratio, falseAlarm, fluctuation);
-            }
-            double no = 0.0;
-            double yes = 1.0;
-            for (int i = 0; i < HALVINGS; i++) {
-                double middle = 0.5 * (no + yes);
-                boolean enough = Detectability.required(middle, falseAlarm, fluctuation, pulses) <= ratio;
-                no = enough ? middle : no;
-                yes = enough ? yes : middle;
-            }
-            return 0.5 * (no + yes);
+                @Override
+                public double probability(double ratio) {
+                    return ratio < FAINTEST ? 0.0 : detector.probability(ratio, fluctuation);
+                }
+            };
         }
     }
 }

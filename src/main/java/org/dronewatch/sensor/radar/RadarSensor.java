@@ -5,9 +5,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.DoubleBinaryOperator;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.drone.RadarSignature;
+import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Sighting;
@@ -19,6 +20,7 @@ import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.radar.RadarDetection.Decision;
 import org.dronewatch.world.World;
 
 /**
@@ -35,12 +37,15 @@ public final class RadarSensor implements AssessableSensor {
     private World world;
     private VisibleFraction visible;
     private Cover cover;
-    private final Map<RadarSignature.Fluctuation, Double> thresholds = new EnumMap<>(RadarSignature.Fluctuation.class);
+    private final DoubleBinaryOperator budget;
+    private final Map<Fluctuation, Decision> decisions = new EnumMap<>(Fluctuation.class);
 
     /** A radar with these settings. */
     public RadarSensor(RadarSettings settings) {
         this.settings = settings;
         this.field = new FieldOfRegard(settings);
+        this.budget = settings.budget()
+                .echo(settings.frequency(), settings.detection().pulses());
     }
 
     @Override
@@ -70,23 +75,20 @@ public final class RadarSensor implements AssessableSensor {
                 .orElseGet(() -> cover.explain(
                         drone,
                         () -> visible.of(drone) == 0.0,
-                        () -> echo(drone, crossSection(drone, 1.0)) >= threshold(drone)));
+                        () -> echo(drone, crossSection(drone, 1.0))
+                                >= decision(drone).evenThreshold()));
     }
 
     /** The signal of a drone that the radar looks for, with its visible cross-section, m2. */
     private Signal signal(Drone drone, double area) {
-        RadarSignature.Fluctuation fluctuation = drone.settings().radar().fluctuation();
         double echo = echo(drone, area);
-        double probability = settings.detection().probability(echo, fluctuation);
-        return Signal.of(probability, echo, UNIT, threshold(drone));
+        Decision decision = decision(drone);
+        return Signal.of(decision.probability(echo), echo, UNIT, decision.evenThreshold());
     }
 
-    /**
-     * The signal-to-noise ratio at which the probability of detection is 0.5, dB; kept, as it takes long to find for a
-     * probabilistic detection.
-     */
-    private double threshold(Drone drone) {
-        return thresholds.computeIfAbsent(drone.settings().radar().fluctuation(), settings.detection()::evenThreshold);
+    /** How echoes of a drone are decided on; kept, as it takes long to prepare where chance decides. */
+    private Decision decision(Drone drone) {
+        return decisions.computeIfAbsent(drone.settings().radar().fluctuation(), settings.detection()::on);
     }
 
     /** The visible fraction of a drone, 0 to 1; 0 for one that the radar does not look for. */
@@ -104,14 +106,14 @@ public final class RadarSensor implements AssessableSensor {
         double area = crossSection(drone, fraction);
         double echo = echo(drone, area);
 
-        RadarSignature.Fluctuation fluctuation = drone.settings().radar().fluctuation();
+        Decision decision = decision(drone);
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("radial_speed_m_per_s", field.radialSpeed(drone));
         figures.put("in_field", field.contains(position.minus(settings.position())) ? 1.0 : 0.0);
         figures.put("visible_share", fraction);
         figures.put("cross_section_m2", area);
-        figures.put(Observation.PROBABILITY, settings.detection().probability(echo, fluctuation));
-        double threshold = settings.detection().threshold(fluctuation, look.random(drone.id(), Look.DETECTION));
+        figures.put(Observation.PROBABILITY, decision.probability(echo));
+        double threshold = decision.threshold(look.random(drone.id(), Look.DETECTION));
         Optional<Sighting> sighting = echo >= threshold
                 ? Optional.of(settings.accuracy()
                         .sighting(settings.position(), position, look.random(drone.id(), Look.ERROR)))
@@ -137,7 +139,7 @@ public final class RadarSensor implements AssessableSensor {
         double range = range(drone);
         double elevation = Math.asin(Math.max(-1.0, Math.min(1.0, vector.z() / range)));
         double rain = Rain.attenuation(settings.frequency(), world.rain(), elevation, settings.polarisation());
-        return settings.budget().signalToNoise(settings.frequency(), area, range) - 2.0 * rain * range;
+        return budget.applyAsDouble(area, range) - 2.0 * rain * range;
     }
 
     /** Where the radar is, clockwise from the drone's nose as seen from above. */

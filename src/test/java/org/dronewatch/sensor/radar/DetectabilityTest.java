@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.radar;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
@@ -8,15 +9,26 @@ import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
-/** Signal-to-noise ratios and probabilities against published values, closed forms and a simulated detector. */
+/**
+ * Signal-to-noise ratios and probabilities against published values, closed forms, a simulated detector, and the
+ * approximations of Albersheim (IEEE Proceedings 69, 1981) and Shnidman (IEEE Transactions on Aerospace and Electronic
+ * Systems 38, 2002).
+ */
 class DetectabilityTest {
     private static final long SEED = 20_261_121;
-    private static final int LOOKS = 200_000;
+    private static final int LOOKS = 100_000;
 
     /** Steady: 13.18349005679 as the documentation of {@code sdr.min_snr} (M. Hostetter) prints; the others closed forms. */
     @ParameterizedTest
-    @CsvSource({"STEADY, 13.18349005679, 1e-9", "SWERLING_1, 21.1436, 5e-5", "SWERLING_3, 17.296, 5e-4"})
+    @CsvSource({
+        "STEADY, 13.18349005679, 1e-9",
+        "SWERLING_1, 21.1436, 5e-5",
+        "SWERLING_2, 21.1436, 5e-5",
+        "SWERLING_3, 17.296, 5e-4",
+        "SWERLING_4, 17.296, 5e-4"
+    })
     void nineOfTenLooksAtOneFalseAlarmInAMillion(Fluctuation fluctuation, double ratio, double tolerance) {
         assertThat(Detectability.required(0.9, 1e-6, fluctuation)).isCloseTo(ratio, within(tolerance));
     }
@@ -30,13 +42,13 @@ class DetectabilityTest {
         "0.9, 1e-3, 1, 10.723"
     })
     void albersheimsEquationGivesItsValues(double probability, double falseAlarm, int pulses, double ratio) {
-        assertThat(Detectability.albersheim(probability, falseAlarm, pulses)).isCloseTo(ratio, within(6e-4));
+        assertThat(albersheim(probability, falseAlarm, pulses)).isCloseTo(ratio, within(6e-4));
     }
 
     @ParameterizedTest
     @CsvSource({"STEADY, 1, 13.12", "SWERLING_1, 1, 21.35", "SWERLING_3, 1, 17.23", "SWERLING_1, 10, 13.58"})
     void shnidmansEquationGivesItsValues(Fluctuation fluctuation, int pulses, double ratio) {
-        assertThat(Detectability.shnidman(0.9, 1e-6, fluctuation, pulses)).isCloseTo(ratio, within(6e-3));
+        assertThat(shnidman(0.9, 1e-6, fluctuation, pulses)).isCloseTo(ratio, within(6e-3));
     }
 
     @ParameterizedTest
@@ -53,7 +65,7 @@ class DetectabilityTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"STEADY", "SWERLING_1", "SWERLING_3"})
+    @EnumSource(Fluctuation.class)
     void ratioAndProbabilityAreEachOthersInverse(Fluctuation fluctuation) {
         for (double falseAlarm : new double[] {1e-12, 1e-6, 1e-2}) {
             assertThat(Detectability.probability(-60, falseAlarm, fluctuation)).isCloseTo(falseAlarm, within(1e-6));
@@ -70,30 +82,26 @@ class DetectabilityTest {
         assertThat(Detectability.probability(90, 1e-6, fluctuation)).isCloseTo(1.0, within(1e-4));
     }
 
-    /**
-     * A square-law detector with noise and targets drawn from their distributions, one look and four pulses summed. The
-     * ratio is as exact as its authors say: Albersheim to 0.2 dB, Shnidman to 0.5 dB.
-     */
+    /** A square-law detector with noise and targets drawn from their distributions, one look and four pulses summed. */
     @ParameterizedTest
     @CsvSource({
-        "STEADY, 1, 0.01",
-        "SWERLING_1, 1, 0.01",
-        "SWERLING_3, 1, 0.01",
-        "STEADY, 4, 0.2",
-        "SWERLING_1, 4, 0.5",
-        "SWERLING_3, 4, 0.5"
+        "STEADY, 1",
+        "SWERLING_1, 1",
+        "SWERLING_3, 1",
+        "STEADY, 4",
+        "SWERLING_1, 4",
+        "SWERLING_2, 4",
+        "SWERLING_3, 4",
+        "SWERLING_4, 4"
     })
-    void aSimulatedDetectorAgrees(Fluctuation fluctuation, int pulses, double decibels) {
+    void aSimulatedDetectorAgrees(Fluctuation fluctuation, int pulses) {
         double falseAlarm = 1e-3;
-        double chance = 4 * Math.sqrt(0.25 / LOOKS);
-        for (double probability : new double[] {0.3, 0.6, 0.85}) {
+        for (double probability : new double[] {0.3, 0.85}) {
             double ratio = Detectability.required(probability, falseAlarm, fluctuation, pulses);
-            assertThat(simulated(ratio - decibels, falseAlarm, fluctuation, pulses))
+            double chance = 4 * Math.sqrt(probability * (1 - probability) / LOOKS);
+            assertThat(simulated(ratio, falseAlarm, fluctuation, pulses))
                     .as("seed %d, probability %f", SEED, probability)
-                    .isLessThan(probability + chance);
-            assertThat(simulated(ratio + decibels, falseAlarm, fluctuation, pulses))
-                    .as("seed %d, probability %f", SEED, probability)
-                    .isGreaterThan(probability - chance);
+                    .isCloseTo(probability, within(chance));
         }
     }
 
@@ -103,9 +111,11 @@ class DetectabilityTest {
         SplittableRandom random = new SplittableRandom(SEED);
         int detected = 0;
         for (int look = 0; look < LOOKS; look++) {
+            boolean eachPulse = fluctuation == Fluctuation.SWERLING_2 || fluctuation == Fluctuation.SWERLING_4;
             double amplitude = Math.sqrt(ratio * strength(fluctuation, random));
             double sum = 0;
             for (int pulse = 0; pulse < pulses; pulse++) {
+                amplitude = eachPulse && pulse > 0 ? Math.sqrt(ratio * strength(fluctuation, random)) : amplitude;
                 double real = amplitude + random.nextGaussian() / Math.sqrt(2);
                 double imaginary = random.nextGaussian() / Math.sqrt(2);
                 sum += real * real + imaginary * imaginary;
@@ -118,34 +128,140 @@ class DetectabilityTest {
     private static double strength(Fluctuation fluctuation, SplittableRandom random) {
         return switch (fluctuation) {
             case STEADY -> 1.0;
-            case SWERLING_1 -> random.nextExponential();
-            case SWERLING_3 -> 0.5 * (random.nextExponential() + random.nextExponential());
+            case SWERLING_1, SWERLING_2 -> random.nextExponential();
+            case SWERLING_3, SWERLING_4 -> 0.5 * (random.nextExponential() + random.nextExponential());
         };
     }
 
     /** Where the sum of unit exponentials exceeds with a probability: the tail of the Erlang distribution, halved in. */
     private static double thresholdOfSum(double probability, int pulses) {
         double low = 0;
-        double high = 100;
+        double high = 100 + 3.0 * pulses;
         for (int i = 0; i < 100; i++) {
             double middle = 0.5 * (low + high);
-            double tail = 0;
-            double term = Math.exp(-middle);
-            for (int k = 0; k < pulses; k++) {
-                tail += term;
-                term *= middle / (k + 1);
-            }
+            double tail = erlangTail(pulses, middle);
             low = tail > probability ? middle : low;
             high = tail > probability ? high : middle;
         }
         return low;
     }
 
+    /** The chance that the sum of unit exponentials exceeds a value. */
+    private static double erlangTail(int count, double value) {
+        double tail = 0;
+        double logTerm = -value;
+        for (int k = 0; k < count; k++) {
+            tail += Math.exp(logTerm);
+            logTerm += Math.log(value / (k + 1));
+        }
+        return tail;
+    }
+
+    /** Swerling 2 by {@code Q(N, T / (1 + S))}, Swerling 1 by Swerling's own closed form (Mahafza, Radar Systems Analysis). */
+    @ParameterizedTest
+    @CsvSource({"2, 1e-3", "10, 1e-6", "100, 1e-6", "300, 1e-3"})
+    void closedFormsAgree(int pulses, double falseAlarm) {
+        double threshold = thresholdOfSum(falseAlarm, pulses);
+        for (double decibels = -12; decibels <= 24; decibels += 3) {
+            double ratio = Math.pow(10, 0.1 * decibels);
+            double all = 1 + 1 / (pulses * ratio);
+            double first = erlangTail(pulses - 1, threshold)
+                    + Math.pow(all, pulses - 1)
+                            * (1 - erlangTail(pulses - 1, threshold / all))
+                            * Math.exp(-threshold / (1 + pulses * ratio));
+            assertThat(Detectability.probability(decibels, falseAlarm, Fluctuation.SWERLING_1, pulses))
+                    .as("Swerling 1, %f dB", decibels)
+                    .isCloseTo(first, within(1e-9));
+            assertThat(Detectability.probability(decibels, falseAlarm, Fluctuation.SWERLING_2, pulses))
+                    .as("Swerling 2, %f dB", decibels)
+                    .isCloseTo(erlangTail(pulses, threshold / (1 + ratio)), within(1e-9));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2", "10", "100", "1000"})
+    void approximationsAreClose(int pulses) {
+        for (double falseAlarm : new double[] {1e-7, 1e-5, 1e-3}) {
+            for (double probability : new double[] {0.1, 0.5, 0.9}) {
+                // Albersheim's equation is up to 1 dB too low at 0.1, and up to 0.3 dB wrong for a thousand pulses.
+                if (probability >= 0.5) {
+                    assertThat(Detectability.required(probability, falseAlarm, Fluctuation.STEADY, pulses))
+                            .isCloseTo(albersheim(probability, falseAlarm, pulses), within(0.3));
+                }
+                for (Fluctuation fluctuation : Fluctuation.values()) {
+                    if (pulses <= 100) {
+                        assertThat(Detectability.required(probability, falseAlarm, fluctuation, pulses))
+                                .as("%s, %d pulses, %f at %f", fluctuation, pulses, probability, falseAlarm)
+                                .isCloseTo(shnidman(probability, falseAlarm, fluctuation, pulses), within(0.8));
+                    }
+                }
+            }
+        }
+    }
+
+    /** Where Albersheim's gain at a probability of 0.1 was carried on, a thousand pulses were found too good. */
+    @ParameterizedTest
+    @CsvSource({"0.02, 1.35, 0.03", "1e-4, 4.1, 0.1"})
+    void farFromTheirRangeTheApproximationsAreNot(double probability, double optimism, double tolerance) {
+        double gain = Detectability.required(0.1, 1e-6, Fluctuation.STEADY) - albersheim(0.1, 1e-6, 1000);
+        double carriedOn = Detectability.required(probability, 1e-6, Fluctuation.STEADY) - gain;
+        assertThat(Detectability.required(probability, 1e-6, Fluctuation.STEADY, 1000) - carriedOn)
+                .isCloseTo(optimism, within(tolerance));
+    }
+
+    /** What ten pulses gain at 90 %, one false alarm in a million: 7.9 dB steady, 7.6 dB in Swerling's case 1. */
+    @ParameterizedTest
+    @CsvSource({"STEADY, 7.9", "SWERLING_1, 7.6"})
+    void tenPulsesGain(Fluctuation fluctuation, double gain) {
+        assertThat(Detectability.required(0.9, 1e-6, fluctuation) - Detectability.required(0.9, 1e-6, fluctuation, 10))
+                .isCloseTo(gain, within(0.05));
+    }
+
+    @Test
+    void settingsHaveLimits() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> Detectability.required(0.5, 0.02, Fluctuation.STEADY))
+                .withMessageContaining("falseAlarm 0.02 must be 1.0E-12 to 0.01");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> Detectability.probability(0, 1e-6, Fluctuation.STEADY, 1001))
+                .withMessageContaining("pulses 1001 must be 1 to 1000");
+    }
+
+    private static double albersheim(double probability, double falseAlarm, int pulses) {
+        double a = Math.log(0.62 / falseAlarm);
+        double b = Math.log(probability / (1.0 - probability));
+        return -5.0 * Math.log10(pulses)
+                + (6.2 + 4.54 / Math.sqrt(pulses + 0.44)) * Math.log10(a + 0.12 * a * b + 1.7 * b);
+    }
+
+    private static double shnidman(double probability, double falseAlarm, Fluctuation fluctuation, int pulses) {
+        double degrees =
+                switch (fluctuation) {
+                    case STEADY -> Double.POSITIVE_INFINITY;
+                    case SWERLING_1 -> 1.0;
+                    case SWERLING_2 -> pulses;
+                    case SWERLING_3 -> 2.0;
+                    case SWERLING_4 -> 2.0 * pulses;
+                };
+        double p = probability;
+        double alpha = pulses < 40 ? 0.0 : 0.25;
+        double eta = Math.sqrt(-0.8 * Math.log(4.0 * falseAlarm * (1.0 - falseAlarm)))
+                + Math.signum(p - 0.5) * Math.sqrt(-0.8 * Math.log(4.0 * p * (1.0 - p)));
+        double x = eta * (eta + 2.0 * Math.sqrt(0.5 * pulses + (alpha - 0.25)));
+        double c = (((17.7006 * p - 18.4496) * p + 14.5339) * p - 3.525) / degrees;
+        if (p > 0.872) {
+            c += (Math.exp(27.31 * p - 25.14)
+                            + (p - 0.8) * (0.7 * Math.log(1e-5 / falseAlarm) + (2.0 * pulses - 20.0) / 80.0))
+                    / degrees;
+        }
+        return c + 10.0 * Math.log10(x / pulses);
+    }
+
     @Test
     void summingPulsesHelpsAlwaysAndWithoutAStep() {
         for (Fluctuation fluctuation : Fluctuation.values()) {
             double before = Double.NEGATIVE_INFINITY;
-            for (double probability = 0.005; probability < 0.9995; probability += 0.001) {
+            for (double probability = 0.005; probability < 0.9995; probability += 0.01) {
                 double summed = Detectability.required(probability, 1e-6, fluctuation, 10);
                 assertThat(summed).isLessThan(Detectability.required(probability, 1e-6, fluctuation) - 4);
                 assertThat(summed).as("%s %f", fluctuation, probability).isGreaterThan(before);

@@ -8,6 +8,8 @@ import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.dronewatch.sensor.radar.LinkBudget.DataSheet;
 import org.dronewatch.sensor.radar.LinkBudget.Hardware;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The radar equation against values computed independently, and its laws. */
 class LinkBudgetTest {
@@ -61,6 +63,31 @@ class LinkBudgetTest {
         assertThat(sheet.range(10e9, 0.01, 13.18349)).isCloseTo(332, within(0.1));
         assertThat(new DataSheet(1050, 1, 0.9, 1e-6, Fluctuation.SWERLING_1).signalToNoise(10e9, 1, 1050))
                 .isCloseTo(21.1436, within(1e-4));
+    }
+
+    /** What a data sheet promises is met whatever the number of pulses: their gain is part of the promise. */
+    @ParameterizedTest
+    @CsvSource({"STEADY, 1", "STEADY, 10", "SWERLING_1, 10", "SWERLING_4, 1000"})
+    void aDataSheetIncludesTheGainOfItsPulses(Fluctuation fluctuation, int pulses) {
+        double echo = new DataSheet(1050, 1, 0.9, 1e-6, fluctuation)
+                .echo(10e9, pulses)
+                .applyAsDouble(1, 1050);
+        assertThat(new RadarDetection.Chance(1e-6, pulses).on(fluctuation).probability(echo))
+                .isCloseTo(0.9, within(1e-9));
+    }
+
+    /** Blake's fluctuation loss at 90 % and one false alarm in a million: 21.1436 - 13.1835 dB, range times 0.63. */
+    @Test
+    void aFixedThresholdIsHigherForATargetThatFluctuates() {
+        RadarDetection.Decision one = new RadarDetection.FixedThreshold(13.1835).on(Fluctuation.SWERLING_1);
+        assertThat(one.evenThreshold()).isCloseTo(21.1436, within(1e-4));
+        assertThat(one.probability(21.143)).isZero();
+        assertThat(one.probability(21.144)).isEqualTo(1.0);
+        assertThat(Math.pow(10.0, -(one.evenThreshold() - 13.1835) / 40.0)).isCloseTo(0.632, within(5e-4));
+        assertThat(new RadarDetection.FixedThreshold(15.0)
+                        .on(Fluctuation.STEADY)
+                        .evenThreshold())
+                .isEqualTo(15.0);
     }
 
     @Test
