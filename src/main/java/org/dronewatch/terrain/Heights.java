@@ -77,7 +77,7 @@ final class Heights {
         if (impossible > 0) {
             warnings.add(String.format(
                     Locale.ROOT,
-                    "terrain: %,d posts have heights that are not on earth (%.0f, or not between %.0f and %.0f m): they are holes",
+                    "terrain: %,d posts have impossible heights (%.0f, or not between %.0f and %.0f m): they are holes",
                     impossible,
                     USUAL_NODATA,
                     LOWEST,

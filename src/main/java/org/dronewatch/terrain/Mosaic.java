@@ -60,7 +60,7 @@ final class Mosaic {
                     .orElseThrow(
                             () -> new InputException(
                                     file.name()
-                                            + ": does not say in which coordinate reference system it is: give it, as in crs: EPSG:25832"));
+                                            + ": does not say in which coordinate reference system it is: set it, as in crs: EPSG:25832"));
             if (!own.equals(first.crs().orElseThrow())) {
                 throw new InputException(file.name() + ": is in " + own + ", but " + first.name() + " in "
                         + first.crs().orElseThrow() + ": gdalwarp -t_srs "

@@ -88,7 +88,7 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
             if (file.isSurfaceModel() && settings.surface() == ElevationSurface.DTM) {
                 warnings.add(
                         file.name()
-                                + ": its heights seem to be those of roofs and treetops, not of the ground: surface: dsm says so");
+                                + ": its heights seem to be those of roofs and treetops, not of the ground; if so, set surface: dsm");
                 break;
             }
         }
