@@ -70,7 +70,7 @@ public record CalibratedEntry(
     public String text(Path from, Path file) {
         Kinds kinds = SensorKinds.kinds(Catalog.packaged());
         // One of a swarm flies a path that no file can name.
-        DroneSettings flying = settings.fliers().get(drone).withFlight(Hover.at(new Position(0, 0, 0)));
+        DroneSettings flying = settings.individualDrones().get(drone).withFlight(Hover.at(new Position(0, 0, 0)));
         Node.Mapping drones = SettingsFile.part(flying, DroneSettings.class, kinds, from, file)
                 .without(List.of("flight", "swarm", "label"));
         Node.Mapping world = SettingsFile.wholePart(settings.world(), WorldSettings.class, kinds, from, file)

@@ -52,7 +52,7 @@ public final class Coverage {
                 .filter(one -> one.id().equals(drone))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'; the scene has "
-                        + String.join(", ", settings.fliers().keySet())));
+                        + String.join(", ", settings.individualDrones().keySet())));
         Heights heights = new Heights(stage.world(), grid);
         Coverage coverage = new Coverage(grid, settings.enabledSensors(), heights.count());
         List<Supplier<boolean[]>> tasks = new ArrayList<>();

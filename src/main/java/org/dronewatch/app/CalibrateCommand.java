@@ -96,7 +96,8 @@ final class CalibrateCommand implements Callable<Integer> {
         runner.notes(spec.commandLine().getErr()::println);
         SceneSettings settings = SceneChoice.settingsOfRun(runner, run);
         known("--sensor", "sensor", sensor, settings.sensors().keySet());
-        known("--drone", "drone", drone, settings.fliers().keySet());
+        known("--drone", "drone", drone, settings.individualDrones().keySet());
+        runner.adviseOnConditions();
         Drone flying = runner.stage(settings).dronesAt(0.0).stream()
                 .filter(one -> one.id().equals(drone))
                 .findFirst()

@@ -35,6 +35,7 @@ final class CheckCommand implements Callable<Integer> {
         runner.notes(err::println);
         List<SceneSettings> runs = runner.settingsOfRuns();
         runs.forEach(runner::checkPilot);
+        runner.adviseOnConditions();
         runs.forEach(runner::stage);
         SceneSettings first = runs.get(0);
         spec.commandLine()
@@ -43,7 +44,7 @@ final class CheckCommand implements Callable<Integer> {
                         "%s is valid: %s, %s, %s, %s of %s s%n",
                         scene.name(),
                         site(first.world()),
-                        counted(first.fliers().size(), "drone"),
+                        counted(first.individualDrones().size(), "drone"),
                         sensors(first),
                         counted(runs.size(), "run"),
                         first.run().duration());

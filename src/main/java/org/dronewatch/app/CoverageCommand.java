@@ -85,6 +85,7 @@ final class CoverageCommand implements Callable<Integer> {
         CoverageGrid grid = grid(settings);
         String id = drone(settings);
         return threads.call(() -> {
+            runner.adviseOnConditions();
             Stage stage = runner.stage(settings);
             Coverage coverage = withProgress(settings, stage, id, grid);
             String words = "drone '" + id + "'";
@@ -115,13 +116,14 @@ final class CoverageCommand implements Callable<Integer> {
     }
 
     private String drone(SceneSettings settings) {
-        if (settings.fliers().isEmpty()) {
+        if (settings.individualDrones().isEmpty()) {
             throw new InputException("the scene has no drone to place on the plan");
         }
-        String id = drone == null ? settings.fliers().keySet().iterator().next() : drone;
-        if (!settings.fliers().containsKey(id)) {
+        String id =
+                drone == null ? settings.individualDrones().keySet().iterator().next() : drone;
+        if (!settings.individualDrones().containsKey(id)) {
             throw new InputException("--drone " + PlainText.value(id) + ": no such drone; the scene has "
-                    + String.join(", ", settings.fliers().keySet()));
+                    + String.join(", ", settings.individualDrones().keySet()));
         }
         return id;
     }

@@ -121,13 +121,13 @@ final class SiteView {
         }
         if (focus != null
                 && !settings.sensors().containsKey(focus)
-                && !settings.fliers().containsKey(focus)) {
+                && !settings.individualDrones().containsKey(focus)) {
             List<String> known = new ArrayList<>(settings.sensors().keySet());
-            known.addAll(settings.fliers().keySet());
+            known.addAll(settings.individualDrones().keySet());
             throw new InputException("--focus " + PlainText.value(focus) + ": no such sensor or drone; the scene has "
                     + String.join(", ", known));
         }
-        if (rays && settings.fliers().isEmpty()) {
+        if (rays && settings.individualDrones().isEmpty()) {
             throw new InputException("--rays: the scene has no drone");
         }
         if (heardOnly && !rays) {
@@ -236,9 +236,9 @@ final class SiteView {
                 .findFirst()
                 .orElseThrow(() -> new InputException("--rays: no sensor of the scene traces rays"
                         + (focus == null ? "" : ", or --focus " + focus + " does not")));
-        String drone = settings.fliers().containsKey(focus)
+        String drone = settings.individualDrones().containsKey(focus)
                 ? focus
-                : settings.fliers().keySet().iterator().next();
+                : settings.individualDrones().keySet().iterator().next();
         RayCollector collector = new RayCollector(sensor, drone, time);
         stage.traceRays(time, sensor, drone, collector);
         return Optional.of(collector.toRays());

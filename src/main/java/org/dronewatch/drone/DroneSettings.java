@@ -262,7 +262,7 @@ public record DroneSettings(
     }
 
     /** What flies: this drone, or the individual drones of its swarm, the leader first. */
-    public List<DroneSettings> fliers() {
+    public List<DroneSettings> members() {
         if (swarm.isEmpty()) {
             return List.of(this);
         }

@@ -55,7 +55,7 @@ public final class SitePicture {
     public SitePicture(SceneSettings settings, Stage stage) {
         this.settings = settings;
         this.stage = stage;
-        this.drones = settings.fliers().keySet();
+        this.drones = settings.individualDrones().keySet();
         this.world = stage.world();
         this.painter = new SitePainter(world.tree(), stage.colours());
         this.colours = KindColours.of(settings.enabledSensors().values());

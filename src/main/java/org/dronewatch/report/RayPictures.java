@@ -57,9 +57,9 @@ final class RayPictures {
     private Optional<Figure> picture(String sensor, String title) throws IOException {
         Optional<Observation> heard = run.firstDetection(sensor);
         double emitted = heard.map(Observation::time).orElse(0.0);
-        String drone = heard.map(Observation::drone)
-                .orElseGet(() ->
-                        run.settings().fliers().keySet().stream().findFirst().orElse(""));
+        String drone = heard.map(Observation::drone).orElseGet(() -> run.settings().individualDrones().keySet().stream()
+                .findFirst()
+                .orElse(""));
         RayCollector collector = new RayCollector(sensor, drone, emitted);
         if (!stage.traceRays(emitted, sensor, drone, collector)) {
             return Optional.empty();

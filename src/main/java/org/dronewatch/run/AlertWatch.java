@@ -118,10 +118,10 @@ public final class AlertWatch {
 
     /** Tests straight segments of its flight, so that no drone is too fast to be noticed. */
     private static OptionalDouble entered(String drone, ProtectedZone zone, Stage stage, double simulated) {
-        Position before = stage.placeOf(drone, 0.0);
+        Position before = stage.positionOf(drone, 0.0);
         double step = simulated / MOMENTS;
         for (int i = 1; i <= MOMENTS; i++) {
-            Position next = stage.placeOf(drone, i * step);
+            Position next = stage.positionOf(drone, i * step);
             OptionalDouble share = zone.entry(before, next);
             if (share.isPresent()) {
                 return OptionalDouble.of((i - 1 + share.getAsDouble()) * step);

@@ -26,7 +26,7 @@ public final class DetectionLog {
     public DetectionLog(int run, SceneSettings settings, Consumer<DetectionEvent> target) {
         this.run = run;
         this.target = target;
-        settings.enabledSensors().forEach((sensor, sensorSettings) -> settings.fliers()
+        settings.enabledSensors().forEach((sensor, sensorSettings) -> settings.individualDrones()
                 .keySet()
                 .forEach(drone -> pairs.put(List.of(sensor, drone), new Pair(sensor, sensorSettings.kind(), drone))));
     }

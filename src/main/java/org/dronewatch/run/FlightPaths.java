@@ -84,7 +84,7 @@ final class FlightPaths {
             double speed = last.start().velocity().length();
             warnings.accept(String.format(
                     Locale.ROOT,
-                    "drone '%s': its recorded flight ends at %s s, the run at %s s: for the rest of it the drone %s",
+                    "drone '%s': its recorded flight ends at %s s, the run at %s s: for the rest of the run the drone %s",
                     id,
                     last.time(),
                     end,

@@ -41,7 +41,7 @@ public record RunResult(
 
     /** The alerts that count: those for attacking drones; if no drone attacks, all. */
     public List<AlertResult> attackAlerts() {
-        Map<String, DroneSettings> drones = settings.fliers();
+        Map<String, DroneSettings> drones = settings.individualDrones();
         List<AlertResult> attacks = alerts.stream()
                 .filter(alert -> drones.get(alert.drone()).label().role() == ThreatLabel.Role.ATTACK)
                 .toList();

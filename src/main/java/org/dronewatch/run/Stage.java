@@ -36,7 +36,7 @@ public final class Stage {
     private final World world;
     private final Map<String, Integer> colours;
     private final Map<String, Map<String, Integer>> droneColours = new LinkedHashMap<>();
-    private final List<Flier> fliers = new ArrayList<>();
+    private final List<Airborne> airborne = new ArrayList<>();
     private final Map<String, SensorSettings<?>> sensors;
     private final List<String> raySensors;
     private final List<ActiveSensor> active = new ArrayList<>();
@@ -59,13 +59,13 @@ public final class Stage {
         this.runSeed = runSeed;
         FlightPaths paths =
                 new FlightPaths(world.newGround(), settings.run().duration(), models::flights, models::warn);
-        settings.fliers().forEach((id, drone) -> {
+        settings.individualDrones().forEach((id, drone) -> {
             Drone created = new Drone(
                     id, drone, models.index(drone.model(), site.tracing()).tree());
-            fliers.add(new Flier(created, paths.of(id, drone)));
+            airborne.add(new Airborne(created, paths.of(id, drone)));
             droneColours.put(id, Map.copyOf(models.colours(drone.model())));
         });
-        this.clock = SteeringClock.of(fliers.stream().map(Flier::path).toList());
+        this.clock = SteeringClock.of(airborne.stream().map(Airborne::path).toList());
         if (site.terrain().isPresent()) {
             new TerrainAdvice(settings, world.newGround()).giveTo(flights(), models::warn);
         }
@@ -107,7 +107,7 @@ public final class Stage {
      * @throws IllegalStateException when one of them is steered, and the time is after {@link #known()}
      */
     public List<Drone> dronesAt(double time) {
-        return fliers.stream().map(flier -> flier.drone.at(flier.path.at(time))).toList();
+        return airborne.stream().map(one -> one.drone.at(one.path.at(time))).toList();
     }
 
     /**
@@ -117,7 +117,7 @@ public final class Stage {
      * @throws IllegalArgumentException when there is no such drone
      * @throws IllegalStateException when it is steered, and the time is after {@link #known()}
      */
-    public Position placeOf(String drone, double time) {
+    public Position positionOf(String drone, double time) {
         return flight(drone).at(time).position();
     }
 
@@ -130,7 +130,7 @@ public final class Stage {
         FlightPath path = flights().get(drone);
         if (path == null) {
             throw new IllegalArgumentException("no drone '" + drone + "'; the drones are "
-                    + (fliers.isEmpty() ? "none" : String.join(", ", flights().keySet())));
+                    + (airborne.isEmpty() ? "none" : String.join(", ", flights().keySet())));
         }
         return path;
     }
@@ -138,7 +138,7 @@ public final class Stage {
     /** The flights by id of the drone, in the order of the scene. */
     public Map<String, FlightPath> flights() {
         Map<String, FlightPath> paths = new LinkedHashMap<>();
-        fliers.forEach(flier -> paths.put(flier.drone.id(), flier.path));
+        airborne.forEach(one -> paths.put(one.drone.id(), one.path));
         return paths;
     }
 
@@ -174,7 +174,7 @@ public final class Stage {
 
     /** Whether there are rays to trace: a sensor that traces rays, and a drone. */
     public boolean tracesRays() {
-        return !fliers.isEmpty() && !raySensors.isEmpty();
+        return !airborne.isEmpty() && !raySensors.isEmpty();
     }
 
     /**
@@ -272,12 +272,12 @@ public final class Stage {
      */
     private List<Drone> dronesReaching(Position position, double speed, double time) {
         List<Drone> reaching = new ArrayList<>();
-        for (Flier flier : fliers) {
-            EmissionTime.of(flier.path, position, speed, time)
-                    .ifPresent(emission -> reaching.add(flier.drone.at(flier.path.at(emission))));
+        for (Airborne one : airborne) {
+            EmissionTime.of(one.path, position, speed, time)
+                    .ifPresent(emission -> reaching.add(one.drone.at(one.path.at(emission))));
         }
         return reaching;
     }
 
-    private record Flier(Drone drone, FlightPath path) {}
+    private record Airborne(Drone drone, FlightPath path) {}
 }

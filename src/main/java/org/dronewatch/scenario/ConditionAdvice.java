@@ -31,7 +31,8 @@ public final class ConditionAdvice {
     private ConditionAdvice() {}
 
     /**
-     * One line for each kind of sensor and the conditions that it ignores for the same reason; none for a scene with default weather and light.
+     * One line for each kind of sensor and the conditions that it ignores for the same reason; none for a scene with default
+     * weather and light.
      *
      * @param runs the settings of all runs of a scene
      */

@@ -58,7 +58,7 @@ public record SceneSettings(
         sensors = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("sensors", sensors)));
         disabled = Collections.unmodifiableSet(new LinkedHashSet<>(Check.present("disabled", disabled)));
         drones.keySet().forEach(SceneSettings::checkId);
-        Fliers.of(drones);
+        SwarmExpansion.of(drones);
         sensors.keySet().forEach(SceneSettings::checkId);
         Map<String, SensorSettings<?>> all = sensors;
         if (alert.response() > 0.0 && alert.protect().isEmpty()) {
@@ -153,8 +153,8 @@ public record SceneSettings(
      * The individual drones by id: a swarm {@code x} is expanded into {@code x-1}, {@code x-2} and so on. Detections refer to
      * these ids; overrides and sweeps refer to {@link #drones()}.
      */
-    public Map<String, DroneSettings> fliers() {
-        return Fliers.of(drones);
+    public Map<String, DroneSettings> individualDrones() {
+        return SwarmExpansion.of(drones);
     }
 
     /** An empty site that runs for a minute. */

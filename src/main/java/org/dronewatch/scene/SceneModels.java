@@ -19,12 +19,15 @@ final class SceneModels {
     /**
      * No models yet.
      *
-     * @param notes receives one line for each file read and for each warning; first, warnings about settings that do not fit
-     *     together
+     * @param notes receives one line for each file read and for each warning
      */
     SceneModels(ConfiguredScene scene, Consumer<String> notes) {
         this.scene = scene;
         this.models = new ModelCache(scene.directory(), notes);
+    }
+
+    /** Warns of weather and light that change nothing that is detected. */
+    void adviseOnConditions() {
         ConditionAdvice.of(scene.settingsOfRuns(scene.settings())).forEach(models::warn);
     }
 

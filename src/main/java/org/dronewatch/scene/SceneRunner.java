@@ -218,6 +218,14 @@ public final class SceneRunner {
     }
 
     /**
+     * Warns, once, of weather and light in the settings that change nothing that is detected; a run does so by itself. A picture of
+     * the site shows them whether they change what is detected or not.
+     */
+    public void adviseOnConditions() {
+        models().adviseOnConditions();
+    }
+
+    /**
      * Loads the models and creates the stage of one of the scene's runs, without running it.
      *
      * @param settings one of {@link #settingsOfRuns()}
@@ -251,8 +259,9 @@ public final class SceneRunner {
         SceneSettings settings = settings();
         inputs = Optional.of(configured.inputs(settings));
         List<SceneSettings> all = configured.settingsOfRuns(settings);
-        List<RunInfo> runs = chosen(all);
+        List<RunInfo> runs = RunInfo.of(all, only);
         runs.forEach(info -> checkPilot(info.settings()));
+        adviseOnConditions();
         double before = models().seconds();
         LookTimes times = new LookTimes();
         long start = System.nanoTime();
@@ -282,18 +291,5 @@ public final class SceneRunner {
         if (pilots.get() == Pilot.NONE) {
             configured.checkUnpiloted(settings);
         }
-    }
-
-    private List<RunInfo> chosen(List<SceneSettings> all) {
-        List<RunInfo> runs = new ArrayList<>();
-        for (int run = 0; run < all.size(); run++) {
-            if (only.orElse(run) == run) {
-                runs.add(new RunInfo(run, all.size(), all.get(run)));
-            }
-        }
-        if (runs.isEmpty()) {
-            throw new IllegalArgumentException("run " + only.getAsInt() + " must be 0 to " + (all.size() - 1));
-        }
-        return runs;
     }
 }

@@ -15,10 +15,13 @@ public final class Barrier {
     /** Distance from the first edge to the last, m, up to which CNOSSOS-EU, section 2.5.6, counts several as one. */
     public static final double SINGLE_EDGE_SPAN = 0.3;
 
-    /** Path difference in wavelengths, below 0, at which an edge causes no attenuation: N = -0.1. */
+    /**
+     * How far below 0 the path difference is, in wavelengths, from which on an edge causes no attenuation: N = -0.1, since N
+     * counts half wavelengths.
+     */
     public static final double MAEKAWA_REACH = 0.05;
 
-    /** The same in ISO 9613-2: N = -0.2. */
+    /** The same in ISO 9613-2, in wavelengths: N = -0.2. */
     public static final double ISO_REACH = 0.1;
 
     private static final double AT_THE_BORDER = 3.0;

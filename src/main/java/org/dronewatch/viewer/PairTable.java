@@ -36,7 +36,7 @@ final class PairTable extends AbstractTableModel {
             run = next;
             rows.clear();
             run.info().settings().enabledSensors().forEach((id, sensor) -> {
-                for (String drone : run.info().settings().fliers().keySet()) {
+                for (String drone : run.info().settings().individualDrones().keySet()) {
                     if (rows.size() < MOST) {
                         rows.add(new Row(id, sensor.kind(), drone));
                     }

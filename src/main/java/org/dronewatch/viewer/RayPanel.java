@@ -87,7 +87,8 @@ final class RayPanel extends JPanel {
     void show(SceneSettings settings, Stage next) {
         stage = next;
         sensors.setModel(new DefaultComboBoxModel<>(next.raySensors().toArray(String[]::new)));
-        drones.setModel(new DefaultComboBoxModel<>(settings.fliers().keySet().toArray(String[]::new)));
+        drones.setModel(
+                new DefaultComboBoxModel<>(settings.individualDrones().keySet().toArray(String[]::new)));
         boolean possible = sensors.getItemCount() > 0 && drones.getItemCount() > 0;
         trace.setEnabled(possible);
         take(null);

@@ -85,7 +85,7 @@ final class SiteSection extends JPanel {
     void focusOn(String id, double time) {
         if (viewed != null && id != null) {
             double high = Math.max(NEAREST, NEAR * viewed.picture().interest().diagonal());
-            viewed.placeOf(id, time)
+            viewed.positionOf(id, time)
                     .ifPresent(at -> world.move(world.orbit().at(at).showing(high)));
         }
     }

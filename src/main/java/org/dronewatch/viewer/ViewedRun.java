@@ -22,7 +22,7 @@ final class ViewedRun {
     ViewedRun(String title, RecordedRun run) {
         this.title = title;
         this.run = run;
-        this.drones = settings().fliers().keySet();
+        this.drones = settings().individualDrones().keySet();
         this.picture = new SitePicture(settings(), run.stage());
     }
 
@@ -68,7 +68,7 @@ final class ViewedRun {
     }
 
     /** Where a sensor or a drone of a name is at a time, m. */
-    Optional<Position> placeOf(String id, double time) {
+    Optional<Position> positionOf(String id, double time) {
         if (settings().sensors().containsKey(id)) {
             return Optional.of(settings().sensors().get(id).position());
         }

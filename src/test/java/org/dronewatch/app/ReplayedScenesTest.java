@@ -61,9 +61,9 @@ class ReplayedScenesTest {
                     .as(command)
                     .containsExactly(
                             "warning: drone 'visitor': its recorded flight ends at 3.0 s, the run at 3.5 s: for the rest"
-                                    + " of it the drone flies straight on at 8.0 m/s",
+                                    + " of the run the drone flies straight on at 8.0 m/s",
                             "warning: drone 'watcher': its recorded flight ends at 3.0 s, the run at 3.5 s: for the rest"
-                                    + " of it the drone hovers");
+                                    + " of the run the drone hovers");
         }
         assertThat(Files.readAllLines(directory.resolve("replayed/flights.csv")))
                 .as("it flies on as it did")

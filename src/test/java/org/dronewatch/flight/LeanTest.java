@@ -174,7 +174,7 @@ class LeanTest {
                 .isTrue();
         Attitude leader = drone.createFlight(Ground.NONE).at(3).attitude();
         assertThat(leader.isLevel()).isFalse();
-        for (DroneSettings follower : drone.withSwarm(Swarm.of(3)).fliers()) {
+        for (DroneSettings follower : drone.withSwarm(Swarm.of(3)).members()) {
             assertThat(follower.createFlight(Ground.NONE).at(3).attitude()).isEqualTo(leader);
         }
     }

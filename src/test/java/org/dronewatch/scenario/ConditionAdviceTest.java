@@ -143,6 +143,8 @@ class ConditionAdviceTest {
                 .set("run.duration", "0.2")
                 .set("world.light.illuminance", "0.01");
         runner.stage(runner.settingsOfRuns().get(0));
+        assertThat(notes).as("a site to be drawn detects nothing").noneMatch(note -> note.startsWith("warning"));
+        runner.adviseOnConditions();
         runner.run();
 
         assertThat(notes.stream().filter(note -> note.contains("does not change what is detected")))

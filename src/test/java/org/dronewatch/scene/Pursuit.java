@@ -54,12 +54,12 @@ class Pursuit extends Scene {
                 CameraSettings.at(new Position(-40, -40, 160))
                         .withLookAt(new Position(-60, 40, 172))
                         .withRate(7.0));
-        add("ear", AcousticSettings.at(EAR).withRate(10.0).withPropagation(EnergyModel.DEFAULT.withRays(300)));
+        add("ear", AcousticSettings.at(EAR).withRate(10.0).withPropagation(EnergyModel.DEFAULT.withRays(100)));
         add(
                 "far-ear",
                 AcousticSettings.at(new Position(-300, 200, 160))
                         .withRate(3.0)
-                        .withPropagation(EnergyModel.DEFAULT.withRays(300)));
+                        .withPropagation(EnergyModel.DEFAULT.withRays(100)));
         add("radar", RadarSettings.at(new Position(100, 100, 165), LinkBudget.Hardware.of(4, 33, 0.02)));
         setRun(RunSettings.DEFAULT.withDuration(DURATION));
     }

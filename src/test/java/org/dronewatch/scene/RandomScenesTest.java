@@ -128,7 +128,7 @@ class RandomScenesTest {
 
     /** Steered drones fly east as fast as they can. */
     private static void steer(PilotedRun run) {
-        run.settings().fliers().forEach((id, drone) -> {
+        run.settings().individualDrones().forEach((id, drone) -> {
             if (run.drone(id).isSteered()) {
                 run.drone(id).fly(new Position(drone.speed(), 0, 0));
             }

@@ -80,7 +80,7 @@ class SwarmTest {
     @EnumSource(Formation.class)
     void neighboursFlyOneSpacingApart(Formation formation) {
         DroneSettings swarm = ONE.withSwarm(new Swarm(11, 2.5, formation));
-        List<FlightPath> paths = swarm.fliers().stream()
+        List<FlightPath> paths = swarm.members().stream()
                 .map(flier -> flier.createFlight(Ground.NONE))
                 .toList();
         FlightPath leader = ONE.createFlight(Ground.NONE);
@@ -117,7 +117,7 @@ class SwarmTest {
     private static List<String> places(Formation formation, int count) {
         List<String> places = new ArrayList<>();
         for (DroneSettings flier :
-                ONE.withSwarm(new Swarm(count, 10, formation)).fliers()) {
+                ONE.withSwarm(new Swarm(count, 10, formation)).members()) {
             Position place = flier.createFlight(Ground.NONE).at(0.0).position();
             places.add(at(place.x(), place.y(), place.z() - 150));
         }
@@ -142,9 +142,10 @@ class SwarmTest {
     void overridesAndSweepsChangeTheSwarm() throws IOException {
         SceneSettings three = runner().set("drones.x.swarm.count", "3").settings();
         assertThat(three.drones()).containsOnlyKeys("lone", "x");
-        assertThat(three.fliers().keySet()).containsExactly("lone", "x-1", "x-2", "x-3");
-        assertThat(three.fliers().get("x-3").swarm()).isEmpty();
-        assertThat(runner().set("drones.lone.swarm", "4").settings().fliers()).hasSize(6);
+        assertThat(three.individualDrones().keySet()).containsExactly("lone", "x-1", "x-2", "x-3");
+        assertThat(three.individualDrones().get("x-3").swarm()).isEmpty();
+        assertThat(runner().set("drones.lone.swarm", "4").settings().individualDrones())
+                .hasSize(6);
 
         Files.writeString(
                 directory.resolve("swept.yaml"),
@@ -181,7 +182,7 @@ class SwarmTest {
                 .withMessage(
                         "drone 'low-1': flight: there is no ground anywhere below the path of 600.0 m for the drone"
                                 + " to follow");
-        assertThat(runner.settings().fliers()).hasSize(3);
+        assertThat(runner.settings().individualDrones()).hasSize(3);
     }
 
     @Test

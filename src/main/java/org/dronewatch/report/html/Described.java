@@ -15,9 +15,13 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
 
-/** Settings in readable form: names, values, units; angles in degrees. */
+/** Settings in readable form: names, values, units; angles in degrees, those of a compass from 0 to 360. */
 final class Described {
     private static final String OURS = "org.dronewatch.";
+    private static final double TURN = 2.0 * Math.PI;
+
+    /** Angles clockwise from north. */
+    private static final Set<String> COMPASS = Set.of("azimuth", "bearing", "heading");
 
     private Described() {}
 
@@ -32,11 +36,20 @@ final class Described {
         for (RecordComponent part : form.parts()) {
             boolean isTrivial = part.isAnnotationPresent(Minor.class) && form.isDefault(settings, part);
             if (!isTrivial && !without.contains(part.getName())) {
-                value(SettingsForm.get(settings, part), SettingText.quantity(part))
+                value(onCompass(part, SettingsForm.get(settings, part)), SettingText.quantity(part))
                         .ifPresent(text -> parts.add(words(part.getName()) + " " + text));
             }
         }
         return String.join(", ", parts);
+    }
+
+    /** Where a bearing leads to: 375 degrees is 15 degrees. */
+    private static Object onCompass(RecordComponent part, Object value) {
+        return COMPASS.contains(part.getName())
+                        && SettingText.quantity(part) == Quantity.ANGLE
+                        && value instanceof Double angle
+                ? angle - TURN * Math.floor(angle / TURN)
+                : value;
     }
 
     private static Optional<String> value(Object value, Quantity quantity) {

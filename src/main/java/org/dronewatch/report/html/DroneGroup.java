@@ -25,14 +25,14 @@ record DroneGroup(String name, boolean isSwarm, List<String> members, ThreatLabe
     /** All groups of a scene, in the scene's order. */
     static List<DroneGroup> of(SceneSettings scene) {
         List<DroneGroup> groups = new ArrayList<>();
-        List<String> fliers = new ArrayList<>(scene.fliers().keySet());
+        List<String> individuals = new ArrayList<>(scene.individualDrones().keySet());
         int next = 0;
         for (Map.Entry<String, DroneSettings> drone : scene.drones().entrySet()) {
             int count = drone.getValue().swarm().map(Swarm::count).orElse(1);
             groups.add(new DroneGroup(
                     drone.getKey(),
                     drone.getValue().swarm().isPresent(),
-                    fliers.subList(next, next + count),
+                    individuals.subList(next, next + count),
                     drone.getValue().label().role()));
             next += count;
         }

@@ -16,9 +16,9 @@ final class DroneRows {
 
     static String table(SceneSettings scene) {
         List<List<String>> rows = new ArrayList<>();
-        Map<String, DroneSettings> fliers = scene.fliers();
+        Map<String, DroneSettings> individuals = scene.individualDrones();
         for (DroneGroup group : DroneGroup.of(scene)) {
-            DroneSettings drone = fliers.get(group.members().get(0));
+            DroneSettings drone = individuals.get(group.members().get(0));
             rows.add(List.of(
                     group.isSwarm()
                             ? group.name() + " (swarm of " + group.members().size() + ")"

@@ -55,7 +55,7 @@ final class Verdict {
     /** For how many of many drones an alert is raised, and for how many in time. */
     private String summary() {
         List<AlertResult> alerts = run.alerts();
-        long attackers = run.settings().fliers().values().stream()
+        long attackers = run.settings().individualDrones().values().stream()
                 .filter(drone -> drone.label().role() == ThreatLabel.Role.ATTACK)
                 .count();
         String role = attackers == alerts.size() ? "" : format(" (%d of them attacking)", attackers);

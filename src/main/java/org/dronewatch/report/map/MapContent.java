@@ -83,7 +83,7 @@ final class MapContent {
                 .map(outline -> Footprint.of(sensor.position(), outline, run.firstDetectionRange(id)))
                 .ifPresent(rings -> features.add(field(id, sensor, rings))));
         settings.alert().protect().ifPresent(zone -> features.add(zone(zone)));
-        settings.fliers().keySet().forEach(id -> features.add(flight(id)));
+        settings.individualDrones().keySet().forEach(id -> features.add(flight(id)));
         run.alerts().forEach(result -> result.alert().ifPresent(alert -> features.add(alert(result.drone(), alert))));
         run.events().forEach(event -> features.add(event(event)));
         return features;
@@ -124,7 +124,7 @@ final class MapContent {
 
     /** Where the drone was at its alert. */
     private MapFeature alert(String drone, Alert alert) {
-        Position position = stage.placeOf(drone, alert.time());
+        Position position = stage.positionOf(drone, alert.time());
         Properties properties = new Properties()
                 .put("drone", drone)
                 .put("time_s", alert.time())
@@ -137,7 +137,7 @@ final class MapContent {
     private MapFeature flight(String id) {
         List<GeoPoint> positions = new ArrayList<>();
         for (int i = 0; i <= STEPS; i++) {
-            GeoPoint position = geodesy.at(stage.placeOf(id, run.simulated() * i / STEPS));
+            GeoPoint position = geodesy.at(stage.positionOf(id, run.simulated() * i / STEPS));
             if (positions.isEmpty()
                     || !positions.get(positions.size() - 1).inSpace().equals(position.inSpace())) {
                 positions.add(position);
@@ -151,7 +151,7 @@ final class MapContent {
     /** The drone at the time of emission. */
     private MapFeature event(DetectionEvent event) {
         Observation o = event.observation();
-        Position position = stage.placeOf(o.drone(), o.time());
+        Position position = stage.positionOf(o.drone(), o.time());
         Properties properties = new Properties()
                 .put("event", event.gained() ? "gained" : "lost")
                 .put("sensor", o.sensor())

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Set;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.acoustic.level.Listening;
@@ -11,6 +12,8 @@ import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.Projection;
 import org.dronewatch.sensor.thermal.ThermalSettings;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class DescribedTest {
     private static final CameraSettings CAMERA = CameraSettings.at(new Position(1, 2, 3));
@@ -30,6 +33,14 @@ class DescribedTest {
         assertThat(of(MICROPHONE))
                 .isEqualTo("radius 0.5 m, threshold 15 dB, array gain 0 dB, propagation level-model (initial rays 10,"
                         + " reflections per hit 10, attenuation 0.05 dB/m, max order 3, ray budget 200000)");
+    }
+
+    /** A field of cameras turned step by step may go on beyond a whole turn; an elevation is not a bearing. */
+    @ParameterizedTest
+    @CsvSource({"375, 15", "-15, 345", "360, 0", "-360, 0", "90, 90", "720, 0"})
+    void bearingsAreThoseOfACompass(double set, String shown) {
+        assertThat(Described.of(new Aim.Direction(Math.toRadians(set), Math.toRadians(-5)), Set.of()))
+                .isEqualTo("azimuth " + shown + "\u00b0, elevation -5\u00b0");
     }
 
     @Test

@@ -78,7 +78,10 @@ public record EnergyReading(
         return aWeighted(this::energy);
     }
 
-    /** A-weighted level of the direct and diffracted sound, dB. */
+    /**
+     * A-weighted level of the direct and diffracted sound, dB; with {@code ground: coherent} the reflection from the ground is
+     * part of the direct sound, with which it interferes.
+     */
     public double directLevel() {
         return aWeighted(band -> direct.get(band) + diffracted.get(band));
     }

@@ -71,7 +71,7 @@ record SoundSites(World world, List<Double> power) {
         SceneSettings settings = scene.describe();
         ModelCache models = new ModelCache(scene.directory(), note -> {});
         settings.world().models().forEach(models::read);
-        settings.fliers().values().forEach(drone -> models.read(drone.model()));
+        settings.individualDrones().values().forEach(drone -> models.read(drone.model()));
         Stage stage = new Stage(settings, models, 1);
         Drone drone = stage.dronesAt(0).get(0);
         return new SoundSites(stage.world(), drone.soundPower());

@@ -8,10 +8,10 @@ import java.util.Map;
 import org.dronewatch.drone.DroneSettings;
 
 /** Expands a scene's drones: each drone, with each swarm replaced by its members. */
-final class Fliers {
+final class SwarmExpansion {
     private static final int MOST = 1000;
 
-    private Fliers() {}
+    private SwarmExpansion() {}
 
     /**
      * All drones that fly, by id: the drones of swarm {@code x} are {@code x-1}, {@code x-2} and so on.
@@ -26,10 +26,10 @@ final class Fliers {
             throw new IllegalArgumentException(
                     "drones: " + count + " in all, including swarms; must be at most " + MOST);
         }
-        Map<String, DroneSettings> fliers = new LinkedHashMap<>();
+        Map<String, DroneSettings> individuals = new LinkedHashMap<>();
         Map<String, String> sources = new HashMap<>();
         drones.forEach((id, drone) -> {
-            List<DroneSettings> flying = drone.fliers();
+            List<DroneSettings> flying = drone.members();
             for (int i = 0; i < flying.size(); i++) {
                 String name = drone.swarm().isPresent() ? id + "-" + (i + 1) : id;
                 String other = sources.put(name, id);
@@ -37,9 +37,9 @@ final class Fliers {
                     throw new IllegalArgumentException("drones '" + other + "' and '" + id + "' both have a drone '"
                             + name + "', as the drones of a swarm are numbered: rename one");
                 }
-                fliers.put(name, flying.get(i));
+                individuals.put(name, flying.get(i));
             }
         });
-        return Collections.unmodifiableMap(fliers);
+        return Collections.unmodifiableMap(individuals);
     }
 }
