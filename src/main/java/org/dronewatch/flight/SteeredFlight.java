@@ -95,8 +95,11 @@ public final class SteeredFlight implements FlownPath {
                     "arrival at " + arrival + " s must be after the command, at " + from + " s");
         }
         FlightState here = Leg.at(legs, from);
-        Position velocity = target.minus(here.position()).times(1.0 / (arrival - from));
-        checkSpeed(velocity);
+        Position way = target.minus(here.position());
+        // Before the velocity, which may be infinite so soon after the command.
+        double speed = way.length() / (arrival - from);
+        checkSpeed(speed);
+        Position velocity = speed == 0.0 ? REST : way.times(1.0 / (arrival - from));
         Attitude attitude = along(velocity, here);
         command(from, velocity, attitude);
         add(arrival, REST, attitude);
@@ -129,8 +132,10 @@ public final class SteeredFlight implements FlownPath {
     }
 
     private void checkSpeed(Position velocity) {
-        Check.present("velocity", velocity);
-        double speed = velocity.length();
+        checkSpeed(Check.present("velocity", velocity).length());
+    }
+
+    private void checkSpeed(double speed) {
         if (speed > fastest * (1.0 + ROUNDING)) {
             throw new IllegalArgumentException(
                     String.format(Locale.ROOT, "speed %s m/s must be at most %s m/s, the drone's", speed, fastest));

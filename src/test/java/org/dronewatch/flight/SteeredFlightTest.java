@@ -128,6 +128,16 @@ class SteeredFlightTest {
         assertThat(flight.legs()).hasSize(1);
     }
 
+    @Test
+    void anArrivalTooSoonIsRefusedByItsSpeed() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> flight.flyTo(0.0, START.plus(new Position(1, 0, 0)), Double.MIN_VALUE))
+                .withMessageStartingWith("speed Infinity m/s must be at most ");
+        flight.flyTo(0.0, START, Double.MIN_VALUE);
+        flight.advance(1.0);
+        assertThat(flight.at(1.0).position()).isEqualTo(START);
+    }
+
     /** Commands at every millisecond, each of which discards a plan for later: the time for one must not grow. */
     @Test
     void manyCommandsKeepOnlyWhatWasFlown() {
