@@ -111,21 +111,17 @@ public final class ColourCamera {
 
     /** Meters the site without drones at pixels spread evenly over the picture. */
     private Exposure metered() {
-        double[] rows = new double[METERED];
+        double[] brightness = new double[METERED * METERED];
         Workers.forEach(METERED, this::newTile, (tile, row) -> {
             for (int column = 0; column < METERED; column++) {
                 double[] rgb = tile.radiance(
                         (2 * column + 1) * camera.width() / (2 * METERED),
                         (2 * row + 1) * camera.height() / (2 * METERED),
                         List.of());
-                rows[row] += Math.log(Math.max(DARKEST, Daylight.brightness(rgb)));
+                brightness[row * METERED + column] = Math.max(DARKEST, Daylight.brightness(rgb));
             }
         });
-        double sum = 0.0;
-        for (double row : rows) {
-            sum += row;
-        }
-        return new Exposure(Math.exp(sum / (METERED * METERED)), light.light().illuminance());
+        return Exposure.of(brightness, light.light().illuminance());
     }
 
     /** The mean radiance of a pixel in red, green and blue, over that of a white, matt, level surface in all the light. */

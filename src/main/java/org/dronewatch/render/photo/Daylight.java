@@ -20,9 +20,6 @@ final class Daylight {
     /** The channels' contributions to brightness (ITU-R BT.709). */
     private static final double[] BRIGHTNESS = {0.2126, 0.7152, 0.0722};
 
-    /** Optical depths of the clear air at 610, 550 and 465 nm, for light from the zenith (Bucholtz 1995). */
-    private static final double[] AIR = {0.064, 0.097, 0.193};
-
     private final Optional<Light.Sun> sun;
     private final double diffuse;
     private final double direct;
@@ -41,7 +38,7 @@ final class Daylight {
             this.diffuse = 1.0;
             this.direct = 0.0;
         }
-        this.colour = tint(ClearSky.airMass(elevation));
+        this.colour = tint(elevation);
     }
 
     /** The sun; empty when it is hidden by cloud. It may be below the horizon. */
@@ -69,22 +66,10 @@ final class Daylight {
         return direct * colour[channel];
     }
 
-    /** Optical depth of the clear air for light from the zenith. */
-    static double depth(int channel) {
-        return AIR[channel];
-    }
-
-    /** The fraction of a channel that is left after an air mass. */
-    static double left(int channel, double mass) {
-        return Math.exp(-AIR[channel] * mass);
-    }
-
-    /** The colour of white light after an air mass, at the same brightness. */
-    private static double[] tint(double mass) {
+    /** The colour of white sunlight on the ground, of brightness 1. */
+    private static double[] tint(double elevation) {
         double[] rgb = new double[CHANNELS];
-        for (int i = 0; i < CHANNELS; i++) {
-            rgb[i] = left(i, mass);
-        }
+        SunInAir.write(0.0, Math.max(0.0, Math.sin(elevation)), rgb);
         return equallyBright(rgb);
     }
 

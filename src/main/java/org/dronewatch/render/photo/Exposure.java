@@ -1,9 +1,11 @@
 package org.dronewatch.render.photo;
 
+import java.util.Arrays;
+
 /**
  * Converts light to the numbers of a picture. The logarithmic mean of what is seen becomes a middle tone, as by a
  * camera's automatic exposure (Reinhard et al., "Photographic tone reproduction for digital images", SIGGRAPH 2002),
- * but in poor light a darker one. Excessive brightness fades to white instead of being clipped: brightness is {@code
+ * but a darker one in poor light, and where much of the picture, such as the glow of a low sun, would be white. Excessive brightness fades to white instead of being clipped: brightness is {@code
  * 1 - exp(-k x)}, followed by the transfer function of sRGB (IEC 61966-2-1). Immutable.
  */
 final class Exposure {
@@ -20,6 +22,12 @@ final class Exposure {
 
     private static final double MOST = 6.0;
 
+    /** Exposure of the brightest twentieth, as the exponent: it keeps its colour, at the price of a darker picture. */
+    private static final double BRIGHT = 1.6;
+
+    /** The price is at most this. */
+    private static final double SPARED = 0.55;
+
     private static final int[][] BAYER = bayer();
 
     private final double gain;
@@ -28,11 +36,30 @@ final class Exposure {
      * The exposure of a picture.
      *
      * @param mean logarithmic mean of its brightness, relative to a white, matt, level surface
+     * @param bright what only the brightest twentieth of it exceeds
      * @param illuminance of level ground, lx
      */
-    Exposure(double mean, double illuminance) {
+    Exposure(double mean, double bright, double illuminance) {
         double metered = -Math.log(1.0 - MIDDLE) / mean;
-        this.gain = Math.max(LEAST, Math.min(MOST, metered)) * Math.min(1.0, Math.pow(illuminance / AMPLE, DARKER));
+        double spared = Math.max(SPARED, Math.min(1.0, BRIGHT / (metered * bright)));
+        this.gain = Math.max(LEAST, Math.min(MOST, metered * spared))
+                * Math.min(1.0, Math.pow(illuminance / AMPLE, DARKER));
+    }
+
+    /**
+     * The exposure of a picture.
+     *
+     * @param brightness above 0, of places spread evenly over the picture; they are put in order
+     * @param illuminance of level ground, lx
+     */
+    static Exposure of(double[] brightness, double illuminance) {
+        Arrays.sort(brightness);
+        double sum = 0.0;
+        for (double place : brightness) {
+            sum += Math.log(place);
+        }
+        double bright = brightness[(int) (0.95 * (brightness.length - 1))];
+        return new Exposure(Math.exp(sum / brightness.length), bright, illuminance);
     }
 
     /**

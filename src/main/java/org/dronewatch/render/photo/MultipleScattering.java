@@ -1,100 +1,133 @@
 package org.dronewatch.render.photo;
 
+import java.util.Arrays;
+
 /**
- * Light that the air scatters more than once, for one sun: the mean radiance that reaches each place from all directions.
- * After the first scattering it is taken to be even in all directions and everywhere near, so that each further one adds the
- * same fraction f of the last: together {@code 1 / (1 - f)} of the second (S. Hillaire, "A scalable and production ready sky
- * and atmosphere rendering technique", Computer Graphics Forum 39(4), 2020, section 5.5). Without it the earth's shadow would be
- * seen as an edge in a black sky. Holds the last place: one per thread.
+ * Sunlight that arrives at a point in {@link ClearAir} from all directions after it was scattered, or reflected by the
+ * ground, at least once. The second scattering is computed, all further ones follow as a geometric series of ratio f: {@code
+ * 1 / (1 - f)}, with f the part of an even light that is scattered towards the point again (Hillaire, "A scalable and
+ * production ready sky and atmosphere rendering technique", Computer Graphics Forum 39, 2020). Scattering is the
+ * same in all directions here. Tabulated once. Immutable.
  */
 final class MultipleScattering {
-    private static final int CHANNELS = Daylight.CHANNELS;
-    private static final int HEIGHTS = 14;
-    private static final int ELEVATIONS = 21;
+    private static final int HEIGHTS = 16;
+    private static final int SUNS = 48;
 
-    /** From one elevation of the sun to the next, rad: a line of sight stays within 12 degrees of arc of the observer. */
-    private static final double STEP = Math.toRadians(1.25);
+    /** Signed square root of the sun's lowest elevation over 90 degrees: 27 degrees below the horizon. */
+    private static final double LOWEST = -0.55;
 
-    /** Directions over which is averaged: by elevation, and by azimuth on one side of the sun. */
-    private static final int UP = 8;
+    /** Directions in which a point looks: by elevation, and in half the azimuths. */
+    private static final int LEVELS = 12;
 
     private static final int AROUND = 4;
+    private static final int STEPS = 16;
 
-    private static final double LEAST = 1e-30;
+    /** The darkest, so that its logarithm is finite. */
+    private static final double DARK = 1e-20;
 
-    private final double lowest;
+    /** Logarithms, by height, elevation of the sun and channel: in twilight light falls by powers of ten. */
+    private static final float[] TABLE = table();
 
-    /** Logarithms of radiances by elevation of the sun, height and channel: they span many powers of ten. */
-    private final double[] table = new double[ELEVATIONS * HEIGHTS * CHANNELS];
+    private MultipleScattering() {}
 
-    private final double[] found = new double[CHANNELS];
-
-    /**
-     * A table about an elevation of the sun.
-     *
-     * @param elevation rad
-     */
-    MultipleScattering(double elevation) {
-        this.lowest = elevation - STEP * (ELEVATIONS - 1) / 2.0;
-        SkyRay ray = new SkyRay(12, 10);
-        for (int i = 0; i < ELEVATIONS; i++) {
-            for (int k = 0; k < HEIGHTS; k++) {
-                fill(ray, height(k), lowest + STEP * i, (i * HEIGHTS + k) * CHANNELS);
+    private static float[] table() {
+        float[] table = new float[HEIGHTS * SUNS * Daylight.CHANNELS];
+        AirPath path = new AirPath();
+        for (int i = 0; i < HEIGHTS; i++) {
+            double root = i / (HEIGHTS - 1.0);
+            double[] light = new double[SUNS * Daylight.CHANNELS];
+            double[] again = new double[Daylight.CHANNELS];
+            for (int level = 0; level < LEVELS; level++) {
+                // Close to each other at the horizon.
+                double share = (level + 0.5) * 2.0 / LEVELS - 1.0;
+                double weight = Math.abs(share) * 2.0 / LEVELS / AROUND;
+                look(path, ClearAir.TOP * root * root, share * Math.abs(share), weight, light, again);
             }
+            for (int k = 0; k < light.length; k++) {
+                table[i * light.length + k] =
+                        (float) Math.log(Math.max(DARK, light[k] / (1.0 - again[k % Daylight.CHANNELS])));
+            }
+        }
+        return table;
+    }
+
+    /** Adds what is seen at an elevation, from a height. */
+    private static void look(AirPath path, double height, double up, double weight, double[] light, double[] again) {
+        double[] left = new double[Daylight.CHANNELS];
+        double[] part = new double[Daylight.CHANNELS];
+        Arrays.fill(left, 1.0);
+        path.start(height, up, STEPS);
+        while (path.next()) {
+            for (int channel = 0; channel < Daylight.CHANNELS; channel++) {
+                double scattered =
+                        ClearAir.scatteredByAir(channel, path.air()) + ClearAir.scatteredByHaze(channel, path.haze());
+                part[channel] = weight * left[channel] * path.seen(channel) * scattered;
+                again[channel] += AROUND * part[channel];
+                part[channel] /= 4.0 * Math.PI;
+                left[channel] *= Math.exp(-path.depth(channel));
+            }
+            addSunlit(height, up, path.distance(), path.height(), part, false, light);
+        }
+        if (up < ClearAir.horizon(height)) {
+            for (int channel = 0; channel < Daylight.CHANNELS; channel++) {
+                part[channel] = weight * left[channel] * AmbientLight.ALBEDO;
+                again[channel] += AROUND * part[channel];
+                part[channel] /= Math.PI;
+            }
+            addSunlit(height, up, ClearAir.length(height, up), 0.0, part, true, light);
         }
     }
 
-    private void fill(SkyRay ray, double height, double sun, int at) {
-        double[] second = new double[CHANNELS];
-        double[] again = new double[CHANNELS];
-        for (int i = 0; i < UP; i++) {
-            // Closest to each other at the horizon, where most of the air is.
-            double middle = 2.0 * (i + 0.5) / UP - 1.0;
-            double up = Math.signum(middle) * middle * middle;
-            double weight = 2.0 * Math.abs(middle) / (UP * AROUND);
-            for (int k = 0; k < AROUND; k++) {
-                ray.follow(height, up, Math.cos(Math.PI * (k + 0.5) / AROUND), sun, null);
-                for (int channel = 0; channel < CHANNELS; channel++) {
-                    second[channel] += weight * ray.evenly(channel);
-                    again[channel] += weight * ray.often(channel);
+    /** Adds what a point at a distance sends, for each elevation of the sun, and azimuths all around. */
+    private static void addSunlit(
+            double from, double up, double distance, double height, double[] part, boolean ground, double[] light) {
+        double[] sunlight = new double[Daylight.CHANNELS];
+        double radius = ClearAir.EARTH + height;
+        double above = ClearAir.EARTH + from + distance * up;
+        double aside = distance * Math.sqrt(1.0 - up * up);
+        for (int sun = 0; sun < SUNS; sun++) {
+            double elevation = elevation(sun);
+            for (int around = 0; around < AROUND; around++) {
+                double towards = aside * Math.cos(Math.PI * (around + 0.5) / AROUND);
+                double sine = (above * Math.sin(elevation) + towards * Math.cos(elevation)) / radius;
+                if (sine < ClearAir.horizon(height)) {
+                    continue;
+                }
+                SunInAir.write(height, Math.min(1.0, sine), sunlight);
+                double facing = ground ? Math.max(0.0, sine) : 1.0;
+                for (int channel = 0; channel < Daylight.CHANNELS; channel++) {
+                    light[sun * Daylight.CHANNELS + channel] += facing * part[channel] * sunlight[channel];
                 }
             }
         }
-        for (int channel = 0; channel < CHANNELS; channel++) {
-            table[at + channel] = Math.log(LEAST + second[channel] / (1.0 - again[channel]));
-        }
     }
 
-    /** Denser where the air is. */
-    private static double height(int number) {
-        double share = (double) number / (HEIGHTS - 1);
-        return AirDepth.TOP * share * share;
+    private static double elevation(int sun) {
+        double root = LOWEST + (1.0 - LOWEST) * sun / (SUNS - 1.0);
+        return 0.5 * Math.PI * root * Math.abs(root);
     }
 
     /**
-     * Goes to a place.
+     * Writes the mean radiance from all directions, over the sun's irradiance outside the air, 1/sr.
      *
-     * @param height km
-     * @param sun elevation of the sun there, rad
+     * @param height km, 0 to {@link ClearAir#TOP}
+     * @param up sine of the sun's elevation
      */
-    void find(double height, double sun) {
-        double row = Math.max(0.0, Math.min(ELEVATIONS - 1.0, (sun - lowest) / STEP));
-        double column = Math.sqrt(Math.max(0.0, Math.min(1.0, height / AirDepth.TOP))) * (HEIGHTS - 1);
-        int i = Math.min(ELEVATIONS - 2, (int) row);
-        int k = Math.min(HEIGHTS - 2, (int) column);
+    static void write(double height, double up, double[] rgb) {
+        double quarters = Math.asin(Math.max(-1.0, Math.min(1.0, up))) / (0.5 * Math.PI);
+        double root = Math.copySign(Math.sqrt(Math.abs(quarters)), quarters);
+        double column = Math.max(0.0, (root - LOWEST) / (1.0 - LOWEST) * (SUNS - 1));
+        double row = Math.sqrt(Math.min(1.0, height / ClearAir.TOP)) * (HEIGHTS - 1);
+        int i = Math.min(HEIGHTS - 2, (int) row);
+        int k = Math.min(SUNS - 2, (int) column);
         double v = row - i;
         double u = column - k;
-        int at = (i * HEIGHTS + k) * CHANNELS;
-        int next = at + HEIGHTS * CHANNELS;
-        for (int channel = 0; channel < CHANNELS; channel++) {
-            double here = table[at + channel] + u * (table[at + CHANNELS + channel] - table[at + channel]);
-            double there = table[next + channel] + u * (table[next + CHANNELS + channel] - table[next + channel]);
-            found[channel] = Math.exp(here + v * (there - here));
+        for (int channel = 0; channel < Daylight.CHANNELS; channel++) {
+            int at = (i * SUNS + k) * Daylight.CHANNELS + channel;
+            int next = at + SUNS * Daylight.CHANNELS;
+            double lower = TABLE[at] + u * (TABLE[at + Daylight.CHANNELS] - TABLE[at]);
+            double upper = TABLE[next] + u * (TABLE[next + Daylight.CHANNELS] - TABLE[next]);
+            rgb[channel] = Math.exp(lower + v * (upper - lower));
         }
-    }
-
-    /** Mean radiance from all directions at the place found last, per sr. */
-    double radiance(int channel) {
-        return found[channel];
     }
 }

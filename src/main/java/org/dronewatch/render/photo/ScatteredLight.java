@@ -1,14 +1,12 @@
 package org.dronewatch.render.photo;
 
 /**
- * The radiance of a clear sky, brightness and colour together: sunlight that the air of a round earth has scattered once
- * (after Nishita, Sirai, Tadamura and Nakamae, "Display of the earth taking into account atmospheric scattering", SIGGRAPH
- * 1993) and more often ({@link MultipleScattering}), and the light of the night sky. Relative to the irradiance of the sun
- * outside the atmosphere, per sr. Tabulated. Immutable.
+ * The radiance of a clear sky as seen from the ground of a round earth, over the sun's irradiance outside the air, 1/sr:
+ * sunlight that air and haze scatter once towards the observer (after Nishita and others, "Display of the earth taking
+ * into account atmospheric scattering", SIGGRAPH 1993), light that was scattered more often ({@link
+ * MultipleScattering}), and the light of the night sky. Tabulated. Immutable.
  */
 final class ScatteredLight {
-    private static final int CHANNELS = Daylight.CHANNELS;
-
     /** Illuminance by the sun outside the atmosphere, lx (IESNA Lighting Handbook, 9th ed., ch. 8). */
     static final double SUN_OUTSIDE = 127_500.0;
 
@@ -21,13 +19,21 @@ final class ScatteredLight {
     /** Colour of the night sky: assumed. */
     private static final double[] NIGHT_COLOUR = {0.8, 1.0, 1.3};
 
-    private static final int ELEVATIONS = 49;
-    private static final int AZIMUTHS = 25;
-    private static final int STEPS = 32;
-    private static final int STEPS_TO_SUN = 16;
+    private static final int CHANNELS = Daylight.CHANNELS;
 
-    /** Logarithms by elevation of the line of sight, angle from the sun's azimuth, and channel. */
-    private final float[] table = new float[ELEVATIONS * AZIMUTHS * CHANNELS];
+    private static final int ELEVATIONS = 80;
+    private static final int AZIMUTHS = 25;
+    private static final int STEPS = 56;
+
+    /** Scattered once by air, once by haze, both without the phase function, and more often; each by channel. */
+    private static final int PARTS = 3 * CHANNELS;
+
+    /** By elevation of the line of sight, angle from the sun's azimuth, and part. */
+    private final float[] table = new float[ELEVATIONS * AZIMUTHS * PARTS];
+
+    private final AirPath path = new AirPath();
+    private final double[] sunlight = new double[CHANNELS];
+    private final double[] ambient = new double[CHANNELS];
 
     /**
      * A sky.
@@ -35,75 +41,66 @@ final class ScatteredLight {
      * @param elevation of the sun, rad; negative below the horizon
      */
     ScatteredLight(double elevation) {
-        MultipleScattering more = new MultipleScattering(elevation);
-        SkyRay ray = new SkyRay(STEPS, STEPS_TO_SUN);
         for (int i = 0; i < ELEVATIONS; i++) {
+            double root = i / (ELEVATIONS - 1.0);
+            double up = Math.sin(0.5 * Math.PI * root * root);
             for (int k = 0; k < AZIMUTHS; k++) {
-                ray.follow(0.0, up(i), Math.cos(Math.PI * k / (AZIMUTHS - 1)), elevation, more);
-                for (int channel = 0; channel < CHANNELS; channel++) {
-                    double night = NIGHT / SUN_OUTSIDE * NIGHT_COLOUR[channel];
-                    table[at(i, k) + channel] = (float) Math.log(ray.once(channel) + ray.often(channel) + night);
-                }
+                look(up, Math.cos(Math.PI * k / (AZIMUTHS - 1)), elevation, (i * AZIMUTHS + k) * PARTS);
+            }
+        }
+    }
+
+    private void look(double up, double towards, double elevation, int at) {
+        double[] left = {1.0, 1.0, 1.0};
+        double level = Math.sqrt(1.0 - up * up) * towards;
+        path.start(0.0, up, STEPS);
+        while (path.next()) {
+            double distance = path.distance();
+            double sine =
+                    ((ClearAir.EARTH + distance * up) * Math.sin(elevation) + distance * level * Math.cos(elevation))
+                            / (ClearAir.EARTH + path.height());
+            SunInAir.write(path.height(), Math.min(1.0, sine), sunlight);
+            MultipleScattering.write(path.height(), sine, ambient);
+            for (int channel = 0; channel < CHANNELS; channel++) {
+                double seen = left[channel] * path.seen(channel);
+                double byAir = seen * ClearAir.scatteredByAir(channel, path.air());
+                double byHaze = seen * ClearAir.scatteredByHaze(channel, path.haze());
+                table[at + channel] += (float) (byAir * sunlight[channel]);
+                table[at + CHANNELS + channel] += (float) (byHaze * sunlight[channel]);
+                table[at + 2 * CHANNELS + channel] += (float) ((byAir + byHaze) * ambient[channel]);
+                left[channel] *= Math.exp(-path.depth(channel));
             }
         }
     }
 
     /**
-     * Writes the radiance of the sky, per sr, relative to the irradiance of the sun outside the atmosphere.
+     * Writes the radiance.
      *
      * @param up sine of the elevation, 0 to 1
      * @param azimuth angle from that of the sun, 0 to pi
+     * @param cosine of the angle from the sun
      */
-    void radiance(double up, double azimuth, double[] rgb) {
-        double row = Math.sqrt(Math.max(0.0, Math.min(1.0, up))) * (ELEVATIONS - 1);
+    void radiance(double up, double azimuth, double cosine, double[] rgb) {
+        double row = Math.sqrt(Math.asin(Math.max(0.0, Math.min(1.0, up))) / (0.5 * Math.PI)) * (ELEVATIONS - 1);
         double column = azimuth / Math.PI * (AZIMUTHS - 1);
         int i = Math.min(ELEVATIONS - 2, (int) row);
         int k = Math.min(AZIMUTHS - 2, (int) column);
         double v = row - i;
         double u = column - k;
+        double byAir = ClearAir.airPhase(cosine);
+        double byHaze = ClearAir.hazePhase(cosine);
+        int at = (i * AZIMUTHS + k) * PARTS;
         for (int channel = 0; channel < CHANNELS; channel++) {
-            rgb[channel] = Math.exp(smooth(
-                    across(i - 1, k, u, channel),
-                    across(i, k, u, channel),
-                    across(i + 1, k, u, channel),
-                    across(i + 2, k, u, channel),
-                    v));
+            rgb[channel] = byAir * mixed(at + channel, u, v)
+                    + byHaze * mixed(at + CHANNELS + channel, u, v)
+                    + mixed(at + 2 * CHANNELS + channel, u, v)
+                    + NIGHT / SUN_OUTSIDE * NIGHT_COLOUR[channel];
         }
     }
 
-    private double across(int row, int column, double u, int channel) {
-        return smooth(
-                node(row, column - 1, channel),
-                node(row, column, channel),
-                node(row, column + 1, channel),
-                node(row, column + 2, channel),
-                u);
-    }
-
-    /** Beyond its edges the sky is its own mirror image: at the sun's azimuth and opposite exactly, at the others closely. */
-    private double node(int row, int column, int channel) {
-        return table[at(mirrored(row, ELEVATIONS), mirrored(column, AZIMUTHS)) + channel];
-    }
-
-    private static int mirrored(int number, int count) {
-        return number < 0 ? -number : number >= count ? 2 * (count - 1) - number : number;
-    }
-
-    /** The curve through two values without a kink there, by their neighbours (Catmull and Rom 1974). */
-    private static double smooth(double before, double from, double to, double after, double share) {
-        double slope = 0.5 * (to - before);
-        double next = 0.5 * (after - from);
-        double rise = to - from;
-        return from + share * (slope + share * (3.0 * rise - 2.0 * slope - next + share * (slope + next - 2.0 * rise)));
-    }
-
-    /** Rows are closer to each other at the horizon. */
-    private static double up(int row) {
-        double root = (double) row / (ELEVATIONS - 1);
-        return root * root;
-    }
-
-    private static int at(int row, int column) {
-        return (row * AZIMUTHS + column) * CHANNELS;
+    private double mixed(int at, double u, double v) {
+        int next = at + AZIMUTHS * PARTS;
+        double lower = table[at] + u * (table[at + PARTS] - table[at]);
+        return lower + v * (table[next] + u * (table[next + PARTS] - table[next]) - lower);
     }
 }

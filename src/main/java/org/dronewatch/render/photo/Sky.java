@@ -67,9 +67,12 @@ final class Sky {
             }
             return;
         }
-        double level = Math.sqrt((x * x + y * y) * (sun.x() * sun.x() + sun.y() * sun.y()));
-        double cosine = level > 0.0 ? (x * sun.x() + y * sun.y()) / level : 0.0;
-        scattered.get().radiance(up, Math.acos(Math.max(-1.0, Math.min(1.0, cosine))), rgb);
+        double around = Math.sqrt(sun.x() * sun.x() + sun.y() * sun.y());
+        double product = Math.sqrt(x * x + y * y) * around;
+        double along = product > 0.0 ? Math.max(-1.0, Math.min(1.0, (x * sun.x() + y * sun.y()) / product)) : 1.0;
+        double level = Math.sqrt(Math.max(0.0, 1.0 - up * up));
+        double cosine = Math.max(-1.0, Math.min(1.0, level * around * along + up * sun.z()));
+        scattered.get().radiance(up, Math.acos(along), cosine, rgb);
     }
 
     /** Adds the sun if a direction hits its disc. */
