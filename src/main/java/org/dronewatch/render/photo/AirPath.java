@@ -98,7 +98,7 @@ final class AirPath {
         return length * ClearAir.depth(channel, air, haze, ozone);
     }
 
-    /** Scale for what is scattered in the step, as it fades on its way through the step itself: its length in thin air. */
+    /** The step's length, less what is lost of scattered light within the step itself, km. */
     double seen(int channel) {
         double depth = depth(channel);
         return depth < 1e-6 ? length : -Math.expm1(-depth) / depth * length;

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.dronewatch.world.ClearSky;
 
 /**
- * The clear air of a round earth without refraction: air, haze and ozone, each as the fraction of its vertical column in a
- * kilometre. Heights and distances are in km, optical depths are for light from the zenith and by channel: red, green
+ * The clear air of a round earth without refraction: air, haze and ozone, each as the fraction of its vertical column
+ * in a kilometre. Heights and distances are in km, optical depths are for light from the zenith and by channel: red, green
  * and blue are light of 610, 550 and 465 nm.
  */
 final class ClearAir {
@@ -29,7 +29,7 @@ final class ClearAir {
     /** The integral of density over height, relative to the density at the ground. */
     private static final double COLUMN = column();
 
-    /** Scale height of haze, over which density falls to 1/e (Bruneton and Neyret, "Precomputed atmospheric scattering", 2008). */
+    /** Scale height of haze, over which it falls to 1/e (Bruneton and Neyret, Computer Graphics Forum 27, 2008). */
     static final double HAZE_SCALE = 1.2;
 
     /** The layer of ozone, as a triangle: its middle, and its extent to either side (Hillaire 2020). */
@@ -47,8 +47,8 @@ final class ClearAir {
     private static final double[] OZONE = {0.037, 0.027, 0.004};
 
     /**
-     * Optical depths of haze: in green what air and ozone leave of the 0.21 that a clear sky has ({@link ClearSky}), in other
-     * colours by the power -1.3 of wavelength (Angstrom, Geografiska Annaler 11, 1929, 156).
+     * Optical depths of haze: in green what air and ozone leave of the 0.21 that a clear sky has ({@link ClearSky}), in
+     * other colours by the power -1.3 of wavelength (Angstrom, Geografiska Annaler 11, 1929, 156).
      */
     private static final double[] HAZE = {0.0752, 0.086, 0.107};
 
