@@ -72,7 +72,12 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
                         Locale.ROOT,
                         ", %.1f m at the origin, which is z = %.1f m",
                         level,
-                        level - origin.height().orElse(0.0));
+                        tenths(level - origin.height().orElse(0.0)));
+    }
+
+    /** Rounded as it is shown; never -0. */
+    private static double tenths(double value) {
+        return Math.rint(10.0 * value) / 10.0 + 0.0;
     }
 
     void warn(List<String> warnings, double level) {

@@ -190,6 +190,13 @@ class TerrainSceneTest {
                 .doesNotContain("'inside' at");
     }
 
+    @Test
+    void groundAtTheOriginsHeightIsAtZero() throws IOException {
+        Outcome outcome =
+                Program.run("check", scene(SITE.replace("200 m", "200.01 m")).toString());
+        assertThat(outcome.err()).contains("200.0 m at the origin, which is z = 0.0 m");
+    }
+
     /** Each mistake is a line with its place in the file, and exit code 2. */
     @ParameterizedTest
     @CsvSource(
