@@ -3,9 +3,9 @@ package org.dronewatch.render.photo;
 import org.dronewatch.geometry.Position;
 
 /**
- * Irradiance of an unobstructed surface by the sky and the sunlit ground, as a function of its normal: nine coefficients of
- * spherical harmonics for each channel, which give the irradiance within a few percent (Ramamoorthi and Hanrahan, "An
- * efficient representation for irradiance environment maps", SIGGRAPH 2001). Immutable.
+ * Irradiance of an unobstructed surface by the sky and the sunlit ground, as a function of its normal: nine
+ * coefficients of spherical harmonics for each channel, which give the irradiance within a few percent (Ramamoorthi
+ * and Hanrahan, "An efficient representation for irradiance environment maps", SIGGRAPH 2001). Immutable.
  */
 final class AmbientLight {
     /** Fraction of the light that ordinary ground reflects. */

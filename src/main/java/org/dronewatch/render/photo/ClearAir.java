@@ -5,8 +5,8 @@ import org.dronewatch.world.ClearSky;
 
 /**
  * The clear air of a round earth without refraction: air, haze and ozone, each as the fraction of its vertical column
- * in a kilometre. Heights and distances are in km, optical depths are for light from the zenith and by channel: red, green
- * and blue are light of 610, 550 and 465 nm.
+ * in a kilometre. Heights and distances are in km, optical depths are for light from the zenith and by channel: red,
+ * green and blue are light of 610, 550 and 465 nm.
  */
 final class ClearAir {
     /** Radius of the earth. */

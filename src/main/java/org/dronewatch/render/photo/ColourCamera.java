@@ -12,10 +12,10 @@ import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.World;
 
 /**
- * Takes the pictures that a camera would take: the colours of the materials, Lambert's cosine law and shadows for
- * the sun, light from the sky, and haze by Koschmieder's law, all according to the world's {@link org.dronewatch.world.Light}.
- * Surfaces are matt; drones cast no shadows. No detection depends on it: the pixels that a sensor counts are those whose
- * centres show the drone, whatever a picture shows.
+ * Takes the pictures that a camera would take: the colours of the materials, Lambert's cosine law and shadows for the
+ * sun, light from the sky, and haze by Koschmieder's law, all according to the world's {@link
+ * org.dronewatch.world.Light}. Surfaces are matt; drones cast no shadows. No detection depends on it: the pixels that
+ * a sensor counts are those whose centres show the drone, whatever a picture shows.
  *
  * <p>The site without drones is exposed once and kept, so further pictures of a camera that stands still cost little. Pixels
  * are the same for any number of {@link Workers}. One thread at a time.
@@ -124,7 +124,10 @@ public final class ColourCamera {
         return Exposure.of(brightness, light.light().illuminance());
     }
 
-    /** The mean radiance of a pixel in red, green and blue, over that of a white, matt, level surface in all the light. */
+    /**
+     * The mean radiance of a pixel in red, green and blue, over that of a white, matt, level surface in all the
+     * light.
+     */
     double[] radiance(int column, int row, List<Drone> drones) {
         return newTile().radiance(column, row, drones.stream().map(this::layer).toList());
     }

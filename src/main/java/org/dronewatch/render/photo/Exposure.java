@@ -5,8 +5,9 @@ import java.util.Arrays;
 /**
  * Converts light to the numbers of a picture. The logarithmic mean of what is seen becomes a middle tone, as by a
  * camera's automatic exposure (Reinhard et al., "Photographic tone reproduction for digital images", SIGGRAPH 2002),
- * but a darker one in poor light, and where much of the picture, such as the glow of a low sun, would be white. Excessive brightness fades to white instead of being clipped: brightness is {@code
- * 1 - exp(-k x)}, followed by the transfer function of sRGB (IEC 61966-2-1). Immutable.
+ * but a darker one in poor light, and where much of the picture, such as the glow of a low sun, would be white.
+ * Excessive brightness fades to white instead of being clipped: brightness is {@code 1 - exp(-k x)}, followed by the
+ * transfer function of sRGB (IEC 61966-2-1). Immutable.
  */
 final class Exposure {
     /** In less light than this, lx, pictures are darker. */

@@ -3,11 +3,11 @@ package org.dronewatch.render.photo;
 import java.util.Arrays;
 
 /**
- * Sunlight that arrives at a point in {@link ClearAir} from all directions after it was scattered, or reflected by the
- * ground, at least once. The second scattering is computed, all further ones follow as a geometric series of ratio f: {@code
- * 1 / (1 - f)}, with f the part of an even light that is scattered towards the point again (Hillaire, "A scalable and
- * production ready sky and atmosphere rendering technique", Computer Graphics Forum 39, 2020). Scattering is the
- * same in all directions here. Tabulated once. Immutable.
+ * Sunlight that arrives at a point in {@link ClearAir} from all directions after it was scattered, or reflected by
+ * the ground, at least once. The second scattering is computed, all further ones follow as a geometric series of
+ * ratio f: {@code 1 / (1 - f)}, with f the part of an even light that is scattered towards the point again (Hillaire,
+ * "A scalable and production ready sky and atmosphere rendering technique", Computer Graphics Forum 39, 2020).
+ * Scattering is the same in all directions here. Tabulated once. Immutable.
  */
 final class MultipleScattering {
     private static final int HEIGHTS = 16;

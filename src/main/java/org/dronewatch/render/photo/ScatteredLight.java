@@ -1,9 +1,9 @@
 package org.dronewatch.render.photo;
 
 /**
- * The radiance of a clear sky as seen from the ground of a round earth, over the sun's irradiance outside the air, 1/sr:
- * sunlight that air and haze scatter once towards the observer (after Nishita and others, "Display of the earth taking
- * into account atmospheric scattering", SIGGRAPH 1993), light that was scattered more often ({@link
+ * The radiance of a clear sky as seen from the ground of a round earth, over the sun's irradiance outside the air,
+ * 1/sr: sunlight that air and haze scatter once towards the observer (after Nishita and others, "Display of the earth
+ * taking into account atmospheric scattering", SIGGRAPH 1993), light that was scattered more often ({@link
  * MultipleScattering}), and the light of the night sky. Tabulated. Immutable.
  */
 final class ScatteredLight {
@@ -11,8 +11,8 @@ final class ScatteredLight {
     static final double SUN_OUTSIDE = 127_500.0;
 
     /**
-     * Luminance of a moonless night sky far from towns, cd/m2: 22 magnitudes per square second of arc (Leinert and others,
-     * Astronomy and Astrophysics Supplement 127, 1, 1998).
+     * Luminance of a moonless night sky far from towns, cd/m2: 22 magnitudes per square second of arc (Leinert and
+     * others, Astronomy and Astrophysics Supplement 127, 1, 1998).
      */
     private static final double NIGHT = 1.7e-4;
 

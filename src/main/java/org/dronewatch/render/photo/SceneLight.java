@@ -35,8 +35,8 @@ record SceneLight(World world, Daylight daylight, Sky sky, AmbientLight ambient,
     }
 
     /**
-     * Puts the air in front of a surface: the fraction {@link Light#contrastLeft} is left of its difference from the sky at
-     * the horizon, which is what an infinitely long path through air would show (Koschmieder 1924).
+     * Puts the air in front of a surface: the fraction {@link Light#contrastLeft} is left of its difference from the
+     * sky at the horizon, which is what an infinitely long path through air would show (Koschmieder 1924).
      *
      * @param direction of the line of sight, of unit length
      * @param distance m

@@ -4,10 +4,10 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 
 /**
- * How bright the sky is in each direction, relative to a white, matt, level surface. A clear sky has the radiance of {@link
- * ScatteredLight}; where the sun is not known, the sky is type 3 of ISO 15469:2004 (CIE S 011), overcast and moderately
- * graded. Both are scaled so that the whole sky gives level ground the fraction of the light stated by {@link Daylight}.
- * Immutable.
+ * How bright the sky is in each direction, relative to a white, matt, level surface. A clear sky has the radiance of
+ * {@link ScatteredLight}; where the sun is not known, the sky is type 3 of ISO 15469:2004 (CIE S 011), overcast and
+ * moderately graded. Both are scaled so that the whole sky gives level ground the fraction of the light stated by
+ * {@link Daylight}. Immutable.
  */
 final class Sky {
     /** Angular radius of the sun, rad. */

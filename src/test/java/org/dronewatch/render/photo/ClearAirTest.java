@@ -22,7 +22,10 @@ class ClearAirTest {
         return sum;
     }
 
-    /** Haze is exponential: towards the horizon sqrt(pi x / 2) (1 + 3 / (8 x)) columns, x = radius / scale height (Chapman 1931). */
+    /**
+     * Haze is exponential: towards the horizon sqrt(pi x / 2) (1 + 3 / (8 x)) columns, x = radius / scale height
+     * (Chapman 1931).
+     */
     @Test
     void theColumnTowardsTheHorizonIsChapmans() {
         double closed = chapman(0);

@@ -3,6 +3,7 @@ package org.dronewatch.render.photo;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.world.Light;
@@ -62,9 +63,10 @@ class SkyColourTest {
     }
 
     /**
-     * Illuminance by twilight: 410 to 585 lx when the sun has just set, 2 to 3.5 at -6, 0.008 at -12, 0.0006 lx at -18 degrees
-     * (American Meteorological Society, Glossary of Meteorology; for the last three, {@code ClearSky} has 3.4, 0.008 and 0.00065). Nothing was fitted to it: 17 degrees darken the ground by six
-     * powers of ten; the factor allowed at -12 is 2.
+     * Illuminance by twilight: 410 to 585 lx when the sun has just set, 2 to 3.5 at -6, 0.008 at -12, 0.0006 lx at
+     * -18 degrees (American Meteorological Society, Glossary of Meteorology; for the last three, {@code ClearSky} has
+     * 3.4, 0.008 and 0.00065). Nothing was fitted to it: 17 degrees darken the ground by six powers of ten; the
+     * factor allowed at -12 is 2.
      */
     @ParameterizedTest
     @CsvSource({"-0.833, 410, 585", "-6, 1.6, 5.5", "-12, 0.004, 0.016", "-18, 0.0005, 0.0009"})
@@ -72,7 +74,10 @@ class SkyColourTest {
         assertThat(illuminance(elevation)).isBetween(least, most);
     }
 
-    /** At a fixed exposure the zenith darkens in every colour as the sun sinks, without a step, to the light of the night. */
+    /**
+     * At a fixed exposure the zenith darkens in every colour as the sun sinks, without a step, to the light of the
+     * night.
+     */
     @Test
     void theZenithDarkensFromDayToNight() {
         double[] last = colour(10.25, 90, 0);
@@ -115,9 +120,9 @@ class SkyColourTest {
     }
 
     /**
-     * The whole dome in the picture's numbers, 0 to 255, from noon to night, along 25 lines from the horizon to the zenith, in
-     * steps from 0.001 degrees at the horizon to 0.6, and along 19 around the sky: a step of an edge would be much larger
-     * than those beside it.
+     * The whole dome in the picture's numbers, 0 to 255, from noon to night, along 25 lines from the horizon to the
+     * zenith, in steps from 0.001 degrees at the horizon to 0.6, and along 19 around the sky: a step of an edge would
+     * be much larger than those beside it.
      */
     @ParameterizedTest
     @ValueSource(doubles = {60, 30, 10, 5, 2, 0, -1, -2, -3, -4.5, -6, -7.5, -9, -10.5, -12, -13.5, -15, -16.5, -18})
@@ -172,7 +177,10 @@ class SkyColourTest {
         sky.radiance(Math.cos(up) * Math.sin(azimuth), Math.cos(up) * Math.cos(azimuth), Math.sin(up), rgb);
     }
 
-    /** Ground beyond the model comes out of the haze of the horizon without an edge, and has its own colour further down. */
+    /**
+     * Ground beyond the model comes out of the haze of the horizon without an edge, and has its own colour further
+     * down.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {60, 10, 0, -6, -12, -18})
     void theGroundComesOutOfTheHazeOfTheHorizon(double elevation) {
@@ -241,6 +249,29 @@ class SkyColourTest {
             }
             assertThat(sum / 64.0).as("%f", radiance).isCloseTo(255.0 * encoded, within(1.0 / 128.0 + 1e-9));
         }
+    }
+
+    /** A glow that much of the picture consists of darkens it, by at most 45 %; a few bright pixels do not. */
+    @Test
+    void aGlowIsSparedAtTheExpenseOfTheRest() {
+        double[] even = new double[100];
+        Arrays.fill(even, 0.1);
+        double[] spot = even.clone();
+        Arrays.fill(spot, 0, 4, 1e2);
+        double[] glow = even.clone();
+        Arrays.fill(glow, 0, 10, 1e2);
+        double share = 1 - 0.32;
+        // The logarithmic means are 10^0.12 and 10^0.3 times that of the even picture; a tenth of the light of an even picture is shown without a
+        // limit.
+        assertThat(linear(Exposure.of(even, 1e5), 0.01)).isCloseTo(1 - Math.pow(share, 0.1), within(0.002));
+        double spotted = 1 - Math.pow(share, 0.1 / Math.pow(10, 0.12));
+        assertThat(linear(Exposure.of(spot, 1e5), 0.01)).isCloseTo(spotted, within(0.002));
+        double spared = 1 - Math.pow(share, 0.55 * 0.1 / Math.pow(10, 0.3));
+        assertThat(linear(Exposure.of(glow, 1e5), 0.01)).isCloseTo(spared, within(0.002));
+    }
+
+    private static double linear(Exposure exposure, double radiance) {
+        return Exposure.decoded(exposure.pixel(radiance, radiance, radiance, 0, 0) & 0xFF);
     }
 
     /** The hue stays as light gets brighter, and ends in white. */
