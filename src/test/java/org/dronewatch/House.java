@@ -28,7 +28,7 @@ public final class House {
                     "sensor.radar..",
                     "sensor.rf..",
                     "sensor.acoustic.."),
-            new Storey("", "sensor.optics"),
+            new Storey("", "sensor.optics", "sensor.radio"),
             new Storey("", "sensor"),
             new Storey("", "positioner"),
             new Storey("what flies", "drone"),

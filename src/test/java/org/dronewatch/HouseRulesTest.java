@@ -158,7 +158,6 @@ class HouseRulesTest {
                             "sensor\\.acoustic\\.energy\\.ReceiverSphere",
                             "sensor\\.acoustic\\.propagation\\.AcousticRay",
                             "sensor\\.optics\\.VisibleArea",
-                            "sensor\\.rf\\.RadioPath",
                             "world\\.(Clearance|Surroundings|Visibility|World)")
                     + ")");
 

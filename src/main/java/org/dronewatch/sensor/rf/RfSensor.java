@@ -16,6 +16,7 @@ import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.radio.RadioPath;
 import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;

@@ -23,7 +23,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param gain gain of its antenna, -50 to 60 dBi
  * @param bandwidth noise bandwidth, 1 to 1e10 Hz
  * @param noiseFigure noise figure of its electronics, 0 to 50 dB
- * @param clutter excess path loss from ground and buildings beyond that of the highest edge, plus local noise, 0 to 100
+ * @param clutter excess path loss from ground and buildings beyond that of edges, plus local noise, 0 to 100
  *     dB
  * @param threshold signal-to-noise ratio at and above which a signal is detected, -50 to 100 dB
  */
@@ -119,7 +119,7 @@ public record RfSettings(
         return SensorDescription.measuring("signal-to-noise ratio")
                 .withWeakness("signal too weak")
                 .withLeavesOut(
-                        "Radio propagation: free-space loss plus knife-edge diffraction at one edge of the site; interference and"
+                        "Radio propagation: free-space loss plus knife-edge diffraction at the edges of the site; interference and"
                                 + " reflections are not modelled.");
     }
 

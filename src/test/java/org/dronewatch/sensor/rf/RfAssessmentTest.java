@@ -21,6 +21,7 @@ import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.radio.RadioPath;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -82,7 +83,7 @@ class RfAssessmentTest {
     @ParameterizedTest
     @EnumSource(ModelRole.class)
     void aDroneIsHiddenOnlyWhereTheEdgeTakesWhatIsMissing(ModelRole role) {
-        World world = behind(block(500, 2), role);
+        World world = behind(block(500, 0.1), role);
 
         assertThat(assess(RECEIVER, world, emitting(0.2 * reach())).cause()).isEqualTo(Cause.DETECTED);
         Assessment hidden = assess(RECEIVER, world, emitting(0.9 * reach()));

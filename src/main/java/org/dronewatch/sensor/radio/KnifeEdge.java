@@ -1,0 +1,34 @@
+package org.dronewatch.sensor.radio;
+
+/** Diffraction at a knife edge (ITU-R P.526-15, section 4.1). */
+public final class KnifeEdge {
+    /** An edge this far below the line, in units of the Fresnel zone, costs nothing (P.526-15, equation (31)). */
+    private static final double CLEAR = -0.78;
+
+    private KnifeEdge() {}
+
+    /**
+     * Loss at a knife edge (P.526-15, equation (31)).
+     *
+     * @param v height of the edge over the line, in units of the Fresnel zone; negative below it
+     * @return dB, 0 for an edge far below
+     */
+    public static double loss(double v) {
+        return v <= CLEAR ? 0.0 : 6.9 + 20.0 * Math.log10(Math.sqrt((v - 0.1) * (v - 0.1) + 1.0) + v - 0.1);
+    }
+
+    /**
+     * Height of an edge in units of the Fresnel zone (P.526-15, equation (26)). Distances below a wavelength count as a
+     * wavelength: the formula does not hold nearer to an antenna.
+     *
+     * @param height above the line, perpendicular to it, m
+     * @param one distance from one end, m
+     * @param other distance from the other, m
+     * @param wavelength m
+     */
+    static double parameter(double height, double one, double other, double wavelength) {
+        double d1 = Math.max(wavelength, one);
+        double d2 = Math.max(wavelength, other);
+        return height * Math.sqrt(2.0 * (d1 + d2) / (wavelength * d1 * d2));
+    }
+}

@@ -1,0 +1,109 @@
+package org.dronewatch.sensor.radio;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.world.Obstacle;
+import org.dronewatch.world.World;
+
+/**
+ * The path loss of a radio wave between two positions in a site: free-space loss, and diffraction at the edges of the mesh.
+ * A wave goes over what stands in its way and past it on both sides, and the powers of the three ways add up (ITU-R
+ * P.526-15, section 4.2, average loss of a screen of finite width). Where nothing blocks the line, edges that come near
+ * it take their share. One per thread.
+ */
+public final class RadioPath {
+    private static final double LIGHT = 299_792_458.0;
+
+    /** Ways past the side are looked for up to this detour, as a multiple of the distance and in metres. */
+    private static final double DETOUR = 1.25;
+
+    private static final double LEAST_DETOUR = 100.0;
+
+    private final World world;
+    private final Section upright;
+    private final Section level;
+    private int mainTriangle;
+
+    /** For the paths of a site. */
+    public RadioPath(World world) {
+        this.world = world;
+        this.upright = new Section(world);
+        this.level = new Section(world);
+    }
+
+    /**
+     * Loss in free space between isotropic antennas: {@code 20 lg(4 pi d f / c)} (ITU-R P.525).
+     *
+     * @param distance above 0, m
+     * @param frequency Hz
+     * @return dB
+     */
+    public static double freeSpaceLoss(double distance, double frequency) {
+        return 20.0 * Math.log10(4.0 * Math.PI * distance * frequency / LIGHT);
+    }
+
+    /**
+     * The loss by diffraction between two positions, dB; infinite where no way leads round, as into a closed room.
+     *
+     * @param from one antenna, m
+     * @param to the other, m
+     * @param frequency Hz
+     */
+    public double obstacleLoss(Position from, Position to, double frequency) {
+        mainTriangle = -1;
+        double length = from.distance(to);
+        if (!(length > 0.0)) {
+            return 0.0;
+        }
+        double wavelength = LIGHT / frequency;
+        Position ahead = to.minus(from).times(1.0 / length);
+        Position up = upwards(ahead);
+        double tall = world.bounds().maxZ() - world.bounds().minZ();
+        upright.cut(from, to, ahead, up, DETOUR * length + 2.0 * tall);
+        level.cut(from, to, ahead, up.cross(ahead), DETOUR * length + LEAST_DETOUR);
+        WayRound over = new WayRound(upright, true, wavelength);
+        WayRound left = new WayRound(level, true, wavelength);
+        WayRound right = new WayRound(level, false, wavelength);
+        boolean isBlocked = upright.isBlocked() || level.isBlocked();
+        WayRound main = over;
+        for (WayRound way : List.of(left, right)) {
+            boolean isMain = isBlocked ? way.loss() < main.loss() : way.loss() > main.loss();
+            main = isMain ? way : main;
+        }
+        mainTriangle = main.triangle();
+        return isBlocked ? ofBlocked(over, left, right) : over.loss() + left.loss() + right.loss();
+    }
+
+    /** By rounding, a line along an edge may be blocked in one section only: then the ways in that one count. */
+    private double ofBlocked(WayRound over, WayRound left, WayRound right) {
+        double beside = left.loss() + right.loss();
+        if (!level.isBlocked()) {
+            return beside > 0.0 ? Math.min(over.loss(), beside) : over.loss();
+        }
+        double power = Math.pow(10.0, -0.1 * left.loss()) + Math.pow(10.0, -0.1 * right.loss());
+        if (upright.isBlocked()) {
+            power += Math.pow(10.0, -0.1 * over.loss());
+        }
+        return Math.max(0.0, -10.0 * Math.log10(power));
+    }
+
+    /** Perpendicular to a direction, of length 1, as upright as possible. */
+    private static Position upwards(Position ahead) {
+        boolean isSteep = Math.hypot(ahead.x(), ahead.y()) < 1e-6;
+        Position up = isSteep ? new Position(0.0, 1.0, 0.0) : new Position(0.0, 0.0, 1.0);
+        Position across = up.minus(ahead.times(up.dot(ahead)));
+        return across.times(1.0 / across.length());
+    }
+
+    /** The model with the edge that obstructs most between two positions; empty where none comes near the line. */
+    public Optional<Obstacle> obstacle(Position from, Position to, double frequency) {
+        obstacleLoss(from, to, frequency);
+        return mainTriangle < 0 ? Optional.empty() : Optional.of(world.obstacle(mainTriangle));
+    }
+
+    /** The site. */
+    public World world() {
+        return world;
+    }
+}

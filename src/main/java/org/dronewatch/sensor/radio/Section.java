@@ -1,0 +1,251 @@
+package org.dronewatch.sensor.radio;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.EllipsoidQuery;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
+
+/**
+ * The section of a site in a plane through two points: the straight pieces in which the plane cuts triangles, in
+ * coordinates u along the line from the first point to the second and t across it, m. Pieces that share an edge of the mesh
+ * share a point; those that hang together are one body. A plane through corners is taken for one an infinitesimal distance
+ * beside it. One per thread.
+ */
+final class Section {
+    /** Corners nearer to the plane than this, m, lie on it. */
+    private static final double ON_PLANE = 1e-7;
+
+    private record Point(double u, double t) {}
+
+    private final TriangleMesh mesh;
+    private final EllipsoidQuery query;
+    private final Map<Point, Integer> known = new HashMap<>();
+    private final double[][] corner = new double[3][3];
+    private final double[] height = new double[3];
+
+    private Position origin;
+    private Position ahead;
+    private Position side;
+    private double length;
+
+    private double[] u = new double[64];
+    private double[] t = new double[64];
+
+    /** Leads from each point to one of the same body, in the end to its representative. */
+    private int[] body = new int[64];
+
+    private int points;
+
+    /** The two points and the triangle of each piece. */
+    private int[] pieces = new int[192];
+
+    private int count;
+
+    /** Whether the body that a point represents crosses the line, and whether it goes on beyond what is looked at. */
+    private boolean[] blocks = new boolean[64];
+
+    private boolean[] openAbove = new boolean[64];
+    private boolean[] openBelow = new boolean[64];
+    private boolean isBlocked;
+
+    Section(World world) {
+        mesh = world.mesh();
+        query = new EllipsoidQuery(world.tree());
+    }
+
+    /**
+     * Cuts the triangles that reach into an ellipsoid with the two ends of a line as its foci.
+     *
+     * @param from the beginning of the line
+     * @param to its end
+     * @param direction of the line, of length 1
+     * @param across in the plane, perpendicular to that, of length 1: t grows that way
+     * @param sum of the distances from both ends of a point on the ellipsoid, m
+     */
+    void cut(Position from, Position to, Position direction, Position across, double sum) {
+        origin = from;
+        ahead = direction;
+        side = across;
+        length = from.distance(to);
+        known.clear();
+        points = 0;
+        count = 0;
+        Position normal = direction.cross(across);
+        query.findAtPlane(from, to, sum, normal, ON_PLANE);
+        for (int i = 0; i < query.count(); i++) {
+            cut(query.triangle(i), normal);
+        }
+        describeBodies(sum);
+    }
+
+    private void cut(int triangle, Position normal) {
+        int above = 0;
+        for (int k = 0; k < 3; k++) {
+            double[] c = corner[k];
+            c[0] = mesh.coordinate(triangle, k, 0) - origin.x();
+            c[1] = mesh.coordinate(triangle, k, 1) - origin.y();
+            c[2] = mesh.coordinate(triangle, k, 2) - origin.z();
+            double over = c[0] * normal.x() + c[1] * normal.y() + c[2] * normal.z();
+            height[k] = Math.abs(over) < ON_PLANE ? 0.0 : over;
+            above += height[k] >= 0.0 ? 1 : 0;
+        }
+        if (above == 0 || above == 3) {
+            return;
+        }
+        int alone = 0;
+        while (height[alone] >= 0.0 != (above == 1)) {
+            alone++;
+        }
+        int first = crossing(alone, (alone + 1) % 3);
+        int second = crossing(alone, (alone + 2) % 3);
+        if (first == second) {
+            return;
+        }
+        if (3 * count == pieces.length) {
+            pieces = Arrays.copyOf(pieces, 6 * count);
+        }
+        pieces[3 * count] = first;
+        pieces[3 * count + 1] = second;
+        pieces[3 * count + 2] = triangle;
+        count++;
+        body[representative(first)] = representative(second);
+    }
+
+    /** The point at which the plane cuts an edge; the same bits for both triangles at it. */
+    private int crossing(int one, int other) {
+        boolean isOrdered = Arrays.compare(corner[one], corner[other]) < 0;
+        double[] a = corner[isOrdered ? one : other];
+        double[] b = corner[isOrdered ? other : one];
+        double ha = height[isOrdered ? one : other];
+        double hb = height[isOrdered ? other : one];
+        double share = ha / (ha - hb);
+        double x = at(a, b, share, 0);
+        double y = at(a, b, share, 1);
+        double z = at(a, b, share, 2);
+        return point(x * ahead.x() + y * ahead.y() + z * ahead.z(), x * side.x() + y * side.y() + z * side.z());
+    }
+
+    /** Exact at both ends, so that all edges that end there are cut in one point. */
+    private static double at(double[] a, double[] b, double share, int axis) {
+        return share == 1.0 ? b[axis] : a[axis] + share * (b[axis] - a[axis]);
+    }
+
+    private int point(double along, double across) {
+        Integer there = known.putIfAbsent(new Point(along + 0.0, across + 0.0), points);
+        if (there != null) {
+            return there;
+        }
+        if (points == u.length) {
+            u = Arrays.copyOf(u, 2 * points);
+            t = Arrays.copyOf(t, 2 * points);
+            body = Arrays.copyOf(body, 2 * points);
+            blocks = new boolean[2 * points];
+            openAbove = new boolean[2 * points];
+            openBelow = new boolean[2 * points];
+        }
+        u[points] = along;
+        t[points] = across;
+        body[points] = points;
+        return points++;
+    }
+
+    private int representative(int point) {
+        int at = point;
+        while (body[at] != at) {
+            body[at] = body[body[at]];
+            at = body[at];
+        }
+        return at;
+    }
+
+    private void describeBodies(double sum) {
+        Arrays.fill(blocks, 0, points, false);
+        Arrays.fill(openAbove, 0, points, false);
+        Arrays.fill(openBelow, 0, points, false);
+        isBlocked = false;
+        for (int i = 0; i < points; i++) {
+            double beyond = length - u[i];
+            boolean isOutside = Math.hypot(u[i], t[i]) + Math.hypot(beyond, t[i]) > sum;
+            // What rises behind an antenna is in nobody's way.
+            markOpen(representative(i), isOutside && u[i] > 0.0 && beyond > 0.0, t[i]);
+        }
+        for (int i = 0; i < count; i++) {
+            int a = pieces[3 * i];
+            int b = pieces[3 * i + 1];
+            int whole = representative(a);
+            for (double end : new double[] {0.0, length}) {
+                boolean isCrossed = u[a] < end != u[b] < end;
+                double there = isCrossed ? t[a] + (end - u[a]) * (t[b] - t[a]) / (u[b] - u[a]) : 0.0;
+                markOpen(whole, isCrossed && Math.abs(there) > Visibility.MARGIN, there);
+            }
+            if (t[a] > 0.0 != t[b] > 0.0) {
+                double along = u[a] - t[a] * (u[b] - u[a]) / (t[b] - t[a]);
+                boolean isBetween = along > Visibility.MARGIN && along < length - Visibility.MARGIN;
+                blocks[whole] |= isBetween;
+                isBlocked |= isBetween;
+            }
+        }
+    }
+
+    private void markOpen(int whole, boolean isOpen, double across) {
+        openAbove[whole] |= isOpen && across > 0.0;
+        openBelow[whole] |= isOpen && across < 0.0;
+    }
+
+    /** Whether something crosses the line. */
+    boolean isBlocked() {
+        return isBlocked;
+    }
+
+    /** Length of the line, m. */
+    double length() {
+        return length;
+    }
+
+    int points() {
+        return points;
+    }
+
+    double u(int point) {
+        return u[point];
+    }
+
+    double t(int point) {
+        return t[point];
+    }
+
+    /** The point that represents the body to which a point belongs. */
+    int body(int point) {
+        return representative(point);
+    }
+
+    /** Whether a body crosses the line. */
+    boolean blocks(int whole) {
+        return blocks[whole];
+    }
+
+    /** Whether a body goes on, above the line or below, beyond an end of it or beyond what was cut: no way leads round it. */
+    boolean isOpen(int whole, boolean above) {
+        return above ? openAbove[whole] : openBelow[whole];
+    }
+
+    int pieces() {
+        return count;
+    }
+
+    int start(int piece) {
+        return pieces[3 * piece];
+    }
+
+    int end(int piece) {
+        return pieces[3 * piece + 1];
+    }
+
+    int triangle(int piece) {
+        return pieces[3 * piece + 2];
+    }
+}

@@ -1,0 +1,156 @@
+package org.dronewatch.sensor.radio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Losses at the edges of blocks and walls, against ITU-R P.526 computed by hand. */
+class RadioPathTest {
+    private static final double FREQUENCY = 2.4e9;
+    private static final double WAVELENGTH = 299_792_458.0 / FREQUENCY;
+    private static final Position RECEIVER = new Position(0, 0, 20);
+
+    /** A box without a floor. */
+    private static TriangleMesh box(double west, double east, double south, double north, double bottom, double top) {
+        float[] corners = new float[24];
+        for (int i = 0; i < 8; i++) {
+            corners[3 * i] = (float) ((i & 1) == 0 ? west : east);
+            corners[3 * i + 1] = (float) ((i & 2) == 0 ? south : north);
+            corners[3 * i + 2] = (float) ((i & 4) == 0 ? bottom : top);
+        }
+        int[] quads = {4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+        int[] triangles = new int[30];
+        for (int quad = 0; quad < 5; quad++) {
+            int[] order = {0, 1, 2, 0, 2, 3};
+            for (int k = 0; k < 6; k++) {
+                triangles[6 * quad + k] = quads[4 * quad + order[k]];
+            }
+        }
+        return TriangleMesh.of(corners, triangles);
+    }
+
+    private static TriangleMesh sheet(double north, double top) {
+        float y = (float) north;
+        float z = (float) top;
+        return TriangleMesh.of(
+                new float[] {-900, y, 0, 900, y, 0, 900, y, z, -900, y, z}, new int[] {0, 1, 2, 0, 2, 3});
+    }
+
+    private static TriangleMesh ground() {
+        return TriangleMesh.of(
+                new float[] {-3000, -3000, 0, 3000, -3000, 0, 3000, 3000, 0, -3000, 3000, 0},
+                new int[] {0, 1, 2, 0, 2, 3});
+    }
+
+    private static double loss(Position drone, TriangleMesh... meshes) {
+        List<TriangleMesh> all = new ArrayList<>(List.of(meshes));
+        all.add(ground());
+        return new RadioPath(World.of(World.merge(all))).obstacleLoss(drone, RECEIVER, FREQUENCY);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 6.03", "1, 13.93", "2, 19.04", "-0.78, 0"})
+    void aKnifeEdgeTakesWhatTheRecommendationSays(double v, double decibels) {
+        assertThat(KnifeEdge.loss(v)).isCloseTo(decibels, within(0.02));
+    }
+
+    /** A wall of 60 m at 501 m, a sheet or 0.2 m thick. */
+    @Test
+    void aThinWallIsOneEdge() {
+        Position drone = new Position(0, 1000, 10);
+        assertThat(loss(drone, sheet(501, 60))).isCloseTo(34.0, within(0.05));
+        assertThat(loss(drone, box(-900, 900, 500.9, 501.1, 0, 60))).isCloseTo(34.0, within(0.05));
+        assertThat(loss(drone)).isZero();
+    }
+
+    /** A block of 60 m from 400 to 600 m: by Deygout without correction. */
+    @ParameterizedTest
+    @CsvSource({"10, 60.5", "50, 44.9", "58, 37.0"})
+    void aBlockHasTwoEdges(double height, double decibels) {
+        assertThat(loss(new Position(0, 1000, height), box(-900, 900, 400, 600, 0, 60)))
+                .isCloseTo(decibels, within(0.1));
+    }
+
+    /** Three walls, the middle one higher: that over the whole line, each other one over half of it. */
+    @Test
+    void wallsInARowAddUp() {
+        double middle = KnifeEdge.loss(60 * Math.sqrt(2 * 1000 / (WAVELENGTH * 500 * 500)));
+        double other = KnifeEdge.loss(10 * Math.sqrt(2 * 500 / (WAVELENGTH * 250 * 250)));
+        assertThat(loss(new Position(0, 1000, 20), sheet(250, 60), sheet(500, 80), sheet(750, 60)))
+                .isCloseTo(middle + 2 * other, within(0.25));
+    }
+
+    /** A tower of 20 m width and 300 m height: the wave passes on both sides, 10 m off the line. */
+    @Test
+    void aTowerIsPassedAtItsSides() {
+        double side = KnifeEdge.loss(10 * Math.sqrt(2 * 1000 / (WAVELENGTH * 500 * 500)));
+        assertThat(loss(new Position(0, 1000, 20), box(-10, 10, 499.9, 500.1, 0, 300)))
+                .isCloseTo(side - 10 * Math.log10(2), within(0.1));
+    }
+
+    /** What spans the line above it, like a bridge, is no edge; a closed room is not left. */
+    @Test
+    void aBridgeHidesNothingAndARoomEverything() {
+        Position drone = new Position(0, 1000, 20);
+        assertThat(loss(drone, box(-900, 900, 490, 510, 40, 45))).isZero();
+        assertThat(loss(drone, box(-50, 50, -50, 50, 0, 60))).isInfinite();
+    }
+
+    /** A ridge of the ground 20 m over the line, and a mountain behind the drone that belongs to the same ground. */
+    @Test
+    void aMountainBehindTheDroneHidesNothing() {
+        double[] heights = {0, 0, 40, 0, 0, 900, 900};
+        double[] norths = {-500, 450, 500, 550, 1010, 1800, 4000};
+        float[] corners = new float[6 * norths.length];
+        int[] triangles = new int[6 * (norths.length - 1)];
+        for (int i = 0; i < norths.length; i++) {
+            for (int side = 0; side < 2; side++) {
+                corners[6 * i + 3 * side] = side == 0 ? -5000 : 5000;
+                corners[6 * i + 3 * side + 1] = (float) norths[i];
+                corners[6 * i + 3 * side + 2] = (float) heights[i];
+            }
+            for (int k = 0; k < 6 && i > 0; k++) {
+                triangles[6 * (i - 1) + k] = 2 * (i - 1) + new int[] {0, 1, 3, 0, 3, 2}[k];
+            }
+        }
+        World world = World.of(TriangleMesh.of(corners, triangles));
+        double ridge = KnifeEdge.loss(20 * Math.sqrt(2 * 1000 / (WAVELENGTH * 500 * 500)));
+        assertThat(new RadioPath(world).obstacleLoss(new Position(0, 1000, 20), RECEIVER, FREQUENCY))
+                .isCloseTo(ridge, within(0.01));
+    }
+
+    /** Whatever the direction of the path: the wall has no rows of samples to fall between. */
+    @Test
+    void alongAnApproachTheLossChangesWithoutSteps() {
+        World world = World.of(World.merge(List.of(ground(), box(-900, 900, 500.9, 501.1, 0, 60))));
+        RadioPath path = new RadioPath(world);
+        double before = Double.NaN;
+        for (double north = 1500; north > 600; north -= 0.5) {
+            double here = path.obstacleLoss(new Position(0.1 * north, north, 10), RECEIVER, FREQUENCY);
+            assertThat(here).isBetween(32.0, 40.0);
+            if (!Double.isNaN(before)) {
+                assertThat(here).as("at %f", north).isCloseTo(before, within(0.05));
+            }
+            before = here;
+        }
+    }
+
+    /** One of these paths touches the edge of the block. */
+    @Test
+    void aPathIsTheSameFromBothEnds() {
+        RadioPath path = new RadioPath(World.of(World.merge(List.of(ground(), box(-30, 60, 300, 450, 0, 40)))));
+        for (int i = 0; i < 40; i++) {
+            Position drone = new Position(20 * i - 400, 900, 5 + i);
+            assertThat(path.obstacleLoss(drone, RECEIVER, FREQUENCY))
+                    .isCloseTo(path.obstacleLoss(RECEIVER, drone, FREQUENCY), within(1e-4));
+        }
+    }
+}
