@@ -21,6 +21,9 @@ public record TurbulentCoherence(double strength, double scale) {
     /** Below it the difference of 1 and rho is taken from its series, without cancellation. */
     private static final double SMALL = 1e-3;
 
+    /** Beyond it the error function is 1. */
+    private static final double LARGE = 10.0;
+
     /**
      * Checks the limits.
      *
@@ -46,9 +49,14 @@ public record TurbulentCoherence(double strength, double scale) {
             return 0.0;
         }
         double apart = 2.0 * sourceHeight * receiverHeight / (sourceHeight + receiverHeight) / scale;
-        double uncorrelated =
-                apart < SMALL ? apart * apart / 3.0 : 1.0 - 0.5 * Math.sqrt(Math.PI) / apart * Faddeeva.erf(apart);
-        return Math.sqrt(Math.PI) * strength * length * scale * uncorrelated;
+        return Math.sqrt(Math.PI) * strength * length * scale * uncorrelated(apart);
+    }
+
+    private static double uncorrelated(double apart) {
+        if (apart < SMALL) {
+            return apart * apart / 3.0;
+        }
+        return 1.0 - 0.5 * Math.sqrt(Math.PI) / apart * (apart > LARGE ? 1.0 : Faddeeva.erf(apart));
     }
 
     /**

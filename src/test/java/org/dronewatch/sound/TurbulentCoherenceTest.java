@@ -72,4 +72,24 @@ class TurbulentCoherenceTest {
         double above = TurbulentCoherence.MODERATE.exponent(1e6, 1.01e-3 * 1.1, 1.01e-3 * 1.1);
         assertThat(above / below).isCloseTo(Math.pow(1.01 / 0.99, 2), within(1e-6));
     }
+
+    /** However small the eddies, heights and strengths, it is a number from 0 to 1, and 1 in still air. */
+    @Test
+    void itIsACoherenceForEverything() {
+        double[] values = {Double.MIN_VALUE, 1e-300, 1e-9, 1e-3, 1, 30, 1e3, 1e6};
+        for (double scale : values) {
+            for (double strength : new double[] {0, Double.MIN_VALUE, 1e-8, 1e-3}) {
+                TurbulentCoherence air = new TurbulentCoherence(strength, scale);
+                for (double source : values) {
+                    for (double receiver : values) {
+                        double left = air.at(8000, SOUND_SPEED, 500, source, receiver);
+                        assertThat(left)
+                                .as("%s, %s and %s m", air, source, receiver)
+                                .isBetween(0.0, 1.0);
+                        assertThat(strength > 0 || left == 1.0).isTrue();
+                    }
+                }
+            }
+        }
+    }
 }

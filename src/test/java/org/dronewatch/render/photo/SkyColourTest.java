@@ -261,7 +261,8 @@ class SkyColourTest {
         double[] glow = even.clone();
         Arrays.fill(glow, 0, 10, 1e2);
         double share = 1 - 0.32;
-        // The logarithmic means are 10^0.12 and 10^0.3 times that of the even picture; a tenth of the light of an even picture is shown without a
+        // The logarithmic means are 10^0.12 and 10^0.3 times that of the even picture; a tenth of the light of an even
+        // picture is shown without a
         // limit.
         assertThat(linear(Exposure.of(even, 1e5), 0.01)).isCloseTo(1 - Math.pow(share, 0.1), within(0.002));
         double spotted = 1 - Math.pow(share, 0.1 / Math.pow(10, 0.12));

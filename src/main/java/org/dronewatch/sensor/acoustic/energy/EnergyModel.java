@@ -32,7 +32,7 @@ import org.dronewatch.world.World;
  * @param ground whether direct and ground-reflected sound interfere
  * @param turbulence with {@code ground: coherent}, the variance of the air's refractive index, 0 to 0.001: 0 in still
  *     air, about 1e-8 in calm, 1e-4 in very turbulent air
- * @param turbulenceScale with {@code ground: coherent}, the correlation length of the turbulence, above 0 to 1000 m
+ * @param turbulenceScale with {@code ground: coherent}, the correlation length of the turbulence, 0.01 to 1000 m
  * @param pressure how intensity is converted to sound pressure
  */
 public record EnergyModel(
@@ -45,7 +45,7 @@ public record EnergyModel(
         Criterion criterion,
         Ground ground,
         @Minor @In(value = Quantity.NUMBER, from = 0, to = 1e-3) double turbulence,
-        @Minor @In(value = Quantity.LENGTH, above = 0, to = 1000) double turbulenceScale,
+        @Minor @In(value = Quantity.LENGTH, from = 0.01, to = 1000) double turbulenceScale,
         @Minor Pressure pressure)
         implements Propagation {
 
