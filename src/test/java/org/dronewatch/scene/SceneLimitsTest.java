@@ -39,7 +39,7 @@ class SceneLimitsTest {
             sensors.eye.position         | 1e155,0,9 | x 1.0E155 m must be -100000 to 100000
             sensors.eye.fov              | 1e-300    | 0.01 to 179 deg
             sensors.eye.fov              | 179.9 deg | 0.01 to 179 deg
-            sensors.radar.detection.pulses | 20      | at most 0.001
+            sensors.radar.detection.pulses | 1001    | 1 to 1000
             sensors.radar.budget.power   | 1e300     | 0.000000001 to 1000000000
             sensors.radar.maxRange       | 1e300     | at most 1000000
             world.noiseShape.hz125       | 100000    | -200 to 200
