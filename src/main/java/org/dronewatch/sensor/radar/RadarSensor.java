@@ -21,6 +21,7 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.radar.RadarDetection.Decision;
+import org.dronewatch.sensor.radio.TwoRays;
 import org.dronewatch.world.World;
 
 /**
@@ -37,6 +38,7 @@ public final class RadarSensor implements AssessableSensor {
     private World world;
     private VisibleFraction visible;
     private Cover cover;
+    private Optional<TwoRays> rays = Optional.empty();
     private final DoubleBinaryOperator budget;
     private final Map<Fluctuation, Decision> decisions = new EnumMap<>(Fluctuation.class);
 
@@ -59,6 +61,7 @@ public final class RadarSensor implements AssessableSensor {
             world = site;
             visible = new VisibleFraction(site, settings.position());
             cover = new Cover(site, settings.position());
+            rays = settings.groundReflection().map(ground -> new TwoRays(site, ground));
         }
     }
 
@@ -113,6 +116,9 @@ public final class RadarSensor implements AssessableSensor {
         figures.put("visible_share", fraction);
         figures.put("cross_section_m2", area);
         figures.put(Observation.PROBABILITY, decision.probability(echo));
+        if (rays.isPresent()) {
+            figures.put("ground_reflection_db", area == 0.0 ? 0.0 : groundReflection(drone));
+        }
         double threshold = decision.threshold(look.random(drone.id(), Look.DETECTION));
         Optional<Sighting> sighting = echo >= threshold
                 ? Optional.of(settings.accuracy()
@@ -139,7 +145,19 @@ public final class RadarSensor implements AssessableSensor {
         double range = range(drone);
         double elevation = Math.asin(Math.max(-1.0, Math.min(1.0, vector.z() / range)));
         double rain = Rain.attenuation(settings.frequency(), world.rain(), elevation, settings.polarisation());
-        return budget.applyAsDouble(area, range) - 2.0 * rain * range;
+        return budget.applyAsDouble(area, range) - 2.0 * rain * range + groundReflection(drone);
+    }
+
+    /** What the reflection from the ground adds to the echo, both ways, dB; 0 unless it is set. */
+    private double groundReflection(Drone drone) {
+        return rays.map(two -> 2.0
+                        * two.factor(
+                                settings.position(),
+                                drone.origin(),
+                                settings.frequency(),
+                                settings.polarisation() == Rain.Polarisation.VERTICAL,
+                                field::contains))
+                .orElse(0.0);
     }
 
     /** Where the radar is, clockwise from the drone's nose as seen from above. */

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.radar;
 
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
@@ -10,6 +11,7 @@ import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -32,10 +34,12 @@ import org.dronewatch.setting.SettingsForm;
  * @param maxSpeed largest radial speed: faster drones are not detected, above 0 and at most 10,000 m/s
  * @param rate scans per second, above 0, Hz
  * @param frequency carrier, 1 to 1000 GHz, Hz
- * @param polarisation polarisation; it matters in rain only
+ * @param polarisation polarisation; it matters in rain and where the ground reflects
  * @param budget what determines the signal-to-noise ratio of an echo
  * @param detection at which signal-to-noise ratio an echo is detected
  * @param accuracy how accurately it measures positions
+ * @param groundReflection ground whose reflection interferes with the direct wave, both ways, as far as it leaves the radar
+ *     within its field of view; none unless set. The polarisation must then be horizontal or vertical
  */
 public record RadarSettings(
         Position position,
@@ -52,7 +56,8 @@ public record RadarSettings(
         Rain.Polarisation polarisation,
         LinkBudget budget,
         RadarDetection detection,
-        Accuracy accuracy)
+        Accuracy accuracy,
+        @Minor Optional<ReflectingGround> groundReflection)
         implements SensorSettings<RadarSensor>, Aimed, Outlined, DirectionFinding {
 
     /**
@@ -77,7 +82,12 @@ public record RadarSettings(
                 polarisation,
                 budget,
                 detection,
-                accuracy);
+                accuracy,
+                groundReflection);
+        if (groundReflection.isPresent() && polarisation == Rain.Polarisation.CIRCULAR) {
+            throw new IllegalArgumentException(
+                    "groundReflection needs the polarisation horizontal or vertical, not circular");
+        }
         checkTilt(tilt(aim.from(position)), maxTilt);
         if (minRange >= maxRange) {
             throw new IllegalArgumentException("minRange " + minRange + " m must be below maxRange " + maxRange + " m");
@@ -126,7 +136,8 @@ public record RadarSettings(
                 Rain.Polarisation.HORIZONTAL,
                 budget,
                 RadarDetection.FixedThreshold.DEFAULT,
-                Accuracy.DEFAULT);
+                Accuracy.DEFAULT,
+                Optional.empty());
     }
 
     @Override
@@ -182,6 +193,11 @@ public record RadarSettings(
     /** These settings with another accuracy. */
     public RadarSettings withAccuracy(Accuracy other) {
         return SettingsForm.with(this, "accuracy", other);
+    }
+
+    /** These settings with a ground that reflects. */
+    public RadarSettings withGroundReflection(ReflectingGround ground) {
+        return SettingsForm.with(this, "groundReflection", Optional.of(ground));
     }
 
     /** Its field of view. */

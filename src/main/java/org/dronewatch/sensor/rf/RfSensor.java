@@ -16,7 +16,9 @@ import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.radio.Polarisation;
 import org.dronewatch.sensor.radio.RadioPath;
+import org.dronewatch.sensor.radio.TwoRays;
 import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
@@ -31,6 +33,7 @@ public final class RfSensor implements AssessableSensor {
 
     private final RfSettings settings;
     private RadioPath path;
+    private Optional<TwoRays> rays = Optional.empty();
     private Visibility visibility;
 
     /** A receiver with these settings. */
@@ -47,6 +50,7 @@ public final class RfSensor implements AssessableSensor {
     private void enter(World world) {
         if (path == null || path.world() != world) {
             path = new RadioPath(world);
+            rays = settings.groundReflection().map(ground -> new TwoRays(world, ground));
             visibility = new Visibility(world);
         }
     }
@@ -117,7 +121,14 @@ public final class RfSensor implements AssessableSensor {
         double loss = RadioPath.freeSpaceLoss(distance(from), link.frequency())
                 + path.obstacleLoss(from, settings.position(), link.frequency())
                 + settings.clutter();
-        return power + settings.gain() - loss - settings.noise();
+        return power + settings.gain() - loss - settings.noise() + groundReflection(link, from);
+    }
+
+    /** What the reflection from the ground adds, dB; 0 unless it is set. The antenna receives from all directions. */
+    private double groundReflection(RadioLink link, Position from) {
+        boolean isVertical = settings.polarisation() == Polarisation.VERTICAL;
+        return rays.map(two -> two.factor(settings.position(), from, link.frequency(), isVertical, direction -> true))
+                .orElse(0.0);
     }
 
     /** The path loss of an emission without obstructions, dB. */

@@ -1,15 +1,19 @@
 package org.dronewatch.sensor.rf;
 
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.Thresholded;
+import org.dronewatch.sensor.radio.Polarisation;
+import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
@@ -26,6 +30,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param clutter excess path loss from ground and buildings beyond that of edges, plus local noise, 0 to 100
  *     dB
  * @param threshold signal-to-noise ratio at and above which a signal is detected, -50 to 100 dB
+ * @param polarisation of the signals; it matters only where the ground reflects
+ * @param groundReflection ground whose reflection interferes with the direct wave; none unless set
  */
 public record RfSettings(
         Position position,
@@ -36,7 +42,9 @@ public record RfSettings(
         @In(value = Quantity.FREQUENCY, from = 1, to = 1e10) double bandwidth,
         @In(value = Quantity.LEVEL, from = 0, to = 50) double noiseFigure,
         @In(value = Quantity.LEVEL, from = 0, to = 100) double clutter,
-        @In(value = Quantity.LEVEL, from = -50, to = 100) double threshold)
+        @In(value = Quantity.LEVEL, from = -50, to = 100) double threshold,
+        @Minor Polarisation polarisation,
+        @Minor Optional<ReflectingGround> groundReflection)
         implements SensorSettings<RfSensor>, Thresholded {
     /** Power of thermal noise in 1 Hz at 290 K, dBm: 10 lg(k 290 K / 1 mW). */
     private static final double THERMAL = 10.0 * Math.log10(1.380649e-23 * 290.0 * 1000.0);
@@ -57,7 +65,9 @@ public record RfSettings(
                 bandwidth,
                 noiseFigure,
                 clutter,
-                threshold);
+                threshold,
+                polarisation,
+                groundReflection);
         if (minFrequency >= maxFrequency) {
             throw new IllegalArgumentException(
                     "minFrequency " + minFrequency + " Hz must be below maxFrequency " + maxFrequency + " Hz");
@@ -66,11 +76,12 @@ public record RfSettings(
 
     /**
      * A receiver of 400 MHz to 6 GHz, one look a second, antenna gain 0 dBi, bandwidth 10 MHz, noise figure 6 dB, no
-     * clutter, threshold 6 dB.
+     * clutter, threshold 6 dB, vertical polarisation.
      */
     @Defaults("position")
     public static RfSettings at(Position position) {
-        return new RfSettings(position, 1.0, 400e6, 6e9, 0.0, 10e6, 6.0, 0.0, 6.0);
+        return new RfSettings(
+                position, 1.0, 400e6, 6e9, 0.0, 10e6, 6.0, 0.0, 6.0, Polarisation.VERTICAL, Optional.empty());
     }
 
     @Override
@@ -91,6 +102,11 @@ public record RfSettings(
     /** These settings with another loss by the surroundings, dB. */
     public RfSettings withClutter(double decibels) {
         return SettingsForm.with(this, "clutter", decibels);
+    }
+
+    /** These settings with a ground that reflects waves of a polarisation. */
+    public RfSettings withGroundReflection(ReflectingGround ground, Polarisation other) {
+        return SettingsForm.with(this, Map.of("groundReflection", Optional.of(ground), "polarisation", other));
     }
 
     /** These settings with another threshold, dB. */
@@ -119,8 +135,8 @@ public record RfSettings(
         return SensorDescription.measuring("signal-to-noise ratio")
                 .withWeakness("signal too weak")
                 .withLeavesOut(
-                        "Radio propagation: free-space loss plus knife-edge diffraction at the edges of the site; interference and"
-                                + " reflections are not modelled.");
+                        "Radio propagation: free-space loss plus knife-edge diffraction at the edges of the site; reflections from walls"
+                                + " and interference by other emitters are not modelled.");
     }
 
     @Override

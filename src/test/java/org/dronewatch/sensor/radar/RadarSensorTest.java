@@ -20,6 +20,8 @@ import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.radar.LinkBudget.Hardware;
 import org.dronewatch.sensor.radar.Rain.Polarisation;
+import org.dronewatch.sensor.radio.ReflectingGround;
+import org.dronewatch.sensor.radio.TwoRays;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -215,6 +217,32 @@ class RadarSensorTest {
         double expected = Detectability.probability(ratio, 1e-6, fluctuation);
         double chance = 4 * Math.sqrt(expected * (1 - expected) / looks) + 1e-9;
         assertThat((double) detected / looks).as("seed %d", SEED).isCloseTo(expected, within(chance));
+    }
+
+    /** Over flat ground 10 m below, the echo is that of the direct wave with the interference of both, twice. */
+    @Test
+    void theGroundsReflectionInterferesBothWays() {
+        World flat = World.of(TriangleMesh.of(
+                new float[] {-9000, -9000, -10, 9000, -9000, -10, 9000, 9000, -10, -9000, 9000, -10},
+                new int[] {0, 1, 2, 0, 2, 3}));
+        ReflectingGround ground = new ReflectingGround(15, 0, 0.05);
+        RadarSettings reflected = RADAR.withGroundReflection(ground);
+        TwoRays rays = new TwoRays(flat, ground);
+        for (double north = 1000; north < 1100; north += 10) {
+            Drone drone = coming(new Position(0, north, 20));
+            Observation echo = look(reflected, flat, drone);
+            double twice = 2 * rays.factor(new Position(0, 0, 0), drone.origin(), 16.5e9, false, way -> true);
+            assertThat(echo.value() - look(RADAR, flat, drone).value())
+                    .isCloseTo(twice, within(1e-9))
+                    .isNotZero();
+            assertThat(echo.figures()).containsEntry("ground_reflection_db", twice);
+        }
+        RadarSettings upwards = reflected.withAim(new Aim.Direction(0, Math.toRadians(10.5)));
+        Drone drone = coming(new Position(0, 1000, 20));
+        assertThat(look(upwards, flat, drone).figures()).containsEntry("ground_reflection_db", 0.0);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> reflected.withWave(16.5e9, Polarisation.CIRCULAR))
+                .withMessageContaining("groundReflection needs the polarisation horizontal or vertical");
     }
 
     @Test

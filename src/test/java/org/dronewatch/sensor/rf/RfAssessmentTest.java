@@ -16,12 +16,16 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.RadioLink;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.radio.Polarisation;
 import org.dronewatch.sensor.radio.RadioPath;
+import org.dronewatch.sensor.radio.ReflectingGround;
+import org.dronewatch.sensor.radio.TwoRays;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -36,6 +40,10 @@ class RfAssessmentTest {
         DroneSettings settings =
                 DroneSettings.of(ModelSettings.of("cube.obj"), Hover.at(place)).withRadio(link);
         return cube(settings, place, new Position(0, 0, 0));
+    }
+
+    private static Drone emitting(Position place) {
+        return emitting(place, RadioLink.DEFAULT);
     }
 
     private static Drone emitting(double north) {
@@ -129,6 +137,27 @@ class RfAssessmentTest {
             assertThat(one.threshold()).isEqualTo(look.threshold());
             assertThat(one.probability()).isEqualTo(look.isDetected() ? 1.0 : 0.0);
             assertThat(one.cause() == Cause.DETECTED).isEqualTo(look.isDetected());
+        }
+    }
+
+    /** Over flat ground the signal is that of the direct wave times the interference of both. */
+    @Test
+    void theGroundsReflectionInterferes() {
+        World flat = World.of(TriangleMesh.of(
+                new float[] {-9000, -9000, -10, 9000, -9000, -10, 9000, 9000, -10, -9000, 9000, -10},
+                new int[] {0, 1, 2, 0, 2, 3}));
+        ReflectingGround ground = new ReflectingGround(15, 0, 0);
+        RfSettings receiver = RECEIVER.withGroundReflection(ground, Polarisation.HORIZONTAL);
+        TwoRays rays = new TwoRays(flat, ground);
+        for (double north = 1000; north < 1100; north += 10) {
+            Drone drone = emitting(new Position(0, north, 40));
+            double more = look(receiver, flat, drone, 1).value()
+                    - look(RECEIVER, flat, drone, 1).value();
+            assertThat(more)
+                    .isCloseTo(rays.factor(ANTENNA, drone.origin(), 2.4e9, false, way -> true), within(1e-9))
+                    .isNotZero();
+            assertThat(assess(receiver, flat, drone).quantity())
+                    .isEqualTo(look(receiver, flat, drone, 1).value());
         }
     }
 }

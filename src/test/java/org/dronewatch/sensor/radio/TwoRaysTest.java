@@ -1,0 +1,135 @@
+package org.dronewatch.sensor.radio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Two waves over flat ground, over a slope, and where there is no reflection. */
+class TwoRaysTest {
+    private static final int RANGES = 4001;
+
+    /** Ground that rises to the north. */
+    private static World ground(double rise) {
+        float high = (float) (9000 * rise);
+        return World.of(TriangleMesh.of(
+                new float[] {-9000, -9000, -high, 9000, -9000, -high, 9000, 9000, high, -9000, 9000, high},
+                new int[] {0, 1, 2, 0, 2, 3}));
+    }
+
+    private static double[] factors(double frequency, double low, double high, double roughness) {
+        TwoRays rays = new TwoRays(ground(0), new ReflectingGround(15, 0, roughness));
+        return IntStream.range(0, RANGES)
+                .mapToDouble(i -> {
+                    double range = 1000 + 2000.0 * i / (RANGES - 1);
+                    return rays.factor(
+                            new Position(0, 0, low), new Position(0, range, high), frequency, false, way -> true);
+                })
+                .sorted()
+                .toArray();
+    }
+
+    /** Ranges evenly from 1 to 3 km, relative permittivity 15; values computed independently, to 0.3 dB. */
+    @Test
+    void aRadarOverFlatGround() {
+        double[] all = factors(10.3e9, 10, 30, 0.05);
+        assertThat(2 * all[RANGES - 1]).isCloseTo(11.5, within(0.3));
+        assertThat(2 * all[RANGES / 2]).isCloseTo(4.5, within(0.3));
+        assertThat(2 * all[RANGES / 10]).isCloseTo(-20.0, within(0.3));
+    }
+
+    @Test
+    void aReceiverOverFlatGround() {
+        double[] all = factors(2.4e9, 10, 50, 0);
+        assertThat(all[RANGES - 1]).isCloseTo(6.0, within(0.3));
+        assertThat(all[RANGES / 10]).isCloseTo(-10.6, within(0.3));
+    }
+
+    /** Fresnel's coefficients: both polarisations alike at right angles, vertical ones vanish at Brewster's angle. */
+    @Test
+    void fresnelsCoefficientsHaveTheirLimits() {
+        ReflectingGround smooth = new ReflectingGround(15, 0, 0);
+        double upright = (Math.sqrt(15) - 1) / (Math.sqrt(15) + 1);
+        double wavelength = 0.3;
+        double frequency = 299_792_458.0 / wavelength;
+        // Half a wavelength more turns the sign of the reflected wave.
+        assertThat(smooth.factor(1e9, 0.15, Math.PI / 2, 0, frequency, false))
+                .isCloseTo(20 * Math.log10(1 + upright), within(1e-6));
+        assertThat(smooth.factor(1e9, 0, Math.PI / 2, 0, frequency, true))
+                .isCloseTo(20 * Math.log10(1 + upright), within(1e-6));
+        double brewster = Math.atan(1 / Math.sqrt(15));
+        assertThat(smooth.factor(1e9, 0.1, brewster, 0, frequency, true)).isCloseTo(0, within(1e-9));
+        assertThat(smooth.factor(1e9, 0.15, 1e-6, 0, frequency, false)).isCloseTo(6.0206, within(1e-4));
+    }
+
+    /** At {@code pi h sin(psi) / lambda} of one eighth's root the reflected field falls by the factor e. */
+    @Test
+    void aRoughSurfaceScatters() {
+        double wavelength = 299_792_458.0 / 10e9;
+        double grazing = 0.05;
+        double height = wavelength / (Math.PI * Math.sin(grazing) * Math.sqrt(8));
+        ReflectingGround smooth = new ReflectingGround(15, 0, 0);
+        double coherent = Math.pow(10, smooth.factor(1e9, wavelength / 2, grazing, 0, 10e9, false) / 20) - 1;
+        double expected = 20 * Math.log10(1 + coherent / Math.E);
+        assertThat(smooth.factor(1e9, wavelength / 2, grazing, height, 10e9, false))
+                .isCloseTo(expected, within(1e-6));
+        assertThat(smooth.withRoughness(height).factor(1e9, wavelength / 2, grazing, 0, 10e9, false))
+                .isCloseTo(expected, within(1e-6));
+    }
+
+    /** Over a slope it is as over level ground with everything turned. */
+    @ParameterizedTest
+    @CsvSource({"0.02", "-0.03", "0.1"})
+    void aSlopeIsLevelGroundTurned(double rise) {
+        double angle = Math.atan(rise);
+        TwoRays level = new TwoRays(ground(0), new ReflectingGround(15, 0, 0));
+        TwoRays sloping = new TwoRays(ground(rise), new ReflectingGround(15, 0, 0));
+        for (double range = 300; range < 2000; range += 37) {
+            Position from = new Position(0, 0, 10);
+            Position to = new Position(0, range, 40);
+            double flat = level.factor(from, to, 1e9, false, way -> true);
+            double turned = sloping.factor(turn(from, angle), turn(to, angle), 1e9, false, way -> true);
+            assertThat(turned).as("range %f", range).isCloseTo(flat, within(0.05));
+        }
+    }
+
+    private static Position turn(Position p, double angle) {
+        return new Position(
+                p.x(),
+                p.y() * Math.cos(angle) - p.z() * Math.sin(angle),
+                p.y() * Math.sin(angle) + p.z() * Math.cos(angle));
+    }
+
+    @Test
+    void withoutAReflectionItIsFreeSpace() {
+        Position from = new Position(0, 0, 10);
+        Position to = new Position(0, 500, 30);
+        TwoRays rays = new TwoRays(ground(0), ReflectingGround.DEFAULT);
+        assertThat(rays.factor(from, to, 1e9, false, way -> true)).isNotZero();
+        assertThat(rays.factor(from, to, 1e9, false, way -> way.z() > 0)).isZero();
+        assertThat(rays.factor(from, new Position(0, 20_000, 30), 1e9, false, way -> true))
+                .isZero();
+        assertThat(rays.factor(from, new Position(0, 0, 50), 1e9, false, way -> true))
+                .isZero();
+        TriangleMesh wall = TriangleMesh.of(
+                new float[] {-90, 100, 0, 90, 100, 0, 90, 100, 12, -90, 100, 12}, new int[] {0, 1, 2, 0, 2, 3});
+        World walled = World.of(World.merge(List.of(ground(0).mesh(), wall)));
+        assertThat(new TwoRays(walled, ReflectingGround.DEFAULT).factor(from, to, 1e9, false, way -> true))
+                .isZero();
+    }
+
+    @Test
+    void settingsHaveLimits() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new ReflectingGround(0.5, 0, 0))
+                .withMessageContaining("permittivity 0.5 must be 1 to 100");
+    }
+}
