@@ -9,6 +9,7 @@ import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.ConditionAdvice;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenario.SensorAdvice;
 import org.dronewatch.setting.InputException;
 
 /** The models of a scene's runs, each read once. */
@@ -26,9 +27,10 @@ final class SceneModels {
         this.models = new ModelCache(scene.directory(), notes);
     }
 
-    /** Warns of weather and light that change nothing that is detected. */
+    /** Warns of weather and light that change nothing that is detected, and of odd settings of sensors. */
     void adviseOnConditions() {
         ConditionAdvice.of(scene.settingsOfRuns(scene.settings())).forEach(models::warn);
+        SensorAdvice.of(scene.settingsOfRuns(scene.settings())).forEach(models::warn);
     }
 
     ModelCache cache() {

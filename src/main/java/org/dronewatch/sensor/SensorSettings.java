@@ -1,5 +1,6 @@
 package org.dronewatch.sensor;
 
+import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Settings;
@@ -33,6 +34,11 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
 
     /** The word for its kind in results: {@code camera}. */
     String kind();
+
+    /** What looks odd about these settings, although it is not refused: one line each, which a scene prints as warnings. */
+    default List<String> advice() {
+        return List.of();
+    }
 
     /** What reports say about it. */
     default SensorDescription description() {

@@ -77,6 +77,13 @@ class CatalogTest {
 
     @ParameterizedTest
     @MethodSource("names")
+    void noEntryPromisesWhatPhysicsForbids(String name) {
+        assertThat(Catalog.packaged().settings(name, Map.of("position", SENSOR)).advice())
+                .isEmpty();
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
     void aSensorIsKnownByItsSettingsWhereverItStands(String name) {
         SensorSettings<?> settings = Catalog.packaged().settings(name, Map.of("position", new Position(7, 8, 9)));
 

@@ -1,5 +1,9 @@
 package org.dronewatch.sensor.radar;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -206,6 +210,41 @@ public record RadarSettings(
         Position axis = aim.from(position);
         return new Outline.Sector(
                 Math.atan2(axis.x(), axis.y()), tilt(axis), azimuthWidth, elevationWidth, minRange, maxRange);
+    }
+
+    /** A scan in which the beams of a hardware budget do not have the time that they need. */
+    @Override
+    public List<String> advice() {
+        if (!(budget instanceof LinkBudget.Hardware hardware)) {
+            return List.of();
+        }
+        // One wide antenna may serve several narrow beams of the other at once.
+        double gain = Math.min(hardware.gain(), hardware.receiveGain().orElse(hardware.gain()));
+        long beams = ScanTime.beams(azimuthWidth, elevationWidth, gain);
+        double scan = beams * hardware.integrationTime();
+        if (scan * rate <= 1.0 + 1e-9) {
+            return List.of();
+        }
+        return List.of(String.format(
+                "an antenna of %s dBi needs at least %d beams for %s x %s deg: at an integrationTime of %s s each, a scan"
+                        + " takes %s s, not %s s; lower the rate to %s Hz, or the integrationTime to %s s",
+                rounded(gain),
+                beams,
+                rounded(Math.toDegrees(azimuthWidth)),
+                rounded(Math.toDegrees(elevationWidth)),
+                rounded(hardware.integrationTime()),
+                rounded(scan),
+                rounded(1.0 / rate),
+                rounded(1.0 / scan),
+                rounded(1.0 / (rate * beams))));
+    }
+
+    /** Three digits, rounded down, so that what is advised is enough. */
+    private static String rounded(double value) {
+        return new BigDecimal(value * (1.0 + 1e-12))
+                .round(new MathContext(3, RoundingMode.DOWN))
+                .stripTrailingZeros()
+                .toPlainString();
     }
 
     @Override

@@ -245,6 +245,31 @@ class RadarSensorTest {
                 .withMessageContaining("groundReflection needs the polarisation horizontal or vertical");
     }
 
+    /** 33 dBi over 180 x 20 and 180 x 10 degrees: 174 and 87 beams. At one scan a second 5.75 ms are left for each of 174. */
+    @Test
+    void aScanNeedsTimeForItsBeams() {
+        RadarSettings wide = RADAR.withFieldOfView(Math.PI, Math.toRadians(20));
+        assertThat(ScanTime.beams(Math.PI, Math.toRadians(20), 33)).isEqualTo(174);
+        assertThat(ScanTime.beams(Math.PI, Math.toRadians(10), 33)).isEqualTo(87);
+        assertThat(wide.advice())
+                .containsExactly(
+                        "an antenna of 33 dBi needs at least 174 beams for 180 x 20 deg: at an integrationTime of"
+                                + " 0.02 s each, a scan takes 3.48 s, not 1 s; lower the rate to 0.287 Hz, or the"
+                                + " integrationTime to 0.00574 s");
+        assertThat(wide.withRate(0.287).advice()).isEmpty();
+        Hardware quick = Hardware.of(4, 33, 0.00574);
+        assertThat(wide.withBudget(quick).advice()).isEmpty();
+        // Of 8 km, 5.86 and 7.0 would be left.
+        double full = BUDGET.range(16.5e9, 0.01, 15);
+        assertThat(8000 * quick.range(16.5e9, 0.01, 15) / full).isCloseTo(5860, within(10.0));
+        assertThat(8000 * Hardware.of(4, 33, 1.0 / 87).range(16.5e9, 0.01, 15) / full)
+                .isCloseTo(7000, within(50.0));
+        assertThat(wide.withBudget(BUDGET.withReceiveGain(10)).advice()).isEmpty();
+        assertThat(wide.withBudget(new LinkBudget.DataSheet(900, 1, 0.9, 1e-6, Fluctuation.STEADY))
+                        .advice())
+                .isEmpty();
+    }
+
     @Test
     void settingsHaveLimits() {
         assertThatIllegalArgumentException()
