@@ -60,7 +60,7 @@ class Pursuit extends Scene {
                 AcousticSettings.at(new Position(-300, 200, 160))
                         .withRate(3.0)
                         .withPropagation(EnergyModel.DEFAULT.withRays(100)));
-        add("radar", RadarSettings.at(new Position(100, 100, 165), LinkBudget.Hardware.of(4, 33, 0.02)));
+        add("radar", RadarSettings.at(new Position(100, 100, 165), new LinkBudget.Hardware(4, 33, 0.02, 10e6, 0, 0)));
         setRun(RunSettings.DEFAULT.withDuration(DURATION));
     }
 

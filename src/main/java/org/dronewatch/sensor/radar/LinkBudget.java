@@ -86,10 +86,13 @@ public sealed interface LinkBudget {
             this(power, gain, integrationTime, sweepBandwidth, noiseFigure, losses, Optional.empty());
         }
 
-        /** Hardware without added noise or losses, and a sweep of 10 MHz. */
+        /**
+         * Hardware with a noise figure of 5 dB (M. A. Richards, Fundamentals of Radar Signal Processing, section 2.3: 2 or 3 dB
+         * to 10 dB and more), losses of 6 dB, which are assumed, and a sweep of 10 MHz.
+         */
         @Defaults({"power", "gain", "integrationTime"})
         public static Hardware of(double power, double gain, double integrationTime) {
-            return new Hardware(power, gain, integrationTime, 10e6, 0.0, 0.0);
+            return new Hardware(power, gain, integrationTime, 10e6, 5.0, 6.0);
         }
 
         /** The ratio of one pulse, however many there are. */

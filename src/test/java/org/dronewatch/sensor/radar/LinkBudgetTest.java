@@ -14,20 +14,31 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** The radar equation against values computed independently, and its laws. */
 class LinkBudgetTest {
     /** 1 kW, 30 dBi, 1 us: a noise bandwidth of 1 MHz; at 10 GHz 0.01 m2 in 3 km give 11.45 dB. */
-    private static final Hardware TEXTBOOK = Hardware.of(1000, 30, 1e-6);
+    private static final Hardware TEXTBOOK = new Hardware(1000, 30, 1e-6, 10e6, 0, 0);
 
     @Test
     void theEquationGivesItsValues() {
         assertThat(TEXTBOOK.signalToNoise(10e9, 0.01, 3000)).isCloseTo(11.45, within(0.005));
-        assertThat(Hardware.of(4, 33, 1e-6).signalToNoise(16.5e9, 0.01, 8000)).isCloseTo(-27.9, within(0.05));
-        assertThat(Hardware.of(4, 33, 0.02).signalToNoise(16.5e9, 0.01, 8000)).isCloseTo(15.1, within(0.05));
+        assertThat(new Hardware(4, 33, 1e-6, 10e6, 0, 0).signalToNoise(16.5e9, 0.01, 8000))
+                .isCloseTo(-27.9, within(0.05));
+        assertThat(new Hardware(4, 33, 0.02, 10e6, 0, 0).signalToNoise(16.5e9, 0.01, 8000))
+                .isCloseTo(15.1, within(0.05));
         assertThat(new Hardware(4, 33, 0.02, 10e6, 5, 2.5).signalToNoise(16.5e9, 0.01, 8000))
-                .isCloseTo(Hardware.of(4, 33, 0.02).signalToNoise(16.5e9, 0.01, 8000) - 7.5, within(1e-9));
+                .isCloseTo(new Hardware(4, 33, 0.02, 10e6, 0, 0).signalToNoise(16.5e9, 0.01, 8000) - 7.5, within(1e-9));
+    }
+
+    /** What is not stated is neither free of noise nor of losses. */
+    @Test
+    void unlessStatedAReceiverHasNoiseAndLosses() {
+        assertThat(Hardware.of(4, 33, 0.02)).isEqualTo(new Hardware(4, 33, 0.02, 10e6, 5, 6));
+        assertThat(TEXTBOOK.signalToNoise(10e9, 0.01, 3000)
+                        - Hardware.of(1000, 30, 1e-6).signalToNoise(10e9, 0.01, 3000))
+                .isCloseTo(11.0, within(1e-9));
     }
 
     @Test
     void anotherAntennaReceives() {
-        Hardware one = Hardware.of(4, 33, 0.02);
+        Hardware one = new Hardware(4, 33, 0.02, 10e6, 0, 0);
         double difference =
                 one.withReceiveGain(21.5).signalToNoise(16.5e9, 0.01, 8000) - one.signalToNoise(16.5e9, 0.01, 8000);
         assertThat(difference).isCloseTo(21.5 - 33, within(1e-9));
@@ -51,7 +62,7 @@ class LinkBudgetTest {
     /** {@code c / (2 B t)}: 10 MHz and 20 ms give 749.5 m/s. */
     @Test
     void aFastEchoLeavesItsRangeCell() {
-        assertThat(Hardware.of(4, 33, 0.02).migrationSpeed()).isCloseTo(749.5, within(0.05));
+        assertThat(new Hardware(4, 33, 0.02, 10e6, 0, 0).migrationSpeed()).isCloseTo(749.5, within(0.05));
         assertThat(DataSheet.of(1000, 1).migrationSpeed()).isInfinite();
     }
 
@@ -93,7 +104,7 @@ class LinkBudgetTest {
     @Test
     void settingsHaveLimits() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> Hardware.of(0, 30, 0.02))
+                .isThrownBy(() -> new Hardware(0, 30, 0.02, 10e6, 0, 0))
                 .withMessageContaining("power 0 W must be 0.000000001 to 1000000000");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> DataSheet.of(1000, -1))

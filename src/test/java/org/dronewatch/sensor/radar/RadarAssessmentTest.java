@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What a radar has of a drone before chance decides, and why that is not enough. */
 class RadarAssessmentTest {
-    private static final Hardware BUDGET = Hardware.of(4, 33, 0.02);
+    private static final Hardware BUDGET = new Hardware(4, 33, 0.02, 10e6, 0, 0);
     private static final RadarSettings RADAR = RadarSettings.at(new Position(0, 0, 0), BUDGET)
             .withFieldOfView(Math.toRadians(60), Math.toRadians(20))
             .withRanges(20, 20_000);

@@ -30,7 +30,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** What a radar looks for, what hides from it, and how often it detects. */
 class RadarSensorTest {
     private static final long SEED = 5;
-    private static final Hardware BUDGET = Hardware.of(4, 33, 0.02);
+    private static final Hardware BUDGET = new Hardware(4, 33, 0.02, 10e6, 0, 0);
     private static final RadarSettings RADAR =
             RadarSettings.at(new Position(0, 0, 0), BUDGET).withWave(16.5e9, Polarisation.HORIZONTAL);
     private static final World OPEN = World.of(wall(-1e6));
@@ -257,12 +257,12 @@ class RadarSensorTest {
                                 + " 0.02 s each, a scan takes 3.48 s, not 1 s; lower the rate to 0.287 Hz, or the"
                                 + " integrationTime to 0.00574 s");
         assertThat(wide.withRate(0.287).advice()).isEmpty();
-        Hardware quick = Hardware.of(4, 33, 0.00574);
+        Hardware quick = new Hardware(4, 33, 0.00574, 10e6, 0, 0);
         assertThat(wide.withBudget(quick).advice()).isEmpty();
         // Of 8 km, 5.86 and 7.0 would be left.
         double full = BUDGET.range(16.5e9, 0.01, 15);
         assertThat(8000 * quick.range(16.5e9, 0.01, 15) / full).isCloseTo(5860, within(10.0));
-        assertThat(8000 * Hardware.of(4, 33, 1.0 / 87).range(16.5e9, 0.01, 15) / full)
+        assertThat(8000 * new Hardware(4, 33, 1.0 / 87, 10e6, 0, 0).range(16.5e9, 0.01, 15) / full)
                 .isCloseTo(7000, within(50.0));
         assertThat(wide.withBudget(BUDGET.withReceiveGain(10)).advice()).isEmpty();
         assertThat(wide.withBudget(new LinkBudget.DataSheet(900, 1, 0.9, 1e-6, Fluctuation.STEADY))
