@@ -17,6 +17,7 @@ import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Node;
 import org.dronewatch.setting.file.SettingsFile;
@@ -72,12 +73,16 @@ public record CalibratedEntry(
         // One of a swarm flies a path that no file can name.
         DroneSettings flying = settings.individualDrones().get(drone).withFlight(Hover.at(new Position(0, 0, 0)));
         Node.Mapping drones = SettingsFile.part(flying, DroneSettings.class, kinds, from, file)
-                .without(List.of("flight", "swarm", "label"));
+                .without(List.of("flight", "swarm", "label"))
+                .overlaidWith(
+                        only(List.of("speed"), SettingsFile.wholePart(flying, DroneSettings.class, kinds, from, file)));
         Node.Mapping world = SettingsFile.wholePart(settings.world(), WorldSettings.class, kinds, from, file)
                 .without(PLACE);
         Record fitted = (Record) fit.sensor();
         Node.Mapping own = withoutPlace(SettingsFile.part(fitted, SensorSettings.class, kinds, from, file))
-                .overlaidWith(threshold(SettingsFile.wholePart(fitted, SensorSettings.class, kinds, from, file)));
+                .overlaidWith(only(
+                        List.of("rate", fit.scale().setting().replaceFirst("\\..*", "")),
+                        SettingsFile.wholePart(fitted, SensorSettings.class, kinds, from, file)));
         String target = "drone '" + drone + "' of " + scene
                 + run.map(swept -> ", " + swept).orElse("");
         PublishedRange stated = new PublishedRange(fittedRange(), target, Optional.of(drones), Optional.of(world));
@@ -106,11 +111,10 @@ public record CalibratedEntry(
                 .orElse(plain);
     }
 
-    /** The setting that was fitted, which the entry states even if it has its default value. */
-    private Node.Mapping threshold(Node.Mapping sensor) {
-        String name = fit.scale().setting().replaceFirst("\\..*", "");
-        return sensor.without(sensor.values().keySet().stream()
-                .filter(other -> !other.equals(name))
+    /** Settings that the entry states even if they have their default values, since the range depends on them. */
+    private static Node.Mapping only(List<String> names, Node.Mapping all) {
+        return all.without(all.values().keySet().stream()
+                .filter(name -> !names.contains(name))
                 .toList());
     }
 
@@ -129,8 +133,11 @@ public record CalibratedEntry(
                         Math.abs(more),
                         more > 0.0 ? "greater" : "less",
                         number(range));
-        return "Fitted with a clear line of sight, without the models and noise sources of the scene. "
-                + String.join("; ", lines(fit)) + "." + residual;
+        return "Fitted with a clear line of sight, without the models and noise sources of the scene, for a drone that"
+                + " approaches at "
+                + Quantity.SPEED.inWords(settings.individualDrones().get(drone).speed()) + " and a look rate of "
+                + Quantity.FREQUENCY.inWords(fit.sensor().rate()) + ". " + String.join("; ", lines(fit)) + "."
+                + residual;
     }
 
     /** What was fitted, and the range of each value, in words. */

@@ -126,8 +126,12 @@ final class RenderCommand implements Callable<Integer> {
         if (cameras.contains(subject.camera)) {
             return subject.camera;
         }
-        throw new InputException("--camera " + PlainText.value(subject.camera) + ": no such camera; the scene "
-                + (cameras.isEmpty() ? "has none" : "has " + String.join(", ", cameras)));
+        throw new InputException("--camera " + PlainText.value(subject.camera) + ": "
+                + (settings.sensors().containsKey(subject.camera)
+                        ? "takes no pictures ("
+                                + settings.sensors().get(subject.camera).kind() + ")"
+                        : "no such camera")
+                + "; the scene has " + (cameras.isEmpty() ? "no camera" : String.join(", ", cameras)));
     }
 
     private double seconds(SceneSettings settings) {

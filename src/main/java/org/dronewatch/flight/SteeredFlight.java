@@ -137,8 +137,8 @@ public final class SteeredFlight implements FlownPath {
 
     private void checkSpeed(double speed) {
         if (speed > fastest * (1.0 + ROUNDING)) {
-            throw new IllegalArgumentException(
-                    String.format(Locale.ROOT, "speed %s m/s must be at most %s m/s, the drone's", speed, fastest));
+            throw new IllegalArgumentException(String.format(
+                    Locale.ROOT, "speed %s m/s must be at most the drone's %s m/s", (float) speed, (float) fastest));
         }
     }
 

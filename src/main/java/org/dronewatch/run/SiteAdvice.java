@@ -17,6 +17,7 @@ import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.setting.Switchable;
 import org.dronewatch.terrain.ElevationSurface;
 import org.dronewatch.world.Clearance;
+import org.dronewatch.world.NoiseSource;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
 
@@ -25,6 +26,8 @@ import org.dronewatch.world.World;
  * surface, positioners that will not do what they are meant to.
  */
 record SiteAdvice(SceneSettings settings, World world) {
+    private static final String IN_WALL =
+            " seems to be inside a wall or under the ground: most surfaces around it face away from it";
 
     /** Gives one line for each warning. */
     void giveTo(Consumer<String> target) {
@@ -36,6 +39,9 @@ record SiteAdvice(SceneSettings settings, World world) {
         }
         if (!settings.world().noiseSources().isEmpty() && !isListening()) {
             target.accept("world.noiseSources has no effect: no sensor that hears sound is switched on");
+        }
+        if (isListening()) {
+            settings.world().noiseSources().forEach((id, source) -> onNoiseSource(id, source, target));
         }
         settings.enabledSensors().forEach((id, sensor) -> Mounted.positioner(sensor)
                 .ifPresent(positioner -> new PositionerAdvice(settings, id, positioner).giveTo(target)));
@@ -73,6 +79,13 @@ record SiteAdvice(SceneSettings settings, World world) {
         }
     }
 
+    private void onNoiseSource(String id, NoiseSource source, Consumer<String> target) {
+        source.positions().stream()
+                .filter(world::isInsideWall)
+                .findFirst()
+                .ifPresent(at -> target.accept("world.noiseSources." + id + " at " + inWords(at) + IN_WALL));
+    }
+
     private boolean isListening() {
         return settings.enabledSensors().values().stream()
                 .anyMatch(sensor -> sensor.as(SoundTracing.class).isPresent());
@@ -88,12 +101,15 @@ record SiteAdvice(SceneSettings settings, World world) {
 
     private void onPosition(String id, SensorSettings<?> sensor, Clearance clearance, Consumer<String> target) {
         Position at = sensor.position();
-        String where = String.format(Locale.ROOT, "sensor '%s' at (%.3f, %.3f, %.3f) m", id, at.x(), at.y(), at.z());
+        String where = "sensor '" + id + "' at " + inWords(at);
         if (world.isInsideWall(at)) {
-            target.accept(where
-                    + " seems to be inside a wall or under the ground: most surfaces around it face away from it");
+            target.accept(where + IN_WALL);
         } else if (sensor.as(SoundTracing.class).isEmpty() && clearance.isOnSurface(at)) {
             target.accept(where + " lies on a surface, which may hide everything from it: move it a millimetre away");
         }
+    }
+
+    private static String inWords(Position at) {
+        return String.format(Locale.ROOT, "(%.3f, %.3f, %.3f) m", at.x(), at.y(), at.z());
     }
 }

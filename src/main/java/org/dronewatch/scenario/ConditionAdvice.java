@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
+import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Quantity;
@@ -15,7 +17,7 @@ import org.dronewatch.world.Light;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * Warns of weather and light that have no effect, because the models of a scene's sensors do not take them into
+ * Warns of weather, light and sounds of drones that have no effect, because the models of a scene's sensors do not take them into
  * account.
  */
 public final class ConditionAdvice {
@@ -32,7 +34,7 @@ public final class ConditionAdvice {
 
     /**
      * One line for each kind of sensor and the conditions that it ignores for the same reason; none for a scene with default
-     * weather and light.
+     * weather and light, whose drones have no sound of their own.
      *
      * @param runs the settings of all runs of a scene
      */
@@ -44,7 +46,7 @@ public final class ConditionAdvice {
 
     private void add(SceneSettings scene) {
         for (Condition condition : Condition.values()) {
-            setting(scene.world(), condition).ifPresent(text -> {
+            setting(scene, condition).ifPresent(text -> {
                 written.putIfAbsent(condition, text);
                 scene.enabledSensors().forEach((id, sensor) -> add(condition, id, sensor));
             });
@@ -79,7 +81,8 @@ public final class ConditionAdvice {
     }
 
     /** The setting of a condition with its value, unless it is the default. */
-    private static Optional<String> setting(WorldSettings world, Condition condition) {
+    private static Optional<String> setting(SceneSettings scene, Condition condition) {
+        WorldSettings world = scene.world();
         Light light = world.light();
         Light day = Light.DAY;
         return switch (condition) {
@@ -114,7 +117,18 @@ public final class ConditionAdvice {
                         .filter(source -> source.getValue().soundLevel().isEmpty())
                         .findFirst()
                         .map(source -> "world.noiseSources." + source.getKey());
+            case SPECTRUM ->
+                ofDrone(scene, "spectrum", drone -> drone.spectrum().isPresent());
+            case TONES -> ofDrone(scene, "tones", drone -> drone.tones().isPresent());
         };
+    }
+
+    /** A setting of the first drone that has it. */
+    private static Optional<String> ofDrone(SceneSettings scene, String setting, Predicate<DroneSettings> isSet) {
+        return scene.drones().entrySet().stream()
+                .filter(drone -> isSet.test(drone.getValue()))
+                .findFirst()
+                .map(drone -> "drones." + drone.getKey() + "." + setting);
     }
 
     private static String named(String kind, List<String> ids) {

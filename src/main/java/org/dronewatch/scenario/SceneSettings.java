@@ -206,11 +206,18 @@ public record SceneSettings(
         return SettingsForm.with(this, "disabled", off);
     }
 
-    /** These settings with the sensor of this id replaced. */
+    /** These settings with the sensor of this id replaced or added. */
     public SceneSettings withSensor(String id, SensorSettings<?> sensor) {
         Map<String, SensorSettings<?>> others = new LinkedHashMap<>(sensors);
         others.put(id, sensor);
         return SettingsForm.with(this, "sensors", others);
+    }
+
+    /** These settings with the drone of this id replaced or added. */
+    public SceneSettings withDrone(String id, DroneSettings drone) {
+        Map<String, DroneSettings> others = new LinkedHashMap<>(drones);
+        others.put(id, drone);
+        return SettingsForm.with(this, "drones", others);
     }
 
     /**

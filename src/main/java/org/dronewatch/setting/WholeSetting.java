@@ -38,8 +38,10 @@ final class WholeSetting {
         } catch (IllegalArgumentException e) {
             return "only a scene file can set it";
         }
-        return "set it as a whole, as in " + path + "=" + example + " ("
-                + written.stream().map(RecordComponent::getName).collect(Collectors.joining(", ")) + ")";
+        List<String> names = written.stream().map(RecordComponent::getName).toList();
+        return "first set "
+                + (names.size() == 1 ? names.get(0) : "all of " + String.join(", ", names) + ", in this order")
+                + ", as in " + path + "=" + example;
     }
 
     /** What the text of a record states: all its parts if they are numbers, else the only one without a default. */

@@ -102,10 +102,10 @@ class SteeredFlightTest {
         flight.fly(0.0, new Position(SPEED, 0, 0));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> flight.fly(1.0, new Position(15, 15, 0)))
-                .withMessage("speed 21.213203435596427 m/s must be at most 20.0 m/s, the drone's");
+                .withMessage("speed 21.213203 m/s must be at most the drone's 20.0 m/s");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> flight.flyTo(1.0, START.plus(new Position(20, 0, 41)), 3.0))
-                .withMessage("speed 20.5 m/s must be at most 20.0 m/s, the drone's");
+                .withMessage("speed 20.5 m/s must be at most the drone's 20.0 m/s");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> flight.flyTo(1.0, START, 1.0))
                 .withMessage("arrival at 1.0 s must be after the command, at 1.0 s");

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.RotorTones;
+import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.scene.DiceSettings;
@@ -22,6 +25,7 @@ import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.rf.RfSettings;
 import org.dronewatch.sensor.thermal.ThermalSettings;
 import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.Wind;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.WorldSettings;
@@ -116,6 +120,44 @@ class ConditionAdviceTest {
                 .containsExactly(
                         "world.light.visibility 200 m, world.rain 1 mm/h and world.atmosphere do not change what is"
                                 + " detected by thermal sensor 's0': set its 'transmission' for such weather");
+    }
+
+    @Test
+    void theSoundOfADroneMattersOnlyToWhoHearsItsBands() {
+        AcousticSettings level = AcousticSettings.at(HERE);
+        AcousticSettings energy = level.withPropagation(EnergyModel.DEFAULT);
+        AcousticSettings tonal =
+                level.withPropagation(EnergyModel.DEFAULT.withCriterion(EnergyModel.Criterion.NARROW_BAND));
+        DroneSettings drone =
+                DroneSettings.of(ModelSettings.packaged("quadrotor.obj"), FlightPathSettings.Hover.at(HERE));
+        SceneSettings plain = scene(HILL, level, energy, tonal).withDrone("own", drone);
+
+        assertThat(ConditionAdvice.of(List.of(plain))).isEmpty();
+        assertThat(ConditionAdvice.of(List.of(plain.withDrone("own", drone.withTones(RotorTones.of(100))))))
+                .containsExactly(
+                        "drones.own.tones does not change what is detected by acoustic sensor 's0': 'propagation:"
+                                + " energy-model' with 'criterion: narrow-band' listens for tones",
+                        "drones.own.tones does not change what is detected by acoustic sensor 's1': 'criterion:"
+                                + " narrow-band' listens for tones");
+        assertThat(ConditionAdvice.of(List.of(plain.withDrone("own", drone.withSpectrum(BackgroundNoise.FALLING)))))
+                .containsExactly("drones.own.spectrum does not change what is detected by acoustic sensor 's0':"
+                        + " 'propagation: energy-model' takes the spectrum into account");
+    }
+
+    @Test
+    void turbulenceWithoutInterferenceIsSaidToHaveNoEffect() {
+        EnergyModel still = EnergyModel.DEFAULT.withTurbulence(0);
+
+        assertThat(AcousticSettings.at(HERE).withPropagation(still).advice())
+                .containsExactly("turbulence has no effect without 'ground: coherent'");
+        assertThat(AcousticSettings.at(HERE)
+                        .withPropagation(still.withGround(EnergyModel.Ground.COHERENT))
+                        .advice())
+                .isEmpty();
+        assertThat(AcousticSettings.at(HERE)
+                        .withPropagation(EnergyModel.DEFAULT)
+                        .advice())
+                .isEmpty();
     }
 
     /** Of a kind that is not the library's nothing is known, so nothing is claimed. */

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Who sets a part of what is not set, or the kind of something, is told what works instead. */
 class WholeSettingsTest {
-    private static final Pattern EXAMPLE = Pattern.compile("as in ([^=]+)=(\\S+) \\(");
+    private static final Pattern EXAMPLE = Pattern.compile("as in ([^=]+)=(\\S+)$");
 
     private static SceneSettings set(String path, String value) {
         return new SceneRunner(new CameraRange()).set(path, value).settings();
@@ -25,10 +25,10 @@ class WholeSettingsTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "world.light.sun.azimuth | 200deg | no 'azimuth': 'world.light.sun' is not set: set it as a whole, as in"
-                        + " world.light.sun=10deg,10deg (azimuth, elevation)",
-                "drones.quadrotor.swarm.count | 3 | no 'count': 'drones.quadrotor.swarm' is not set: set it as a whole, as"
-                        + " in drones.quadrotor.swarm=10 (count)",
+                "world.light.sun.azimuth | 200deg | no 'azimuth': 'world.light.sun' is not set: first set all of azimuth,"
+                        + " elevation, in this order, as in world.light.sun=10deg,10deg",
+                "drones.quadrotor.swarm.count | 3 | no 'count': 'drones.quadrotor.swarm' is not set: first set count, as in"
+                        + " drones.quadrotor.swarm=10",
                 "world.origin.latitude | 50deg | no 'latitude': 'world.origin' is not set: only a scene file can set it",
                 "drones.quadrotor.flight.kind | recorded | only a scene file can change the kind of"
                         + " 'drones.quadrotor.flight', since each kind needs settings of its own",
@@ -46,7 +46,12 @@ class WholeSettingsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"world.light.sun.azimuth", "drones.quadrotor.swarm.count", "drones.quadrotor.spectrum.hz63"})
+    @CsvSource({
+        "world.light.sun.azimuth",
+        "drones.quadrotor.swarm.count",
+        "drones.quadrotor.spectrum.hz63",
+        "drones.quadrotor.tones.blades"
+    })
     void theExampleWorks(String path) {
         assertThatThrownBy(() -> set(path, "1")).satisfies(refused -> {
             Matcher example = EXAMPLE.matcher(refused.getMessage());

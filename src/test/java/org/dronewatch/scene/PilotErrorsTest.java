@@ -32,7 +32,7 @@ class PilotErrorsTest {
                         "drone 'prey' at 1.0 s: cannot be steered: its flight is not of the kind 'steered'"),
                 mistake(
                         run -> run.drone("hunter").fly(new Position(30, 0, 0)),
-                        "drone 'hunter' at 1.0 s: speed 30.0 m/s must be at most 25.0 m/s, the drone's"),
+                        "drone 'hunter' at 1.0 s: speed 30.0 m/s must be at most the drone's 25.0 m/s"),
                 mistake(run -> run.drone("hunter").fly(null), "drone 'hunter' at 1.0 s: velocity is missing"),
                 mistake(
                         run -> run.drone("hunter").fly(EAST, (Attitude) null),

@@ -3,15 +3,20 @@ package org.dronewatch.scenes;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.run.SceneResult;
+import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class AcousticRangeTest {
     private static final double STEP = 0.5;
@@ -94,6 +99,31 @@ class AcousticRangeTest {
                 .singleElement()
                 .asString()
                 .contains("plaster", "wood", "'solid'");
+    }
+
+    @Test
+    void aNoiseSourceUnderTheGroundIsWarnedOf(@TempDir Path directory) throws IOException {
+        Path file = directory.resolve("buried.yaml");
+        Files.writeString(
+                file,
+                """
+                world:
+                  models: [packaged:hill.obj]
+                  surfaces: {materials: {default: grass_turf}}
+                  noiseSources: {pump: {positions: [[0, 0, 125]], soundPowerLevel: 90, soundLevel: 90}}
+                sensors:
+                  microphone: {kind: acoustic, position: [0, 0, 144]}
+                run: {duration: 0.1}
+                """);
+        List<String> notes = new ArrayList<>();
+
+        new SceneRunner(new SceneFile(file)).notes(notes::add).run();
+
+        assertThat(notes)
+                .filteredOn(note -> note.startsWith("warning: world.noiseSources"))
+                .singleElement()
+                .asString()
+                .contains("pump at (0.000, 0.000, 125.000) m", "inside a wall or under the ground");
     }
 
     @Test

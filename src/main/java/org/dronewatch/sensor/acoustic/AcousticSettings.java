@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic;
 
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
@@ -136,6 +137,11 @@ public record AcousticSettings(
     @Override
     public Outline.Ball outline() {
         return new Outline.Ball(radius);
+    }
+
+    @Override
+    public List<String> advice() {
+        return propagation.advice();
     }
 
     @Override

@@ -1,5 +1,8 @@
 package org.dronewatch.sensor.acoustic.energy;
 
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.acoustic.propagation.Diffraction;
 import org.dronewatch.sensor.acoustic.propagation.Microphone;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
@@ -200,6 +203,21 @@ public record EnergyModel(
         return ground == Ground.COHERENT
                 ? "Of interference, the energy model accounts only for that of direct and ground-reflected sound."
                 : "The energy model does not account for interference: the energies of all paths add up.";
+    }
+
+    @Override
+    public Map<Condition, String> ignoredConditions() {
+        return criterion == Criterion.NARROW_BAND
+                ? Map.of()
+                : Map.of(Condition.TONES, "'criterion: narrow-band' listens for tones");
+    }
+
+    @Override
+    public List<String> advice() {
+        boolean isCalmed = turbulence == DEFAULT.turbulence && turbulenceScale == DEFAULT.turbulenceScale;
+        return ground == Ground.COHERENT || isCalmed
+                ? List.of()
+                : List.of("turbulence has no effect without 'ground: coherent'");
     }
 
     /** The speed of sound in the scene's air. */

@@ -120,6 +120,10 @@ public record LevelModel(
                 Condition.WIND,
                 "'propagation: energy-model' takes the air into account",
                 Condition.NOISE_SOURCES,
-                "state its soundLevel, which the level model needs");
+                "state its soundLevel, which the level model needs",
+                Condition.SPECTRUM,
+                "'propagation: energy-model' takes the spectrum into account",
+                Condition.TONES,
+                "'propagation: energy-model' with 'criterion: narrow-band' listens for tones");
     }
 }

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
+import java.util.List;
 import java.util.Map;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.world.World;
@@ -38,5 +39,10 @@ public interface Propagation {
      */
     default Map<Condition, String> ignoredConditions() {
         return Map.of();
+    }
+
+    /** What looks odd about its settings, although it is allowed: one sentence for each oddity, without a full stop. */
+    default List<String> advice() {
+        return List.of();
     }
 }
