@@ -54,7 +54,7 @@ public record CalibratedEntry(
 
     /** The components of a world that belong to the place, not to its conditions. */
     private static final List<String> PLACE =
-            List.of("models", "terrain", "noiseSources", "surfaces", "origin", "tracing");
+            List.of("models", "terrain", "buildings", "noiseSources", "surfaces", "origin", "tracing");
 
     private static final String POSITIONER = "positioner";
 

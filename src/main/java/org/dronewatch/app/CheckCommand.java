@@ -62,6 +62,7 @@ final class CheckCommand implements Callable<Integer> {
 
     private static String site(WorldSettings world) {
         return (world.terrain().isPresent() ? "terrain, " : "")
+                + (world.buildings().isPresent() ? "buildings, " : "")
                 + counted(world.models().size(), "model");
     }
 

@@ -14,6 +14,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import org.dronewatch.buildings.BuildingLoader;
+import org.dronewatch.buildings.BuildingSettings;
+import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.bvh.TracingSettings;
 import org.dronewatch.flight.FlightsFile;
@@ -45,6 +48,7 @@ public final class ModelCache {
     private final Consumer<String> notes;
     private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
     private final Map<Place, LoadedTerrain> terrains = new HashMap<>();
+    private final Map<Town, LoadedBuildings> towns = new HashMap<>();
     private final Map<Site, TracingIndex> indexes = new HashMap<>();
     private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
     private final Map<String, FlightsFile> flights = new HashMap<>();
@@ -60,10 +64,19 @@ public final class ModelCache {
         }
     }
 
+    /** What buildings depend on: they stand on the terrain. */
+    private record Town(BuildingSettings buildings, Origin origin, Optional<Place> terrain) {
+        static Optional<Town> of(WorldSettings world) {
+            return world.buildings()
+                    .map(buildings -> new Town(buildings, world.origin().orElseThrow(), Place.of(world)));
+        }
+    }
+
     /** What an index depends on. */
-    private record Site(Optional<Place> terrain, List<ModelSettings> models, TracingSettings tracing) {
+    private record Site(
+            Optional<Place> terrain, Optional<Town> town, List<ModelSettings> models, TracingSettings tracing) {
         static Site of(WorldSettings world) {
-            return new Site(Place.of(world), world.models(), world.tracing());
+            return new Site(Place.of(world), Town.of(world), world.models(), world.tracing());
         }
     }
 
@@ -135,14 +148,36 @@ public final class ModelCache {
         return known;
     }
 
-    /** The ray-tracing index over a world's terrain and models, merged into one mesh. */
+    /** Reads the buildings of a world, if it has a map of them, once. */
+    public synchronized void readBuildings(WorldSettings world) {
+        Town.of(world).ifPresent(this::buildings);
+    }
+
+    private synchronized LoadedBuildings buildings(Town town) {
+        LoadedBuildings known = towns.get(town);
+        if (known == null) {
+            Optional<TriangleMesh> ground =
+                    town.terrain().map(place -> terrain(place).mesh());
+            long start = System.nanoTime();
+            known = new BuildingLoader(directory).load(town.buildings(), town.origin(), ground);
+            loadSeconds += NANO * (System.nanoTime() - start);
+            towns.put(town, known);
+            files.put(town.buildings().file().orElseThrow(), List.of(known.file()));
+            known.description().forEach(notes);
+            known.warnings().forEach(this::warn);
+        }
+        return known;
+    }
+
+    /** The ray-tracing index over a world's terrain, buildings and models, merged into one mesh. */
     synchronized TracingIndex index(WorldSettings world) {
         return indexes.computeIfAbsent(Site.of(world), this::build);
     }
 
     /** The ray-tracing index over one model. */
     synchronized TracingIndex index(ModelSettings model, TracingSettings tracing) {
-        return indexes.computeIfAbsent(new Site(Optional.empty(), List.of(model), tracing), this::build);
+        return indexes.computeIfAbsent(
+                new Site(Optional.empty(), Optional.empty(), List.of(model), tracing), this::build);
     }
 
     /** The colours of a world's materials, by name: red, green and blue in the lowest 24 bits. */
@@ -151,6 +186,7 @@ public final class ModelCache {
         for (ModelSettings model : world.models()) {
             colours(model).forEach(colours::putIfAbsent);
         }
+        Town.of(world).ifPresent(town -> buildings(town).colours().forEach(colours::putIfAbsent));
         world.terrain().ifPresent(terrain -> colours.putIfAbsent(terrain.material(), TerrainSettings.COLOUR));
         return colours;
     }
@@ -160,7 +196,7 @@ public final class ModelCache {
         return models.computeIfAbsent(model, this::load).colours();
     }
 
-    /** A world's terrain and models, in their order, by the number of the first triangle of each in their tree's mesh. */
+    /** A world's terrain, buildings and models, in this order, by the number of the first triangle of each in their tree's mesh. */
     synchronized NavigableMap<Integer, SiteModel> firstTriangles(WorldSettings world) {
         NavigableMap<Integer, SiteModel> starts = new TreeMap<>();
         int next = 0;
@@ -168,6 +204,11 @@ public final class ModelCache {
         if (place.isPresent()) {
             starts.put(next, SiteModel.of(place.get().terrain()));
             next += terrain(place.get()).mesh().triangleCount();
+        }
+        Optional<Town> town = Town.of(world);
+        if (town.isPresent()) {
+            starts.put(next, SiteModel.of(town.get().buildings()));
+            next += buildings(town.get()).mesh().triangleCount();
         }
         for (ModelSettings model : world.models()) {
             starts.put(next, SiteModel.of(model));
@@ -187,6 +228,7 @@ public final class ModelCache {
     private TracingIndex build(Site site) {
         List<TriangleMesh> meshes = new ArrayList<>();
         site.terrain().ifPresent(place -> meshes.add(terrain(place).mesh()));
+        site.town().ifPresent(town -> meshes.add(buildings(town).mesh()));
         for (ModelSettings model : site.models()) {
             meshes.add(models.computeIfAbsent(model, this::load).mesh());
         }

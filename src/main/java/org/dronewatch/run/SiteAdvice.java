@@ -1,5 +1,6 @@
 package org.dronewatch.run;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -67,10 +68,12 @@ record SiteAdvice(SceneSettings settings, World world) {
 
     /** Heights of roofs, and buildings on them. */
     private void onTerrain(Consumer<String> target) {
-        List<String> buildings = settings.world().models().stream()
+        List<String> buildings = new ArrayList<>();
+        settings.world().buildings().ifPresent(map -> map.file().ifPresent(buildings::add));
+        settings.world().models().stream()
                 .filter(model -> model.role() == ModelRole.BUILDING)
                 .map(ModelSettings::shownFile)
-                .toList();
+                .forEach(buildings::add);
         boolean hasRoofs =
                 settings.world().terrain().stream().anyMatch(terrain -> terrain.surface() == ElevationSurface.DSM);
         if (hasRoofs && !buildings.isEmpty()) {

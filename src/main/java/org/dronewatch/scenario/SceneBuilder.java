@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.geo.Origin;
@@ -42,6 +43,10 @@ public final class SceneBuilder {
 
     public void addToWorld(ModelSettings model) {
         world = world == null ? WorldSettings.of(model) : world.withModel(model);
+    }
+
+    public void setBuildings(BuildingSettings buildings) {
+        world = (world == null ? WorldSettings.EMPTY : world).withBuildings(buildings);
     }
 
     public void setTerrain(TerrainSettings terrain) {
@@ -110,7 +115,7 @@ public final class SceneBuilder {
         }
         if (world == null) {
             throw new IllegalArgumentException(
-                    "the scene has no world: its build() must call loadWorld or loadTerrain");
+                    "the scene has no world: its build() must call loadWorld, loadTerrain or loadBuildings");
         }
         WorldSettings anywhere = world.withBackgroundNoise(backgroundNoise)
                 .withSurfaces(surfaces)

@@ -78,8 +78,11 @@ public record SceneSettings(
     }
 
     private static void checkSite(WorldSettings world) {
-        if (world.models().isEmpty() && world.terrain().isEmpty()) {
-            throw new IllegalArgumentException("world.models is empty: a world needs at least one, or a terrain");
+        if (world.models().isEmpty()
+                && world.terrain().isEmpty()
+                && world.buildings().isEmpty()) {
+            throw new IllegalArgumentException(
+                    "world.models is empty: a world needs at least one, or a terrain, or buildings");
         }
         world.terrain().ifPresent(terrain -> {
             if (terrain.allFiles().isEmpty()) {
@@ -88,6 +91,15 @@ public record SceneSettings(
             if (world.origin().isEmpty()) {
                 throw new IllegalArgumentException(
                         "world.terrain needs a world.origin, the latitude and longitude of x = y = 0");
+            }
+        });
+        world.buildings().ifPresent(buildings -> {
+            if (buildings.file().isEmpty()) {
+                throw new IllegalArgumentException("world.buildings needs a 'file', a map with buildings");
+            }
+            if (world.origin().isEmpty()) {
+                throw new IllegalArgumentException(
+                        "world.buildings needs a world.origin, the latitude and longitude of x = y = 0");
             }
         });
     }

@@ -13,6 +13,7 @@ import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.djutils.event.EventType;
 import org.djutils.metadata.MetaData;
 import org.djutils.metadata.ObjectDescriptor;
+import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.geo.Origin;
@@ -134,6 +135,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /** Sets the ground of a real place, from files of elevations; it needs {@link #setOrigin}. */
     protected final void loadTerrain(TerrainSettings terrain) {
         building().setTerrain(terrain);
+    }
+
+    /** Sets the buildings of a real place, from a map; it needs {@link #setOrigin}. */
+    protected final void loadBuildings(BuildingSettings buildings) {
+        building().setBuildings(buildings);
     }
 
     /** Sets the sound pressure level of the background, A-weighted, dB re 20 uPa; 30 dB unless set. */

@@ -45,6 +45,7 @@ final class SceneModels {
     /** Reads the models of a run, so that an error in one names the setting that refers to it. */
     void load(SceneSettings settings) {
         placing("world.terrain", () -> models.readTerrain(settings.world()));
+        placing("world.buildings", () -> models.readBuildings(settings.world()));
         List<ModelSettings> world = settings.world().models();
         for (int i = 0; i < world.size(); i++) {
             load("world.models." + i, world.get(i));

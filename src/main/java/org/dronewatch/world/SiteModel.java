@@ -1,5 +1,6 @@
 package org.dronewatch.world;
 
+import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.terrain.TerrainSettings;
@@ -17,6 +18,11 @@ public record SiteModel(String file, ModelRole role) {
     /** The ground that a scene's terrain is. */
     public static SiteModel of(TerrainSettings settings) {
         return new SiteModel(String.join(", ", settings.allFiles()), ModelRole.TERRAIN);
+    }
+
+    /** The buildings of a map. */
+    public static SiteModel of(BuildingSettings settings) {
+        return new SiteModel(settings.file().orElse(""), ModelRole.BUILDING);
     }
 
     /** As its settings name it. */

@@ -17,7 +17,8 @@ import org.dronewatch.sound.SurfaceMaterials;
 
 /**
  * The acoustic surfaces of the materials in the model files. A material that is not listed here but whose name is
- * that of a surface in {@code own} or in the table uses that surface; all others use the {@code defaultSurface}.
+ * that of a surface in {@code own} or in the table uses that surface; all others use the {@code defaultSurface}. What
+ * follows a colon in a name does not count: {@code brick_rough:assumed-height} uses the surface {@code brick_rough}.
  *
  * @param materials the surface of each material in the model files: names of surfaces, from {@code own} or the table of
  *     surfaces, by name of the material
@@ -64,6 +65,14 @@ public record SurfaceSettings(
         return own.containsKey(name) ? Optional.of(own.get(name).material(name)) : SurfaceMaterials.find(name);
     }
 
+    private Optional<SurfaceMaterial> assigned(String ofTheModel) {
+        return Optional.ofNullable(materials.get(ofTheModel)).map(this::named).or(() -> find(ofTheModel));
+    }
+
+    private static String withoutVariant(String ofTheModel) {
+        return ofTheModel.replaceFirst(":.*", "");
+    }
+
     /** These settings with a surface, from the scene or from the table, for one more material of the model files. */
     public SurfaceSettings with(String ofTheModel, String surface) {
         Map<String, String> more = new LinkedHashMap<>(materials);
@@ -80,17 +89,16 @@ public record SurfaceSettings(
 
     /** The surface of a material of a model file. */
     public SurfaceMaterial of(String ofTheModel) {
-        String name = materials.get(ofTheModel);
-        if (name != null) {
-            return named(name);
-        }
-        return find(ofTheModel).orElseGet(() -> named(defaultSurface));
+        return assigned(ofTheModel)
+                .or(() -> assigned(withoutVariant(ofTheModel)))
+                .orElseGet(() -> named(defaultSurface));
     }
 
     /** Those of the given model materials without a known surface, to which the default surface applies. */
     public List<String> leftOver(List<String> ofTheModels) {
         return ofTheModels.stream()
-                .filter(name -> !materials.containsKey(name) && find(name).isEmpty())
+                .filter(name -> assigned(name).isEmpty()
+                        && assigned(withoutVariant(name)).isEmpty())
                 .toList();
     }
 

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.bvh.TracingSettings;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.mesh.io.ModelSettings;
@@ -22,8 +23,9 @@ import org.dronewatch.terrain.TerrainSettings;
 /**
  * The site: its models, its surfaces, and the conditions in which sensors work.
  *
- * @param models the meshes, merged into one with the terrain; at least one, unless there is a terrain
+ * @param models the meshes, merged into one with terrain and buildings; at least one, unless there are such
  * @param terrain the ground of a real place, from files of elevations; omit it for none. It needs the origin
+ * @param buildings the buildings of a real place, from a map; omit it for none. They need the origin
  * @param backgroundNoise sound pressure level of the background, A-weighted, -20 to 140 dB re 20 uPa
  * @param noiseShape spectrum of the background: the levels of the octave bands relative to one another, dB
  * @param noiseSources sources of noise on the site in addition to the background, by name
@@ -38,6 +40,7 @@ import org.dronewatch.terrain.TerrainSettings;
 public record WorldSettings(
         List<ModelSettings> models,
         Optional<TerrainSettings> terrain,
+        Optional<BuildingSettings> buildings,
         @In(value = Quantity.LEVEL, from = -20, to = 140) double backgroundNoise,
         BandLevels noiseShape,
         Map<String, NoiseSource> noiseSources,
@@ -64,6 +67,7 @@ public record WorldSettings(
                 WorldSettings.class,
                 models,
                 terrain,
+                buildings,
                 backgroundNoise,
                 noiseShape,
                 noiseSources,
@@ -92,6 +96,7 @@ public record WorldSettings(
         return new WorldSettings(
                 models,
                 Optional.empty(),
+                Optional.empty(),
                 QUIET,
                 BackgroundNoise.FALLING,
                 Map.of(),
@@ -113,6 +118,11 @@ public record WorldSettings(
     /** These settings with the ground of a real place; they need an {@link #origin}, too. */
     public WorldSettings withTerrain(TerrainSettings ground) {
         return SettingsForm.with(this, "terrain", Optional.of(ground));
+    }
+
+    /** These settings with the buildings of a real place; they need an {@link #origin}, too. */
+    public WorldSettings withBuildings(BuildingSettings houses) {
+        return SettingsForm.with(this, "buildings", Optional.of(houses));
     }
 
     /** These settings with another level of the background, A-weighted, dB re 20 uPa. */

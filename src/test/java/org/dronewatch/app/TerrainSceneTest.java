@@ -263,6 +263,8 @@ class TerrainSceneTest {
                 .contains("-2.0 to 608.0 m high")
                 .contains("of 5,118 triangles")
                 .contains("1 post without a height: holes")
-                .doesNotContain("warning");
+                .contains("889 buildings within 2000 m of the origin, 554,760 m2")
+                .containsOnlyOnce("warning: monaco-buildings.osm.gz: 889 of 889 buildings have no height")
+                .containsOnlyOnce("warning: world.terrain.surface is dsm");
     }
 }

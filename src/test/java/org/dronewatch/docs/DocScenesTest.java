@@ -100,7 +100,9 @@ class DocScenesTest {
                 scene.append('\n').append(text);
             }
         });
-        Files.copy(Path.of("src/examples/terrain/monaco-srtm.asc"), directory.resolve("monaco-srtm.asc"));
+        for (String file : List.of("monaco-srtm.asc", "monaco-buildings.osm.gz")) {
+            Files.copy(Path.of("src/examples/terrain", file), directory.resolve(file));
+        }
         Path file = Files.writeString(directory.resolve("scene.yaml"), scene);
         String refusal = "";
         try {

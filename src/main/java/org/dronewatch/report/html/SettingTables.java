@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.fusion.AlertRule;
@@ -133,6 +134,10 @@ final class SettingTables {
         world.terrain().ifPresent(terrain -> {
             head.add("terrain");
             row.add(String.join(", ", terrain.allFiles()));
+        });
+        world.buildings().flatMap(BuildingSettings::file).ifPresent(map -> {
+            head.add("buildings");
+            row.add(map);
         });
         Wind wind = world.atmosphere().wind();
         if (wind.speed() > 0.0) {

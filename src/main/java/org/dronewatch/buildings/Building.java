@@ -1,0 +1,18 @@
+package org.dronewatch.buildings;
+
+import java.util.Map;
+
+/**
+ * A building, or a part of one, on the plane of the world frame.
+ *
+ * @param id what the map calls it
+ * @param footprint its outline
+ * @param tags what the map states about it
+ * @param isPart whether it is a part, which replaces the outline that it belongs to
+ */
+record Building(String id, Footprint footprint, Map<String, String> tags, boolean isPart) {
+    /** Whether nothing of it is above the ground. */
+    boolean isUnderground() {
+        return "underground".equals(tags.get("location"));
+    }
+}

@@ -1,0 +1,85 @@
+package org.dronewatch.buildings;
+
+import java.util.Optional;
+import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.FileName;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * The buildings of a real place, from a map: OpenStreetMap (.osm, also in .gz, or .osm.pbf) or outlines in GeoJSON. They stand on
+ * the scene's terrain, about its geographic origin, {@code world.origin}, which such a scene must give.
+ *
+ * @param file the map
+ * @param crs coordinate reference system of GeoJSON by its EPSG code; omit it for longitude and latitude
+ * @param radius how far from the origin buildings are taken, 10 m to 20 km
+ * @param height height of buildings of which the map states neither height nor levels, 1 to 200 m
+ * @param levelHeight height of a level of buildings of which the map states only how many, 1 to 20 m
+ * @param material material of buildings of which the map states none, a name in the table of surfaces
+ */
+public record BuildingSettings(
+        @FileName Optional<String> file,
+        Optional<String> crs,
+        @In(value = Quantity.LENGTH, from = 10, to = 20_000) double radius,
+        @In(value = Quantity.LENGTH, from = 1, to = 200) double height,
+        @In(value = Quantity.LENGTH, from = 1, to = 20) double levelHeight,
+        String material) {
+    /** Within 2 km, three levels of 3 m, of rendered brick; without a file yet. */
+    @Defaults
+    public static final BuildingSettings DEFAULT =
+            new BuildingSettings(Optional.empty(), Optional.empty(), 2000.0, 9.0, 3.0, "brick_rendered");
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range, a text is empty, or the code of the coordinate reference
+     *     system is not known
+     */
+    public BuildingSettings {
+        Limits.check(BuildingSettings.class, file, crs, radius, height, levelHeight, material);
+        if (material.isBlank()) {
+            throw new IllegalArgumentException("material is empty: it must be a name");
+        }
+        if (crs.isPresent()) {
+            try {
+                CoordinateReferenceSystem.of(crs.get());
+            } catch (InputException e) {
+                throw new IllegalArgumentException(e.getMessage(), e);
+            }
+        }
+    }
+
+    /** Buildings from a map. */
+    public static BuildingSettings of(String file) {
+        return SettingsForm.with(DEFAULT, "file", Optional.of(file));
+    }
+
+    /** These settings with another coordinate reference system, such as {@code EPSG:25832}. */
+    public BuildingSettings withCrs(String code) {
+        return SettingsForm.with(this, "crs", Optional.of(code));
+    }
+
+    /** These settings with another radius, m. */
+    public BuildingSettings withRadius(double metres) {
+        return SettingsForm.with(this, "radius", metres);
+    }
+
+    /** These settings with another height of buildings whose height is not known, m. */
+    public BuildingSettings withHeight(double metres) {
+        return SettingsForm.with(this, "height", metres);
+    }
+
+    /** These settings with another height of a level, m. */
+    public BuildingSettings withLevelHeight(double metres) {
+        return SettingsForm.with(this, "levelHeight", metres);
+    }
+
+    /** These settings with another material of buildings whose material is not known. */
+    public BuildingSettings withMaterial(String name) {
+        return SettingsForm.with(this, "material", name);
+    }
+}

@@ -1,0 +1,107 @@
+package org.dronewatch.buildings;
+
+import java.util.Arrays;
+
+/** Closed lines on a plane: x and y of each corner in turn, without the first one again. */
+final class Rings {
+    private Rings() {}
+
+    /** Positive if the corners run counter-clockwise, m2. */
+    static double signedArea(double[] ring) {
+        double twice = 0.0;
+        int last = ring.length - 2;
+        // Relative to the first corner, so that nothing is lost far from the origin.
+        for (int i = 0; i < ring.length; i += 2) {
+            twice +=
+                    (ring[last] - ring[0]) * (ring[i + 1] - ring[1]) - (ring[i] - ring[0]) * (ring[last + 1] - ring[1]);
+            last = i;
+        }
+        return 0.5 * twice;
+    }
+
+    /** The same ring, counter-clockwise or clockwise. */
+    static double[] wound(double[] ring, boolean isCounterClockwise) {
+        return signedArea(ring) > 0.0 == isCounterClockwise ? ring : reversed(ring);
+    }
+
+    private static double[] reversed(double[] ring) {
+        double[] reversed = new double[ring.length];
+        for (int i = 0; i < ring.length; i += 2) {
+            reversed[ring.length - 2 - i] = ring[i];
+            reversed[ring.length - 1 - i] = ring[i + 1];
+        }
+        return reversed;
+    }
+
+    /** Without corners that lie less than a millimetre from the one before. */
+    static double[] cleaned(double[] ring) {
+        double near = 1e-3;
+        double[] kept = new double[ring.length];
+        int count = 0;
+        for (int i = 0; i < ring.length; i += 2) {
+            if (count == 0 || Math.hypot(ring[i] - kept[count - 2], ring[i + 1] - kept[count - 1]) >= near) {
+                kept[count++] = ring[i];
+                kept[count++] = ring[i + 1];
+            }
+        }
+        while (count > 2 && Math.hypot(kept[count - 2] - kept[0], kept[count - 1] - kept[1]) < near) {
+            count -= 2;
+        }
+        return Arrays.copyOf(kept, count);
+    }
+
+    /** Whether a point lies inside; on the line it may be either. */
+    static boolean contains(double[] ring, double x, double y) {
+        boolean isInside = false;
+        int last = ring.length - 2;
+        for (int i = 0; i < ring.length; i += 2) {
+            if (ring[i + 1] > y != ring[last + 1] > y) {
+                double crossing = ring[i] + (y - ring[i + 1]) / (ring[last + 1] - ring[i + 1]) * (ring[last] - ring[i]);
+                isInside ^= x < crossing;
+            }
+            last = i;
+        }
+        return isInside;
+    }
+
+    /** Whether all corners turn left, or none turns. */
+    static boolean isConvex(double[] ring) {
+        int corners = ring.length / 2;
+        for (int i = 0; i < corners; i++) {
+            int a = 2 * i;
+            int b = 2 * ((i + 1) % corners);
+            int c = 2 * ((i + 2) % corners);
+            double ux = ring[b] - ring[a];
+            double uy = ring[b + 1] - ring[a + 1];
+            double vx = ring[c] - ring[b];
+            double vy = ring[c + 1] - ring[b + 1];
+            // Corners of a map are good to centimetres: an almost straight wall is straight.
+            if (ux * vy - uy * vx < -1e-3 * Math.hypot(ux, uy) * Math.hypot(vx, vy)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** What of a ring lies where {@code a x + b y <= c}; empty if nothing does. */
+    static double[] clipped(double[] ring, double a, double b, double c) {
+        double[] kept = new double[2 * ring.length + 4];
+        int count = 0;
+        int last = ring.length - 2;
+        for (int i = 0; i < ring.length; i += 2) {
+            double from = a * ring[last] + b * ring[last + 1] - c;
+            double to = a * ring[i] + b * ring[i + 1] - c;
+            if (from < 0.0 && to > 0.0 || from > 0.0 && to < 0.0) {
+                double part = from / (from - to);
+                kept[count++] = ring[last] + part * (ring[i] - ring[last]);
+                kept[count++] = ring[last + 1] + part * (ring[i + 1] - ring[last + 1]);
+            }
+            if (to <= 0.0) {
+                kept[count++] = ring[i];
+                kept[count++] = ring[i + 1];
+            }
+            last = i;
+        }
+        return Arrays.copyOf(kept, count);
+    }
+}

@@ -1,0 +1,27 @@
+package org.dronewatch.buildings.io;
+
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * A building, or a part of one, as a map has it. The arrays are not copied: whoever is given one must not change it.
+ *
+ * @param id what the map calls it, such as {@code way/4713}
+ * @param outers closed outlines: x and y of each corner in turn, in the map's coordinates, without the first one again
+ * @param inners courtyards, likewise
+ * @param tags what the map states about it, by key
+ */
+public record MapFeature(String id, List<double[]> outers, List<double[]> inners, Map<String, String> tags) {
+    /** Copies the lists: later changes by the caller have no effect. */
+    public MapFeature {
+        outers = List.copyOf(outers);
+        inners = List.copyOf(inners);
+        tags = Map.copyOf(tags);
+    }
+
+    /** All outlines, courtyards among them. */
+    public Stream<double[]> rings() {
+        return Stream.concat(outers.stream(), inners.stream());
+    }
+}

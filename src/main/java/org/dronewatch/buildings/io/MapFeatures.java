@@ -1,0 +1,30 @@
+package org.dronewatch.buildings.io;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.setting.file.FileHash;
+
+/**
+ * What was read of a map.
+ *
+ * @param features buildings and parts of buildings, in the order of the file
+ * @param leftOut what could not become an outline, and how often, in words
+ * @param format of the file, in words
+ * @param crs the system of its coordinates, if the file or its format states one
+ * @param hash of the file
+ */
+public record MapFeatures(
+        List<MapFeature> features,
+        Map<String, Integer> leftOut,
+        String format,
+        Optional<CoordinateReferenceSystem> crs,
+        FileHash hash) {
+    /** Copies the collections: later changes by the caller have no effect. */
+    public MapFeatures {
+        features = List.copyOf(features);
+        leftOut = new LinkedHashMap<>(leftOut);
+    }
+}

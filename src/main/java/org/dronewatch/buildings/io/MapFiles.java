@@ -1,0 +1,173 @@
+package org.dronewatch.buildings.io;
+
+import java.io.BufferedInputStream;
+import java.io.ByteArrayInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.zip.GZIPInputStream;
+import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.RegularFile;
+import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.file.LinkOut;
+
+/** Reads map files by what they begin with, whatever they are called; text may be packed with gzip. */
+public final class MapFiles {
+    /** JSON is held in memory as a whole. */
+    private static final int MOST_JSON = 256 * 1024 * 1024;
+
+    private static final long MOST_BYTES = 1L << 33;
+    private static final int START = 64;
+
+    private final Path directory;
+
+    /**
+     * Reads files by name.
+     *
+     * @param directory of relative paths, that of a scene file or empty for the working directory
+     */
+    public MapFiles(Path directory) {
+        this.directory = directory;
+    }
+
+    /**
+     * Reads a map.
+     *
+     * @param name of the file
+     * @param area what lies elsewhere may be left out
+     * @throws InputException in one line when the file is missing, of no known format, or damaged
+     */
+    public MapFeatures read(String name, MapArea area) {
+        Path path = path(name);
+        try (InputStream bytes = Files.newInputStream(path)) {
+            FileHash hash = FileHash.of(String.valueOf(path.getFileName()), bytes);
+            byte[] start = start(path);
+            if (PbfBlocks.isPbf(start)) {
+                return osm("OpenStreetMap PBF", name, path, area, hash, (in, target) -> OsmPbf.read(name, in, target));
+            }
+            String text = new String(start, StandardCharsets.UTF_8)
+                    .replace("\uFEFF", "")
+                    .strip();
+            if (text.startsWith("<")) {
+                return osm("OpenStreetMap XML", name, path, area, hash, (in, target) -> OsmXml.read(name, in, target));
+            }
+            if (text.startsWith("{")) {
+                return geoJson(name, path, hash);
+            }
+            throw new InputException(
+                    name + ": is none of OpenStreetMap XML, OpenStreetMap PBF and GeoJSON; 'ogr2ogr buildings.geojson "
+                            + path.getFileName() + "' converts most other formats");
+        } catch (EOFException e) {
+            throw new InputException(name + ": ends too early: it is cut off or damaged", e);
+        } catch (IOException e) {
+            throw new InputException(name + ": cannot be read: " + PlainText.line(String.valueOf(e.getMessage())), e);
+        }
+    }
+
+    private Path path(String name) {
+        Path path;
+        try {
+            path = directory.resolve(name);
+        } catch (InvalidPathException e) {
+            throw new InputException("map file '" + PlainText.value(name) + "' is not a path: " + e.getReason(), e);
+        }
+        String obstacle = RegularFile.obstacle(path);
+        if (!obstacle.isEmpty()) {
+            throw new InputException("map file " + PlainText.value(path) + ": " + obstacle);
+        }
+        LinkOut.refuse(directory, path, "map file");
+        return path;
+    }
+
+    private static byte[] start(Path path) throws IOException {
+        try (InputStream in = unpacked(path)) {
+            return in.readNBytes(START);
+        }
+    }
+
+    private static InputStream unpacked(Path path) throws IOException {
+        InputStream in = new BufferedInputStream(Files.newInputStream(path), 1 << 16);
+        in.mark(2);
+        boolean isPacked = in.read() == 0x1F && in.read() == 0x8B;
+        in.reset();
+        return isPacked ? new Limited(new GZIPInputStream(in, 1 << 16)) : in;
+    }
+
+    /** Reads the elements of a stream. */
+    private interface Elements {
+        void read(InputStream in, OsmElements target) throws IOException;
+    }
+
+    private static MapFeatures osm(
+            String format, String name, Path path, MapArea area, FileHash hash, Elements elements) throws IOException {
+        OsmFeatures features = new OsmFeatures(name, area, false);
+        try (InputStream in = unpacked(path)) {
+            elements.read(in, features);
+        }
+        if (features.isIncomplete()) {
+            // Ways come before their nodes, as Overpass writes them.
+            features = new OsmFeatures(name, area, true);
+            try (InputStream in = unpacked(path)) {
+                elements.read(in, features);
+            }
+        }
+        return new MapFeatures(
+                features.features(), features.leftOut(), format, Optional.of(CoordinateReferenceSystem.WGS_84), hash);
+    }
+
+    private static MapFeatures geoJson(String name, Path path, FileHash hash) throws IOException {
+        byte[] all;
+        try (InputStream in = unpacked(path)) {
+            all = in.readNBytes(MOST_JSON + 1);
+        }
+        if (all.length > MOST_JSON) {
+            throw new InputException(String.format(
+                    Locale.ROOT, "%s: has more than %,d bytes of JSON: cut out the site", name, MOST_JSON));
+        }
+        GeoJsonFile.Read read = GeoJsonFile.read(name, new ByteArrayInputStream(all));
+        return new MapFeatures(read.features(), read.leftOut(), "GeoJSON", Optional.empty(), hash);
+    }
+
+    /** Ends what unpacks without end. */
+    private static final class Limited extends InputStream {
+        private final InputStream in;
+        private long left = MOST_BYTES;
+
+        Limited(InputStream in) {
+            this.in = in;
+        }
+
+        @Override
+        public int read() throws IOException {
+            count(1);
+            return in.read();
+        }
+
+        @Override
+        public int read(byte[] target, int from, int length) throws IOException {
+            int read = in.read(target, from, length);
+            count(Math.max(read, 0));
+            return read;
+        }
+
+        private void count(int bytes) throws IOException {
+            left -= bytes;
+            if (left < 0) {
+                throw new IOException("unpacks to more than " + MOST_BYTES + " bytes");
+            }
+        }
+
+        @Override
+        public void close() throws IOException {
+            in.close();
+        }
+    }
+}

@@ -1,0 +1,264 @@
+package org.dronewatch.buildings.io;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+
+/** Reads the binary format of OpenStreetMap (PBF): texts by number, and coordinates as differences in nanodegrees. */
+final class OsmPbf {
+    private static final Set<String> KNOWN = Set.of("OsmSchema-V0.6", "DenseNodes");
+
+    /** Coordinates count nanodegrees. */
+    private static final double PER_DEGREE = 1e9;
+
+    private static final int WAY = 1;
+
+    private final OsmElements target;
+    private String[] strings = {};
+    private long granularity;
+    private long latitudeOffset;
+    private long longitudeOffset;
+
+    private OsmPbf(OsmElements target) {
+        this.target = target;
+    }
+
+    /**
+     * Reads a file to its end.
+     *
+     * @param file its name, for messages
+     * @throws InputException in one line when it is damaged or uses what is not known
+     * @throws IOException when it ends too early or is damaged
+     */
+    static void read(String file, InputStream in, OsmElements target) throws IOException {
+        PbfBlocks blocks = new PbfBlocks(file, in);
+        OsmPbf reader = new OsmPbf(target);
+        while (blocks.next()) {
+            switch (blocks.type()) {
+                case "OSMHeader" -> checkFeatures(file, blocks.unpacked());
+                case "OSMData" -> reader.block(blocks.unpacked());
+                default -> {
+                    // The format asks readers to skip what they do not know.
+                }
+            }
+        }
+    }
+
+    private static void checkFeatures(String file, byte[] header) throws IOException {
+        for (ProtoReader reader = new ProtoReader(header); reader.next(); ) {
+            if (reader.field() == 4) {
+                String feature = reader.text();
+                if (!KNOWN.contains(feature)) {
+                    throw new InputException(file + ": needs the feature '" + PlainText.value(feature)
+                            + "' of a reader, which this one does not have; 'osmium cat' writes a file without it");
+                }
+            } else {
+                reader.skip();
+            }
+        }
+    }
+
+    private void block(byte[] bytes) throws IOException {
+        granularity = 100;
+        latitudeOffset = 0;
+        longitudeOffset = 0;
+        List<ProtoReader> groups = new ArrayList<>();
+        for (ProtoReader reader = new ProtoReader(bytes); reader.next(); ) {
+            switch (reader.field()) {
+                case 1 -> strings = strings(reader.message());
+                case 2 -> groups.add(reader.message());
+                case 17 -> granularity = reader.number();
+                case 19 -> latitudeOffset = reader.number();
+                case 20 -> longitudeOffset = reader.number();
+                default -> reader.skip();
+            }
+        }
+        for (ProtoReader group : groups) {
+            while (group.next()) {
+                switch (group.field()) {
+                    case 1 -> node(group.message());
+                    case 2 -> dense(group.message());
+                    case 3 -> way(group.message());
+                    case 4 -> relation(group.message());
+                    default -> group.skip();
+                }
+            }
+        }
+    }
+
+    private static String[] strings(ProtoReader table) throws IOException {
+        List<String> strings = new ArrayList<>();
+        while (table.next()) {
+            if (table.field() == 1) {
+                strings.add(table.text());
+            } else {
+                table.skip();
+            }
+        }
+        return strings.toArray(String[]::new);
+    }
+
+    private String string(long number) throws IOException {
+        if (number < 0 || number >= strings.length) {
+            throw new IOException("text " + number + " of a block that has " + strings.length);
+        }
+        return strings[(int) number];
+    }
+
+    private void node(ProtoReader node) throws IOException {
+        long id = 0;
+        long latitude = 0;
+        long longitude = 0;
+        List<Long> keys = List.of();
+        List<Long> values = List.of();
+        while (node.next()) {
+            switch (node.field()) {
+                case 1 -> id = node.signed();
+                case 2 -> keys = numbers(node.message());
+                case 3 -> values = numbers(node.message());
+                case 8 -> latitude = node.signed();
+                case 9 -> longitude = node.signed();
+                default -> node.skip();
+            }
+        }
+        target.node(id, longitude(longitude), latitude(latitude));
+        if (!keys.isEmpty()) {
+            target.taggedNode(tags(keys, values));
+        }
+    }
+
+    private double latitude(long units) throws IOException {
+        return degrees(latitudeOffset + granularity * units, 90.0);
+    }
+
+    private double longitude(long units) throws IOException {
+        return degrees(longitudeOffset + granularity * units, 180.0);
+    }
+
+    private static double degrees(long nanodegrees, double most) throws IOException {
+        // A quotient by a power of ten is the closest number to the decimal fraction; a product is not.
+        double degrees = nanodegrees / PER_DEGREE;
+        if (!(Math.abs(degrees) <= most)) {
+            throw new IOException("a node at " + degrees + " degrees, must be within " + most);
+        }
+        return degrees;
+    }
+
+    private void dense(ProtoReader dense) throws IOException {
+        long[] ids = {};
+        long[] latitudes = {};
+        long[] longitudes = {};
+        ProtoReader keysAndValues = new ProtoReader(new byte[0]);
+        while (dense.next()) {
+            switch (dense.field()) {
+                case 1 -> ids = sums(dense.message());
+                case 8 -> latitudes = sums(dense.message());
+                case 9 -> longitudes = sums(dense.message());
+                case 10 -> keysAndValues = dense.message();
+                default -> dense.skip();
+            }
+        }
+        if (latitudes.length != ids.length || longitudes.length != ids.length) {
+            throw new IOException(ids.length + " nodes with " + latitudes.length + " latitudes and " + longitudes.length
+                    + " longitudes");
+        }
+        for (int i = 0; i < ids.length; i++) {
+            target.node(ids[i], longitude(longitudes[i]), latitude(latitudes[i]));
+            Map<String, String> tags = new HashMap<>();
+            while (keysAndValues.hasMore()) {
+                long key = keysAndValues.packed();
+                if (key == 0) {
+                    break;
+                }
+                tags.put(string(key), string(keysAndValues.packed()));
+            }
+            if (!tags.isEmpty()) {
+                target.taggedNode(tags);
+            }
+        }
+    }
+
+    private void way(ProtoReader way) throws IOException {
+        long id = 0;
+        List<Long> keys = List.of();
+        List<Long> values = List.of();
+        long[] nodes = {};
+        while (way.next()) {
+            switch (way.field()) {
+                case 1 -> id = way.number();
+                case 2 -> keys = numbers(way.message());
+                case 3 -> values = numbers(way.message());
+                case 8 -> nodes = sums(way.message());
+                default -> way.skip();
+            }
+        }
+        target.way(id, nodes, tags(keys, values));
+    }
+
+    private void relation(ProtoReader relation) throws IOException {
+        long id = 0;
+        List<Long> keys = List.of();
+        List<Long> values = List.of();
+        List<Long> roles = List.of();
+        List<Long> types = List.of();
+        long[] ids = {};
+        while (relation.next()) {
+            switch (relation.field()) {
+                case 1 -> id = relation.number();
+                case 2 -> keys = numbers(relation.message());
+                case 3 -> values = numbers(relation.message());
+                case 8 -> roles = numbers(relation.message());
+                case 9 -> ids = sums(relation.message());
+                case 10 -> types = numbers(relation.message());
+                default -> relation.skip();
+            }
+        }
+        if (roles.size() != ids.length || types.size() != ids.length) {
+            throw new IOException("relation " + id + " has " + ids.length + " members, " + roles.size() + " roles and "
+                    + types.size() + " types");
+        }
+        List<OsmElements.Member> members = new ArrayList<>();
+        for (int i = 0; i < ids.length; i++) {
+            if (types.get(i) == WAY) {
+                members.add(new OsmElements.Member(ids[i], string(roles.get(i))));
+            }
+        }
+        target.relation(id, members, tags(keys, values));
+    }
+
+    private Map<String, String> tags(List<Long> keys, List<Long> values) throws IOException {
+        if (keys.size() != values.size()) {
+            throw new IOException(keys.size() + " keys with " + values.size() + " values");
+        }
+        Map<String, String> tags = new HashMap<>();
+        for (int i = 0; i < keys.size(); i++) {
+            tags.put(string(keys.get(i)), string(values.get(i)));
+        }
+        return tags;
+    }
+
+    private static List<Long> numbers(ProtoReader packed) throws IOException {
+        List<Long> numbers = new ArrayList<>();
+        while (packed.hasMore()) {
+            numbers.add(packed.packed());
+        }
+        return numbers;
+    }
+
+    /** Numbers that are written as differences, each from the one before. */
+    private static long[] sums(ProtoReader packed) throws IOException {
+        long[] sums = new long[packed.countPacked()];
+        long sum = 0;
+        for (int i = 0; i < sums.length; i++) {
+            sum += packed.packedSigned();
+            sums[i] = sum;
+        }
+        return sums;
+    }
+}

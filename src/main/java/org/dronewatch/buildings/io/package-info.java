@@ -1,0 +1,2 @@
+/** Reads maps: the outlines of buildings, and what the map states about each. */
+package org.dronewatch.buildings.io;

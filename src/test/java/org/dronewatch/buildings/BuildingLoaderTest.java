@@ -1,0 +1,409 @@
+package org.dronewatch.buildings;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.geo.GeoPoint;
+import org.dronewatch.geo.Geodesy;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.setting.InputException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Solids of outlines that are drawn in metres about an origin, with areas and volumes worked out by hand. */
+class BuildingLoaderTest {
+    private static final Origin ORIGIN =
+            Origin.at(Math.toRadians(50.0), Math.toRadians(15.0)).withHeight(200.0);
+    private static final double FLOOR = BuildingLoader.BELOW;
+
+    @TempDir
+    private Path directory;
+
+    private final StringBuilder nodes = new StringBuilder();
+    private final StringBuilder ways = new StringBuilder();
+    private int count;
+
+    /** A rectangle from one corner to the opposite one, m. */
+    private static double[] box(double fromX, double fromY, double toX, double toY) {
+        return new double[] {fromX, fromY, toX, fromY, toX, toY, fromX, toY};
+    }
+
+    /** A closed way through points in metres, with tags as in {@code building=yes height=10}. */
+    private int way(double[] ring, String tags) {
+        Geodesy geodesy = new Geodesy(ORIGIN);
+        StringBuilder refs = new StringBuilder();
+        int first = count + 1;
+        for (int i = 0; i < ring.length; i += 2) {
+            GeoPoint place = new GeoPoint(0, 0, 0);
+            double z = 0.0;
+            for (int step = 0; step < 3; step++) {
+                place = geodesy.onEarth(new Position(ring[i], ring[i + 1], z));
+                z += 200.0 - place.height();
+            }
+            nodes.append(String.format(
+                    Locale.ROOT,
+                    "<node id='%d' lat='%.12f' lon='%.12f'/>%n",
+                    ++count,
+                    place.latitude(),
+                    place.longitude()));
+            refs.append("<nd ref='").append(count).append("'/>");
+        }
+        ways.append("<way id='").append(1000 + first).append("'>").append(refs);
+        ways.append("<nd ref='").append(first).append("'/>").append(tags(tags)).append("</way>\n");
+        return 1000 + first;
+    }
+
+    private static String tags(String tags) {
+        StringBuilder text = new StringBuilder();
+        for (String tag : tags.isEmpty() ? new String[0] : tags.split(" ")) {
+            String[] pair = tag.split("=");
+            text.append("<tag k='").append(pair[0]).append("' v='").append(pair[1].replace('_', ' '));
+            text.append("'/>");
+        }
+        return text.toString().replace("min height", "min_height").replace("min level", "min_level");
+    }
+
+    private void relation(String members, String tags) {
+        ways.append("<relation id='9'>");
+        for (String member : members.split(" ")) {
+            String[] pair = member.split("=");
+            ways.append("<member type='way' ref='")
+                    .append(pair[1])
+                    .append("' role='")
+                    .append(pair[0])
+                    .append("'/>");
+        }
+        ways.append(tags(tags)).append("</relation>\n");
+    }
+
+    private LoadedBuildings load() throws IOException {
+        return load(BuildingSettings.of("map.osm"), Optional.empty());
+    }
+
+    private LoadedBuildings load(BuildingSettings settings, Optional<TriangleMesh> terrain) throws IOException {
+        Files.writeString(directory.resolve("map.osm"), "<osm version='0.6'>" + nodes + ways + "</osm>");
+        return new BuildingLoader(directory).load(settings, ORIGIN, terrain);
+    }
+
+    /** Positive if the triangles face outwards, m3. */
+    private static double volume(TriangleMesh mesh) {
+        double sixfold = 0.0;
+        for (int i = 0; i < mesh.triangleCount(); i++) {
+            Position a = corner(mesh, i, 0);
+            Position b = corner(mesh, i, 1);
+            Position c = corner(mesh, i, 2);
+            sixfold += a.x() * (b.y() * c.z() - b.z() * c.y())
+                    + a.y() * (b.z() * c.x() - b.x() * c.z())
+                    + a.z() * (b.x() * c.y() - b.y() * c.x());
+        }
+        return sixfold / 6.0;
+    }
+
+    private static Position corner(TriangleMesh mesh, int triangle, int corner) {
+        return new Position(
+                mesh.coordinate(triangle, corner, 0),
+                mesh.coordinate(triangle, corner, 1),
+                mesh.coordinate(triangle, corner, 2));
+    }
+
+    /** Each side of a triangle is a side of exactly one other, the other way round. */
+    private static void assertClosed(TriangleMesh mesh) {
+        Map<String, Integer> sides = new HashMap<>();
+        for (int i = 0; i < mesh.triangleCount(); i++) {
+            for (int k = 0; k < 3; k++) {
+                int a = mesh.vertexIndex(i, k);
+                int b = mesh.vertexIndex(i, (k + 1) % 3);
+                sides.merge(Math.min(a, b) + "-" + Math.max(a, b), a < b ? 1 : -1, Integer::sum);
+                sides.merge("count " + Math.min(a, b) + "-" + Math.max(a, b), 1, Integer::sum);
+            }
+        }
+        assertThat(sides).allSatisfy((side, sum) -> assertThat(sum).as(side).isEqualTo(side.startsWith("c") ? 2 : 0));
+    }
+
+    private static double highest(TriangleMesh mesh) {
+        double highest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < mesh.vertexCount(); i++) {
+            highest = Math.max(highest, mesh.vertexCoordinate(i, 2));
+        }
+        return highest;
+    }
+
+    /**
+     * 20 m x 10 m, 12 m high with its roof, of which the roof is 4 m where it has slopes; walls go 1 m into the ground. Over the
+     * eaves: a gable half of the box; a hip two wedges less 1/3 of each end; a pyramid a third; a single slope half.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "flat, 12, 2600",
+        "gabled, 12, 2200",
+        "hipped, 12, 2133.3333",
+        "pyramidal, 12, 2066.6667",
+        "skillion, 12, 2200",
+    })
+    void roofsHaveTheVolumesWorkedOutByHand(String shape, double top, double volume) throws IOException {
+        way(box(30, 40, 50, 50), "building=yes height=12 roof:shape=" + shape + " roof:height=4");
+        LoadedBuildings loaded = load();
+
+        assertClosed(loaded.mesh());
+        assertThat(loaded.area()).isCloseTo(200.0, within(1e-3));
+        assertThat(volume(loaded.mesh())).isCloseTo(volume, within(0.05));
+        assertThat(highest(loaded.mesh())).isCloseTo(top, within(1e-3));
+        assertThat(loaded.warnings()).isEmpty();
+    }
+
+    /** Over an octagon a dome of half its width: six frustums, whose sides are chords of a quarter circle. */
+    @Test
+    void aDomeIsMadeOfRings() throws IOException {
+        double[] ring = new double[16];
+        for (int i = 0; i < 8; i++) {
+            ring[2 * i] = 5.0 * Math.cos(Math.PI * i / 4);
+            ring[2 * i + 1] = 5.0 * Math.sin(Math.PI * i / 4);
+        }
+        way(ring, "building=yes height=15 roof:shape=dome roof:height=5");
+        LoadedBuildings loaded = load();
+        double area = 2.0 * Math.sqrt(2.0) * 25.0;
+        double expected = area * (10.0 + FLOOR);
+        for (int k = 0; k < RoofPlanes.RINGS_OF_A_DOME; k++) {
+            double from = 0.5 * Math.PI * k / RoofPlanes.RINGS_OF_A_DOME;
+            double to = 0.5 * Math.PI * (k + 1) / RoofPlanes.RINGS_OF_A_DOME;
+            double a = Math.cos(from);
+            double b = Math.cos(to);
+            expected += area * 5.0 * (Math.sin(to) - Math.sin(from)) * (a * a + a * b + b * b) / 3.0;
+        }
+        assertClosed(loaded.mesh());
+        assertThat(volume(loaded.mesh())).isCloseTo(expected, within(0.05));
+    }
+
+    /** The ridge of an L is that of the rectangle about it; its arm of 10 m x 10 m lies wholly under one slope. */
+    @Test
+    void aGableOverAnLIsCutAlongItsRidge() throws IOException {
+        way(
+                new double[] {0, 0, 30, 0, 30, 20, 20, 20, 20, 10, 0, 10},
+                "building=yes height=11 roof:shape=gabled roof:height=5");
+        LoadedBuildings loaded = load();
+
+        assertClosed(loaded.mesh());
+        // South of the ridge at y = 10, mean 2.5 m over 300 m2; north of it the same over 100 m2.
+        assertThat(volume(loaded.mesh())).isCloseTo(400 * 7 + 400 * 2.5, within(0.05));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "roof:direction=S, 20, 0.5",
+        "roof:direction=270, 0.5, 20",
+        "'', 20, 0.5",
+        "roof:orientation=across, 0.5, 5"
+    })
+    void aSingleSlopeFallsWhereTheMapSays(String tag, double lowX, double lowY) throws IOException {
+        way(box(0, 0, 40, 10), "building=yes height=12 roof:shape=skillion roof:height=4 " + tag);
+        TriangleMesh mesh = load().mesh();
+
+        double lowest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < mesh.vertexCount(); i++) {
+            double z = mesh.vertexCoordinate(i, 2);
+            boolean isNear = Math.abs(mesh.vertexCoordinate(i, 0) - lowX) < 21
+                    && Math.abs(mesh.vertexCoordinate(i, 1) - lowY) < (lowY > 1 ? 21 : 1);
+            if (z > 0.0) {
+                lowest = Math.min(lowest, z);
+                assertThat(isNear || z > 11.9).as("corner %d at %s m", i, z).isTrue();
+            }
+        }
+        assertThat(lowest).isCloseTo(8.0, within(1e-3));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "height=12, 12, 0",
+        "height=12_m, 12, 0",
+        "'height=9,5', 9.5, 0",
+        "height=40_ft, 12.192, 0",
+        "building:levels=4, 12, 0",
+        "building:levels=2.5, 7.5, 0",
+        "building:levels=4 roof:shape=gabled roof:levels=1, 15, 0",
+        "building:levels=4 roof:shape=gabled roof:angle=45, 17, 0",
+        "height=tall, 9, 1",
+        "height=-3 building:levels=2, 6, 0",
+        "min_height=20, 29, 1",
+        "'', 9, 1",
+    })
+    void heightsAreReadWithTheirUnits(String tags, double top, int assumed) throws IOException {
+        way(box(0, 0, 20, 10), ("building=yes " + tags).strip());
+        LoadedBuildings loaded = load();
+
+        assertThat(highest(loaded.mesh())).isCloseTo(top, within(1e-3));
+        assertThat(loaded.assumed()).isEqualTo(assumed);
+        assertThat(loaded.mesh().materialNames())
+                .containsExactly(assumed == 1 ? "brick_rendered:assumed-height" : "brick_rendered");
+    }
+
+    @Test
+    void whatCannotBeReadIsNamed() throws IOException {
+        way(box(0, 0, 20, 10), "building=yes height=tall roof:shape=onion");
+        assertThat(load().warnings())
+                .anyMatch(line -> line.equals("map.osm: not used: height=tall: way/1001"))
+                .anyMatch(line -> line.equals("map.osm: not used: roof:shape=onion: way/1001"));
+    }
+
+    @Test
+    void heightZeroIsAHeight() throws IOException {
+        way(box(0, 0, 20, 10), "building=yes height=0");
+        way(box(30, 0, 50, 10), "building=yes height=5");
+        LoadedBuildings loaded = load();
+        assertThat(loaded.count()).isEqualTo(1);
+        assertThat(loaded.description())
+                .anyMatch(line -> line.contains("left out: 1 building no higher than its lowest point"));
+    }
+
+    /** The outline of 400 m2 is 30 m high; its parts are a hall and, on its half, a tower. */
+    @Test
+    void partsReplaceTheOutlineThatTheyCover() throws IOException {
+        way(box(0, 0, 20, 20), "building=yes height=30");
+        way(box(0, 0, 20, 10), "building:part=yes height=10");
+        way(box(0, 10, 20, 20), "building:part=yes height=30");
+        way(box(0, 0, 20, 10), "building:part=yes height=22 min_height=20");
+        LoadedBuildings loaded = load();
+
+        assertThat(loaded.count()).isEqualTo(3);
+        // Parts on the ground reach into it, that in the air does not.
+        assertThat(volume(loaded.mesh())).isCloseTo(200 * 11 + 200 * 31 + 200 * 2, within(0.1));
+        assertThat(loaded.description().get(0)).contains("0 buildings and 3 parts");
+    }
+
+    @Test
+    void anOutlineThatPartsCoverOnlyInPartStays() throws IOException {
+        way(box(0, 0, 20, 20), "building=yes height=10");
+        way(box(0, 0, 10, 10), "building:part=yes height=30");
+        LoadedBuildings loaded = load();
+        assertThat(volume(loaded.mesh())).isCloseTo(400 * 11 + 100 * 31, within(0.1));
+        assertThat(loaded.warnings()).anyMatch(line -> line.contains("parts cover less than nine tenths"));
+    }
+
+    /** A court of 10 m x 10 m, and the outline in two ways that are joined. */
+    @Test
+    void aMultipolygonHasItsCourtyard() throws IOException {
+        int outer = way(box(0, 0, 30, 30), "");
+        int inner = way(box(10, 10, 20, 20), "");
+        relation("outer=" + outer + " inner=" + inner, "type=multipolygon building=yes height=9");
+        LoadedBuildings loaded = load();
+        assertClosed(loaded.mesh());
+        assertThat(loaded.area()).isCloseTo(800.0, within(1e-2));
+        assertThat(volume(loaded.mesh())).isCloseTo(8000.0, within(0.2));
+    }
+
+    @Test
+    void whatIsUndergroundIsLeftOut() throws IOException {
+        way(box(0, 0, 20, 10), "building=yes location=underground");
+        way(box(30, 0, 50, 10), "building=yes layer=-1 height=5");
+        LoadedBuildings loaded = load();
+        assertThat(loaded.count()).isEqualTo(1);
+        assertThat(loaded.description()).anyMatch(line -> line.contains("left out: 1 building underground"));
+    }
+
+    /** A roof without walls is a slab. */
+    @Test
+    void anOpenRoofHasNoWalls() throws IOException {
+        way(box(0, 0, 20, 10), "building=roof height=5");
+        assertThat(volume(load().mesh())).isCloseTo(200 * 0.3, within(0.01));
+    }
+
+    /** The ground rises 1 m in 10 m to the east, and the house is 20 m long. */
+    @Test
+    void onASlopeHeightsCountFromTheLowestGround() throws IOException {
+        way(box(30, 0, 50, 10), "building=yes height=12");
+        float[] corners = {-100, -100, -10, 100, -100, 10, 100, 100, 10, -100, 100, -10};
+        TriangleMesh slope = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
+        LoadedBuildings loaded = load(BuildingSettings.of("map.osm"), Optional.of(slope));
+
+        assertThat(highest(loaded.mesh())).isCloseTo(3.0 + 12.0, within(1e-3));
+        assertThat(volume(loaded.mesh())).isCloseTo(200 * 13, within(0.05));
+    }
+
+    /** A dip between the corners of the house counts as well. */
+    @Test
+    void aHollowUnderTheMiddleIsFound() throws IOException {
+        way(box(-20, -20, 20, 20), "building=yes height=12");
+        float[] corners = {-100, -100, 0, 100, -100, 0, 100, 100, 0, -100, 100, 0, 3, 1, -7};
+        TriangleMesh hollow = TriangleMesh.of(corners, new int[] {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4});
+        assertThat(highest(load(BuildingSettings.of("map.osm"), Optional.of(hollow))
+                        .mesh()))
+                .isCloseTo(5.0, within(1e-3));
+    }
+
+    /** Where nothing is known of the ground, nothing is built on it. */
+    @Test
+    void whatStandsInAHoleOfTheTerrainIsLeftOut() throws IOException {
+        way(box(30, 0, 50, 10), "building=yes height=12");
+        way(box(300, 0, 320, 10), "building=yes height=12");
+        float[] corners = {-100, -100, 0, 100, -100, 0, 100, 100, 0, -100, 100, 0};
+        TriangleMesh small = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
+        LoadedBuildings loaded = load(BuildingSettings.of("map.osm"), Optional.of(small));
+        assertThat(loaded.count()).isEqualTo(1);
+        assertThat(loaded.description()).anyMatch(line -> line.contains("1 building without ground under it"));
+    }
+
+    @Test
+    void aMaterialOfTheMapIsItsAcousticSurface() throws IOException {
+        way(box(0, 0, 20, 10), "building=yes height=5 building:material=glass");
+        way(box(30, 0, 50, 10), "building=yes building:material=wood");
+        assertThat(load(BuildingSettings.of("map.osm").withMaterial("limestone"), Optional.empty())
+                        .mesh()
+                        .materialNames())
+                .containsExactly("glass_double", "wood_16mm:assumed-height");
+    }
+
+    /** Walls far from the origin stand upright on the round earth: 10 km away they lean by 1.6 mm in a metre. */
+    @Test
+    void farAwayWallsLeanAsTheEarthIsRound() throws IOException {
+        way(box(9990, 0, 10010, 20), "building=yes height=100");
+        TriangleMesh mesh = load(BuildingSettings.of("map.osm").withRadius(12_000), Optional.empty())
+                .mesh();
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < mesh.vertexCount(); i++) {
+            boolean isTop = mesh.vertexCoordinate(i, 2) > 50.0;
+            low = isTop ? low : Math.min(low, mesh.vertexCoordinate(i, 0));
+            high = isTop ? Math.max(high, mesh.vertexCoordinate(i, 0)) : high;
+        }
+        assertThat(highest(mesh)).isCloseTo(100.0 - 10_000.0 * 10_000.0 / (2 * 6.389e6), within(0.05));
+        assertThat(high - low - 20.0).isCloseTo(101.0 * 10_000.0 / 6.389e6, within(0.01));
+    }
+
+    @Test
+    void nothingNearTheOriginIsAnError() throws IOException {
+        way(box(5000, 0, 5020, 10), "building=yes height=12");
+        assertThatThrownBy(this::load)
+                .isInstanceOf(InputException.class)
+                .hasMessage("map.osm: has no building within 2000 m of the origin");
+    }
+
+    /**
+     * The outlines of Monaco: those of ways alone have 597,619 m2 by an independent computation (WGS 84, earth-centred, east-north-up
+     * about the mean of the map's nodes), and 17,168 m2 are those of four multipolygons, two of which share a wall.
+     */
+    @Test
+    void monacoHasItsArea() throws IOException {
+        Origin origin = Origin.at(Math.toRadians(43.7369557132469), Math.toRadians(7.422733173869995));
+        BuildingSettings settings =
+                BuildingSettings.of("monaco-buildings.osm.gz").withRadius(4000);
+        LoadedBuildings loaded =
+                new BuildingLoader(Path.of("src/examples/terrain")).load(settings, origin, Optional.empty());
+
+        assertThat(loaded.count()).isEqualTo(966);
+        assertThat(loaded.area())
+                .isCloseTo(597_619.2 + 16_840.85 - 1567.80 + 1460.49 - 118.68 + 268.08 + 285.03, within(0.1));
+        assertThat(loaded.assumed()).isEqualTo(966);
+        assertThat(loaded.warnings()).hasSize(1);
+    }
+}
