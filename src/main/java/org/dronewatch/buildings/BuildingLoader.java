@@ -66,6 +66,25 @@ public final class BuildingLoader {
         MapFeatures map = new MapFiles(directory).read(file, MapArea.about(origin, settings.radius() + MARGIN));
         BuildingReport report = new BuildingReport(file, settings, map.leftOut());
         Site site = new Site(settings, origin, terrain, report);
+        TriangleMesh mesh = map.model().isPresent()
+                ? new CityBuildings(map.model().get(), settings, site.transform(map), report).mesh(terrain)
+                : mesh(file, map, site, report);
+        if (report.count() == 0) {
+            throw new InputException(
+                    file + ": has no building within " + Quantity.LENGTH.inWords(settings.radius()) + " of the origin");
+        }
+        return new LoadedBuildings(
+                mesh,
+                BuildingMaterials.colours(mesh.materialNames()),
+                report.count(),
+                report.area(),
+                report.assumed(),
+                map.hash(),
+                report.lines(map, mesh.triangleCount()),
+                report.warnings());
+    }
+
+    private static TriangleMesh mesh(String file, MapFeatures map, Site site, BuildingReport report) {
         List<Building> buildings = site.buildings(map);
         BuildingParts parts = new BuildingParts(buildings);
         SolidMesh solids = new SolidMesh();
@@ -76,20 +95,7 @@ public final class BuildingLoader {
                         file + ": more than " + MOST_TRIANGLES + " triangles of buildings: choose a smaller radius");
             }
         }
-        if (report.count() == 0) {
-            throw new InputException(
-                    file + ": has no building within " + Quantity.LENGTH.inWords(settings.radius()) + " of the origin");
-        }
-        TriangleMesh mesh = solids.mesh();
-        return new LoadedBuildings(
-                mesh,
-                BuildingMaterials.colours(mesh.materialNames()),
-                report.count(),
-                report.area(),
-                report.assumed(),
-                map.hash(),
-                report.lines(map, mesh.triangleCount()),
-                report.warnings());
+        return solids.mesh();
     }
 
     /** What all buildings have in common. */
@@ -106,6 +112,20 @@ public final class BuildingLoader {
             this.geodesy = new Geodesy(origin);
             this.ground = terrain.map(mesh -> new GroundUnder(new TerrainGround(mesh), geodesy));
             this.report = report;
+        }
+
+        private CoordinateReferenceSystem crs(MapFeatures map) {
+            Optional<CoordinateReferenceSystem> stated =
+                    settings.crs().map(CoordinateReferenceSystem::of).or(map::crs);
+            if (stated.isEmpty() && map.model().isPresent()) {
+                throw new InputException(settings.file().orElse("")
+                        + ": does not state its coordinate reference system: set crs, as in crs: EPSG:25832");
+            }
+            return stated.orElse(CoordinateReferenceSystem.WGS_84);
+        }
+
+        MapTransform transform(MapFeatures map) {
+            return new MapTransform(crs(map), origin);
         }
 
         /** The buildings near the origin, with their outlines at its level. */

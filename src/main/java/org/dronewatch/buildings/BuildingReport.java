@@ -1,6 +1,7 @@
 package org.dronewatch.buildings;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -14,10 +15,15 @@ import org.dronewatch.setting.Quantity;
 final class BuildingReport {
     private static final int EXAMPLES = 3;
 
+    /** Further above or below the ground than most foundations, m. */
+    private static final double FLOATING = 3.0;
+
     private final String file;
     private final BuildingSettings settings;
     private final Map<String, Integer> leftOut = new LinkedHashMap<>();
     private final Map<String, List<String>> doubts = new LinkedHashMap<>();
+    private final List<Double> floors = new ArrayList<>();
+    private int added;
     private int buildings;
     private int parts;
     private int assumed;
@@ -51,6 +57,19 @@ final class BuildingReport {
         area += squareMetres;
     }
 
+    /** A solid of a city model that was built. */
+    void add(CitySolid solid, double squareMetres) {
+        buildings++;
+        added += solid.floor() > 0 ? 1 : 0;
+        area += squareMetres;
+    }
+
+    /** How far the lowest points of the solids of a city model lie above the ground, m. */
+    void floors(List<Double> heights) {
+        floors.addAll(heights);
+        Collections.sort(floors);
+    }
+
     private static boolean isHeightStated(Building building) {
         return building.tags().containsKey("height") || building.tags().containsKey("building:height");
     }
@@ -78,15 +97,7 @@ final class BuildingReport {
                 parts == 0 ? "" : " and " + counted(parts, "part"),
                 Quantity.LENGTH.inWords(settings.radius()),
                 area));
-        lines.add(String.format(
-                Locale.ROOT,
-                "buildings: %,d triangles; heights: %,d stated, %,d from levels of %s, %,d assumed to be %s",
-                triangles,
-                count() - assumed - fromLevels,
-                fromLevels,
-                Quantity.LENGTH.inWords(settings.levelHeight()),
-                assumed,
-                Quantity.LENGTH.inWords(settings.height())));
+        lines.add(map.model().isPresent() ? cityModel(triangles) : heights(triangles));
         if (!leftOut.isEmpty()) {
             lines.add("buildings: left out: "
                     + leftOut.entrySet().stream()
@@ -100,8 +111,42 @@ final class BuildingReport {
         return lines;
     }
 
+    private String cityModel(int triangles) {
+        return String.format(
+                        Locale.ROOT,
+                        "buildings: %,d triangles; %,d solids had no floor, which was added",
+                        triangles,
+                        added)
+                + (floors.isEmpty()
+                        ? ""
+                        : String.format(
+                                Locale.ROOT,
+                                "; lowest points from %.1f to %.1f m above the ground, %.1f m in the middle",
+                                tenths(floors.get(0)),
+                                tenths(floors.get(floors.size() - 1)),
+                                tenths(floors.get(floors.size() / 2))));
+    }
+
+    /** Rounded as it is shown; never -0. */
+    private static double tenths(double value) {
+        return Math.rint(10.0 * value) / 10.0 + 0.0;
+    }
+
+    private String heights(int triangles) {
+        return String.format(
+                Locale.ROOT,
+                "buildings: %,d triangles; heights: %,d stated, %,d from levels of %s, %,d assumed to be %s",
+                triangles,
+                count() - assumed - fromLevels,
+                fromLevels,
+                Quantity.LENGTH.inWords(settings.levelHeight()),
+                assumed,
+                Quantity.LENGTH.inWords(settings.height()));
+    }
+
     private static String counted(int count, String noun) {
-        String several = noun.replaceFirst("^(\\w+)", "$1s");
+        // Names of types, which begin with a capital letter, stay as they are.
+        String several = noun.replaceFirst("^([a-z]+)", "$1s");
         return String.format(Locale.ROOT, "%,d %s", count, count == 1 ? noun : several);
     }
 
@@ -115,6 +160,14 @@ final class BuildingReport {
                     assumed,
                     count(),
                     Quantity.LENGTH.inWords(settings.height())));
+        }
+        if (!floors.isEmpty() && Math.abs(floors.get(floors.size() / 2)) > FLOATING) {
+            warnings.add(String.format(
+                    Locale.ROOT,
+                    "%s: its buildings lie %.1f m above the ground (median): do their heights count from another level? If so,"
+                            + " set world.buildings.verticalOffset",
+                    file,
+                    floors.get(floors.size() / 2)));
         }
         doubts.forEach((what, ids) -> warnings.add(file + ": " + PlainText.value(what) + ": "
                 + ids.stream().limit(EXAMPLES).collect(Collectors.joining(", "))

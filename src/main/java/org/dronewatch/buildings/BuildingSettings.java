@@ -11,14 +11,18 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The buildings of a real place, from a map: OpenStreetMap (.osm, also in .gz, or .osm.pbf) or outlines in GeoJSON. They stand on
- * the scene's terrain, about its geographic origin, {@code world.origin}, which such a scene must give.
+ * The buildings of a real place, from a map: OpenStreetMap (.osm, also in .gz, or .osm.pbf), outlines in GeoJSON, or a city
+ * model in CityJSON. Outlines stand on the scene's terrain, about its geographic origin, {@code world.origin}, which such a scene
+ * must give.
  *
  * @param file the map
- * @param crs coordinate reference system of GeoJSON by its EPSG code; omit it for longitude and latitude
+ * @param crs coordinate reference system of GeoJSON or CityJSON by its EPSG code; omit it for longitude and
+ *     latitude, and for the system that a city model states
  * @param radius how far from the origin buildings are taken, 10 m to 20 km
  * @param height height of buildings of which the map states neither height nor levels, 1 to 200 m
  * @param levelHeight height of a level of buildings of which the map states only how many, 1 to 20 m
+ * @param verticalOffset what is added to the heights of a city model, -1000 to 1000 m: for one that counts from another level than
+ *     {@code world.origin.height} and the terrain do
  * @param material material of buildings of which the map states none, a name in the table of surfaces
  */
 public record BuildingSettings(
@@ -27,11 +31,12 @@ public record BuildingSettings(
         @In(value = Quantity.LENGTH, from = 10, to = 20_000) double radius,
         @In(value = Quantity.LENGTH, from = 1, to = 200) double height,
         @In(value = Quantity.LENGTH, from = 1, to = 20) double levelHeight,
+        @In(value = Quantity.LENGTH, from = -1000, to = 1000) double verticalOffset,
         String material) {
     /** Within 2 km, three levels of 3 m, of rendered brick; without a file yet. */
     @Defaults
     public static final BuildingSettings DEFAULT =
-            new BuildingSettings(Optional.empty(), Optional.empty(), 2000.0, 9.0, 3.0, "brick_rendered");
+            new BuildingSettings(Optional.empty(), Optional.empty(), 2000.0, 9.0, 3.0, 0.0, "brick_rendered");
 
     /**
      * Checks the limits.
@@ -40,7 +45,7 @@ public record BuildingSettings(
      *     system is not known
      */
     public BuildingSettings {
-        Limits.check(BuildingSettings.class, file, crs, radius, height, levelHeight, material);
+        Limits.check(BuildingSettings.class, file, crs, radius, height, levelHeight, verticalOffset, material);
         if (material.isBlank()) {
             throw new IllegalArgumentException("material is empty: it must be a name");
         }
@@ -76,6 +81,11 @@ public record BuildingSettings(
     /** These settings with another height of a level, m. */
     public BuildingSettings withLevelHeight(double metres) {
         return SettingsForm.with(this, "levelHeight", metres);
+    }
+
+    /** These settings with the heights of a city model shifted by as many metres. */
+    public BuildingSettings withVerticalOffset(double metres) {
+        return SettingsForm.with(this, "verticalOffset", metres);
     }
 
     /** These settings with another material of buildings whose material is not known. */

@@ -152,7 +152,7 @@ class BuildingSceneTest {
                 "origin=null | world.buildings needs a world.origin",
                 "buildings={} | world.buildings needs a 'file', a map with buildings",
                 "buildings={file: none.osm} | site.yaml:4:21: world.buildings.file: file 'none.osm' does not exist",
-                "buildings={file: ground.asc} | ground.asc: is none of OpenStreetMap XML, OpenStreetMap PBF and GeoJSON",
+                "buildings={file: ground.asc} | ground.asc: is none of OpenStreetMap XML, OpenStreetMap PBF, GeoJSON and CityJSON",
                 "buildings={file: ../map.osm} | file '../map.osm' leads out of the directory of this file",
                 "buildings={file: map.osm, height: 0} | height",
                 "buildings={file: map.osm, crs: EPSG:1} | EPSG",

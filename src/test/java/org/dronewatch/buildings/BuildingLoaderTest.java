@@ -98,7 +98,7 @@ class BuildingLoaderTest {
     }
 
     /** Positive if the triangles face outwards, m3. */
-    private static double volume(TriangleMesh mesh) {
+    static double volume(TriangleMesh mesh) {
         double sixfold = 0.0;
         for (int i = 0; i < mesh.triangleCount(); i++) {
             Position a = corner(mesh, i, 0);
@@ -119,7 +119,7 @@ class BuildingLoaderTest {
     }
 
     /** Each side of a triangle is a side of exactly one other, the other way round. */
-    private static void assertClosed(TriangleMesh mesh) {
+    static void assertClosed(TriangleMesh mesh) {
         Map<String, Integer> sides = new HashMap<>();
         for (int i = 0; i < mesh.triangleCount(); i++) {
             for (int k = 0; k < 3; k++) {

@@ -1,6 +1,5 @@
 package org.dronewatch.buildings.io;
 
-import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -9,10 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import tools.jackson.core.JacksonException;
-import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Reads outlines from GeoJSON (RFC 7946): polygons and multipolygons, whose properties are taken as tags of OpenStreetMap
@@ -33,32 +29,18 @@ final class GeoJsonFile {
     record Read(List<MapFeature> features, Map<String, Integer> leftOut) {}
 
     /**
-     * Reads a file to its end.
+     * Reads a file.
      *
      * @param file its name, for messages
      * @throws InputException in one line when it is not GeoJSON
      */
-    static Read read(String file, InputStream in) {
-        JsonNode root;
-        try {
-            root = JsonMapper.shared().readTree(in);
-        } catch (JacksonException e) {
-            TokenStreamLocation at = e.getLocation();
-            throw new InputException(
-                    file + (at == null ? "" : ":" + at.getLineNr()) + ": not whole JSON: "
-                            + PlainText.line(e.getOriginalMessage()),
-                    e);
-        }
+    static Read read(String file, JsonNode root) {
         GeoJsonFile reader = new GeoJsonFile(file);
         String type = root.path("type").asString("");
-        if (type.equals("CityJSON") || type.equals("CityJSONFeature")) {
-            throw new InputException(file + ": is CityJSON, which is not read yet; 'cjio " + file
-                    + " export obj' converts it for world.models");
-        }
         if (!List.of("FeatureCollection", "Feature", "Polygon", "MultiPolygon", "GeometryCollection")
                 .contains(type)) {
             throw new InputException(file + ": 'type' is '" + PlainText.value(type)
-                    + "', must be FeatureCollection: not GeoJSON with areas");
+                    + "', must be FeatureCollection or CityJSON: no map with areas");
         }
         reader.object(root, "geometry", Map.of(), 0);
         return new Read(reader.features, reader.leftOut);

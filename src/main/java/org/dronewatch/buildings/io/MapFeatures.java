@@ -10,7 +10,8 @@ import org.dronewatch.setting.file.FileHash;
 /**
  * What was read of a map.
  *
- * @param features buildings and parts of buildings, in the order of the file
+ * @param features outlines of buildings and parts of buildings, in the order of the file
+ * @param model buildings with their walls and roofs instead, from a city model
  * @param leftOut what could not become an outline, and how often, in words
  * @param format of the file, in words
  * @param crs the system of its coordinates, if the file or its format states one
@@ -18,6 +19,7 @@ import org.dronewatch.setting.file.FileHash;
  */
 public record MapFeatures(
         List<MapFeature> features,
+        Optional<CityModel> model,
         Map<String, Integer> leftOut,
         String format,
         Optional<CoordinateReferenceSystem> crs,

@@ -1,7 +1,6 @@
 package org.dronewatch.buildings.io;
 
 import java.io.BufferedInputStream;
-import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -9,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.zip.GZIPInputStream;
@@ -18,6 +18,10 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.setting.file.LinkOut;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /** Reads map files by what they begin with, whatever they are called; text may be packed with gzip. */
 public final class MapFiles {
@@ -60,11 +64,11 @@ public final class MapFiles {
                 return osm("OpenStreetMap XML", name, path, area, hash, (in, target) -> OsmXml.read(name, in, target));
             }
             if (text.startsWith("{")) {
-                return geoJson(name, path, hash);
+                return json(name, path, hash);
             }
-            throw new InputException(
-                    name + ": is none of OpenStreetMap XML, OpenStreetMap PBF and GeoJSON; 'ogr2ogr buildings.geojson "
-                            + path.getFileName() + "' converts most other formats");
+            throw new InputException(name
+                    + ": is none of OpenStreetMap XML, OpenStreetMap PBF, GeoJSON and CityJSON; 'ogr2ogr buildings.geojson "
+                    + path.getFileName() + "' converts most other formats");
         } catch (EOFException e) {
             throw new InputException(name + ": ends too early: it is cut off or damaged", e);
         } catch (IOException e) {
@@ -120,10 +124,15 @@ public final class MapFiles {
             }
         }
         return new MapFeatures(
-                features.features(), features.leftOut(), format, Optional.of(CoordinateReferenceSystem.WGS_84), hash);
+                features.features(),
+                Optional.empty(),
+                features.leftOut(),
+                format,
+                Optional.of(CoordinateReferenceSystem.WGS_84),
+                hash);
     }
 
-    private static MapFeatures geoJson(String name, Path path, FileHash hash) throws IOException {
+    private static MapFeatures json(String name, Path path, FileHash hash) throws IOException {
         byte[] all;
         try (InputStream in = unpacked(path)) {
             all = in.readNBytes(MOST_JSON + 1);
@@ -132,8 +141,25 @@ public final class MapFiles {
             throw new InputException(String.format(
                     Locale.ROOT, "%s: has more than %,d bytes of JSON: cut out the site", name, MOST_JSON));
         }
-        GeoJsonFile.Read read = GeoJsonFile.read(name, new ByteArrayInputStream(all));
-        return new MapFeatures(read.features(), read.leftOut(), "GeoJSON", Optional.empty(), hash);
+        JsonNode root = tree(name, all);
+        if (root.path("type").asString("").equals("CityJSON")) {
+            CityJsonFile.Read read = CityJsonFile.read(name, root);
+            return new MapFeatures(List.of(), Optional.of(read.model()), read.leftOut(), "CityJSON", read.crs(), hash);
+        }
+        GeoJsonFile.Read read = GeoJsonFile.read(name, root);
+        return new MapFeatures(read.features(), Optional.empty(), read.leftOut(), "GeoJSON", Optional.empty(), hash);
+    }
+
+    private static JsonNode tree(String name, byte[] bytes) {
+        try {
+            return JsonMapper.shared().readTree(bytes);
+        } catch (JacksonException e) {
+            TokenStreamLocation at = e.getLocation();
+            throw new InputException(
+                    name + (at == null ? "" : ":" + at.getLineNr()) + ": not whole JSON: "
+                            + PlainText.line(e.getOriginalMessage()),
+                    e);
+        }
     }
 
     /** Ends what unpacks without end. */

@@ -1,0 +1,168 @@
+package org.dronewatch.buildings.io;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * Reads buildings and their parts from CityJSON 1.1 and 2.0: solids and surfaces of the most detailed level up to 2, without
+ * openings such as windows, which the third level adds.
+ */
+final class CityJsonFile {
+    private static final Pattern CODE = Pattern.compile(".*EPSG(?:/\\d+/|::|:)(\\d{4,6})");
+
+    /** Levels of detail from here on have windows and rooms. */
+    private static final double TOO_DETAILED = 3.0;
+
+    private final String file;
+    private final JsonNode root;
+    private final double[] vertices;
+    private final List<CityModel.Solid> solids = new ArrayList<>();
+    private final Map<String, Integer> leftOut = new LinkedHashMap<>();
+
+    /**
+     * What was read.
+     *
+     * @param model the buildings
+     * @param leftOut what was left out, and how often
+     * @param crs the system of its coordinates, if it states one
+     */
+    record Read(CityModel model, Map<String, Integer> leftOut, Optional<CoordinateReferenceSystem> crs) {}
+
+    private CityJsonFile(String file, JsonNode root) {
+        this.file = file;
+        this.root = root;
+        this.vertices = vertices();
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @param file its name, for messages
+     * @throws InputException in one line when something of it is wrong
+     */
+    static Read read(String file, JsonNode root) {
+        String version = root.path("version").asString("");
+        if (!version.startsWith("1.") && !version.startsWith("2.")) {
+            throw new InputException(file + ": CityJSON of version '" + PlainText.value(version)
+                    + "', must be 1.0 to 2.0; 'cjio " + file + " upgrade' converts older files");
+        }
+        CityJsonFile reader = new CityJsonFile(file, root);
+        root.path("CityObjects").properties().forEach(one -> reader.object(one.getKey(), one.getValue()));
+        return new Read(new CityModel(reader.vertices, reader.solids), reader.leftOut, reader.crs());
+    }
+
+    private Optional<CoordinateReferenceSystem> crs() {
+        String text = root.path("metadata").path("referenceSystem").asString("");
+        if (text.isEmpty()) {
+            return Optional.empty();
+        }
+        Matcher code = CODE.matcher(text);
+        if (!code.matches()) {
+            throw new InputException(file + ": metadata.referenceSystem is '" + PlainText.value(text)
+                    + "', must end in an EPSG code; state world.buildings.crs instead");
+        }
+        return Optional.of(CoordinateReferenceSystem.of("EPSG:" + code.group(1)));
+    }
+
+    private double[] vertices() {
+        JsonNode all = root.path("vertices");
+        double[] found = new double[3 * all.size()];
+        JsonNode scale = root.path("transform").path("scale");
+        JsonNode translate = root.path("transform").path("translate");
+        for (int i = 0; i < all.size(); i++) {
+            for (int axis = 0; axis < 3; axis++) {
+                double value = number(all.get(i).path(axis), "vertices[" + i + "]");
+                found[3 * i + axis] = scale.isMissingNode()
+                        ? value
+                        : value * number(scale.path(axis), "transform.scale")
+                                + number(translate.path(axis), "transform.translate");
+            }
+        }
+        return found;
+    }
+
+    private double number(JsonNode node, String where) {
+        if (!node.isNumber() || !Double.isFinite(node.doubleValue())) {
+            throw new InputException(
+                    file + ": " + where + " has '" + PlainText.value(node) + "', must have three numbers");
+        }
+        return node.doubleValue();
+    }
+
+    private void object(String id, JsonNode object) {
+        String type = object.path("type").asString("");
+        if (!type.equals("Building") && !type.equals("BuildingPart")) {
+            leftOut.merge(type.isEmpty() ? "object without a type" : type, 1, Integer::sum);
+            return;
+        }
+        JsonNode best = null;
+        double detail = -1.0;
+        for (JsonNode geometry : object.path("geometry")) {
+            String lod = geometry.path("lod").asString("");
+            double level = lod.matches("\\d(\\.\\d)?") ? Double.parseDouble(lod) : 0.0;
+            boolean isVolume = !geometry.path("type").asString("").startsWith("MultiLine")
+                    && !geometry.path("type").asString("").startsWith("MultiPoint");
+            if (isVolume && level >= 1.0 && level < TOO_DETAILED && level > detail) {
+                best = geometry;
+                detail = level;
+            }
+        }
+        if (best != null) {
+            geometry(id, best);
+        } else if (object.path("children").isEmpty()) {
+            leftOut.merge("building without a solid of level 1 or 2", 1, Integer::sum);
+        }
+    }
+
+    private void geometry(String id, JsonNode geometry) {
+        JsonNode boundaries = geometry.path("boundaries");
+        switch (geometry.path("type").asString("")) {
+            // The first shell is the outer one; others are voids inside.
+            case "Solid" -> surfaces(id, boundaries.path(0));
+            case "MultiSolid", "CompositeSolid" -> boundaries.forEach(solid -> surfaces(id, solid.path(0)));
+            case "MultiSurface", "CompositeSurface" -> surfaces(id, boundaries);
+            default ->
+                throw new InputException(file + ": " + PlainText.value(id) + ": a geometry of type '"
+                        + PlainText.value(geometry.path("type").asString("")) + "', must be Solid or MultiSurface");
+        }
+    }
+
+    private void surfaces(String id, JsonNode shell) {
+        List<List<int[]>> surfaces = new ArrayList<>();
+        for (JsonNode surface : shell) {
+            List<int[]> rings = new ArrayList<>();
+            for (JsonNode ring : surface) {
+                rings.add(ring(id, ring));
+            }
+            if (!rings.isEmpty()) {
+                surfaces.add(List.copyOf(rings));
+            }
+        }
+        if (!surfaces.isEmpty()) {
+            solids.add(new CityModel.Solid(id, surfaces));
+        }
+    }
+
+    private int[] ring(String id, JsonNode ring) {
+        int[] corners = new int[ring.size()];
+        for (int i = 0; i < corners.length; i++) {
+            JsonNode corner = ring.get(i);
+            int number = corner.isInt() ? corner.intValue() : -1;
+            if (number < 0 || 3 * number >= vertices.length) {
+                throw new InputException(file + ": " + PlainText.value(id) + ": vertex '" + PlainText.value(corner)
+                        + "', must be 0 to " + (vertices.length / 3 - 1));
+            }
+            corners[i] = number;
+        }
+        return corners;
+    }
+}
