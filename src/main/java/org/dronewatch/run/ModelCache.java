@@ -32,6 +32,7 @@ import org.dronewatch.setting.file.LinkOut;
 import org.dronewatch.terrain.LoadedTerrain;
 import org.dronewatch.terrain.TerrainLoader;
 import org.dronewatch.terrain.TerrainSettings;
+import org.dronewatch.world.Ground;
 import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
@@ -178,6 +179,15 @@ public final class ModelCache {
     synchronized TracingIndex index(ModelSettings model, TracingSettings tracing) {
         return indexes.computeIfAbsent(
                 new Site(Optional.empty(), Optional.empty(), List.of(model), tracing), this::build);
+    }
+
+    /**
+     * The heights of the highest surfaces of a world, for the use of one thread; loads what is not loaded yet.
+     *
+     * @throws InputException when a file cannot be read, or is wrong
+     */
+    public Ground ground(WorldSettings world) {
+        return World.groundOf(index(world));
     }
 
     /** The colours of a world's materials, by name: red, green and blue in the lowest 24 bits. */

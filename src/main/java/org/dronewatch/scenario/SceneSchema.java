@@ -27,7 +27,7 @@ public final class SceneSchema {
     private static final String DEFINITIONS = "#/$defs/";
 
     private final JsonMapper json = JsonMapper.builder().build();
-    private final Kinds kinds = SensorKinds.kinds(Catalog.packaged());
+    private final Kinds kinds = PlaceForms.in(SensorKinds.kinds(Catalog.packaged()));
     private final Map<String, ObjectNode> definitions = new TreeMap<>();
     private final RecordSchema records;
 

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import org.dronewatch.setting.AsNumbers;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.OneForAll;
@@ -55,7 +56,10 @@ final class ValueSchema {
     }
 
     ObjectNode of(RecordComponent part) {
-        return of(part.getGenericType(), Optional.ofNullable(part.getAnnotation(In.class)));
+        Optional<In> limits = Optional.ofNullable(part.getAnnotation(In.class));
+        return part.isAnnotationPresent(AsNumbers.class)
+                ? numbers((Class<?>) part.getType(), List.of())
+                : of(part.getGenericType(), limits);
     }
 
     private static ObjectNode object() {
@@ -80,7 +84,7 @@ final class ValueSchema {
         } else if (plain.isEnum()) {
             return constants(plain);
         } else if (plain.isRecord() && SettingsForm.of(plain).isNumbers()) {
-            putNumbers(schema.putArray("anyOf"), plain);
+            return numbers(plain, kinds.otherForms(plain));
         } else if (plain.isRecord() && SettingsForm.of(plain).required().size() == 1) {
             putOnePart(schema.putArray("anyOf"), plain);
         } else {
@@ -103,8 +107,10 @@ final class ValueSchema {
         return schema;
     }
 
-    /** As a list of numbers, as one text, by name, or as one number where that stands for all. */
-    private void putNumbers(ArrayNode any, Class<?> type) {
+    /** As a list of numbers, as one text, by name, as one number where that stands for all, or in another form. */
+    private ObjectNode numbers(Class<?> type, List<Kinds.OtherForm> others) {
+        ObjectNode schema = object();
+        ArrayNode any = schema.putArray("anyOf");
         int count = SettingsForm.of(type).parts().size();
         ObjectNode list = any.addObject();
         list.put("type", "array");
@@ -116,6 +122,8 @@ final class ValueSchema {
             any.addObject().put("type", "number");
         }
         any.addObject().put("$ref", reference.apply(type));
+        others.forEach(form -> any.addObject().put("$ref", reference.apply(form.parts())));
+        return schema;
     }
 
     /** By name, or by the only part that has no default. */

@@ -6,9 +6,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.flight.Steered;
+import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.Overrides;
 import org.dronewatch.scenario.SceneSettings;
@@ -48,6 +50,11 @@ final class ConfiguredScene {
 
     Path directory() {
         return directory;
+    }
+
+    /** The models of its runs. */
+    ModelCache models(Consumer<String> notes) {
+        return scene.models(directory, notes);
     }
 
     /** Settings of the scene as a scene file. */
@@ -125,6 +132,7 @@ final class ConfiguredScene {
     }
 
     private SceneSettings described() {
+        scene.prepare(overrides, directory);
         try {
             return scene.describe();
         } catch (IllegalArgumentException e) {

@@ -4,8 +4,10 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Consumer;
 import nl.tudelft.simulation.dsol.experiment.ExperimentReplication;
 import nl.tudelft.simulation.dsol.formalisms.eventscheduling.SimEventInterface;
 import nl.tudelft.simulation.dsol.model.AbstractDsolModel;
@@ -269,6 +271,19 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
+     * Tells the scene, before it is described, how it will be changed: positions of places depend on the site.
+     *
+     * @param overrides values by path
+     * @param names directory of relative file names
+     */
+    void prepare(Map<String, String> overrides, Path names) {}
+
+    /** The models of the scene's runs, of which some may have been loaded when it was described. */
+    ModelCache models(Path names, Consumer<String> notes) {
+        return new ModelCache(names, notes);
+    }
+
+    /**
      * Runs the scene to its end on this thread, as fast as possible, with as many worker threads as there are cores.
      */
     public final SceneResult run() {
@@ -313,7 +328,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /** A run under the user's own simulator, which determines how long it lasts. All replications have the same settings. */
     private RunSession openSession() {
         if (models == null) {
-            models = new ModelCache(directory(), note -> {});
+            models = models(directory(), note -> {});
         }
         RunInfo info = session == null ? new RunInfo(0, 1, describe().withoutSweep()) : session.info();
         if (session != null) {

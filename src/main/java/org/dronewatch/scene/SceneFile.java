@@ -2,26 +2,41 @@ package org.dronewatch.scene;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.regex.Pattern;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.InputFiles;
+import org.dronewatch.scenario.PlaceForms;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenario.SweepSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.SettingsFile;
+import org.dronewatch.world.Places;
 
 /** A scene that is described in a file instead of a class: the same settings, written in YAML. */
 public final class SceneFile extends Scene {
     private static final long serialVersionUID = 1L;
 
+    /** The settings on which the positions of places depend. */
+    private static final Pattern OF_THE_SITE = Pattern.compile("world\\.(origin|terrain|models|buildings)\\b.*");
+
     private final transient Path file;
     private transient List<FileHash> files = List.of();
     private transient FormerNames formerNames = new FormerNames();
+    private transient Map<String, String> overrides = Map.of();
+    private transient Optional<ScenePlaces> places = Optional.empty();
 
     /**
      * The scene of a file. The file is read when the scene is described, which is when errors in it are found.
@@ -74,6 +89,19 @@ public final class SceneFile extends Scene {
         return Optional.of(SettingsFile.document(file).markOf(path).toString());
     }
 
+    @Override
+    void prepare(Map<String, String> changes, Path names) {
+        overrides = new LinkedHashMap<>(changes);
+        places = places.filter(known -> known.directory().equals(names)).or(() -> Optional.of(new ScenePlaces(names)));
+    }
+
+    @Override
+    ModelCache models(Path names, Consumer<String> notes) {
+        return places.filter(known -> known.directory().equals(names))
+                .flatMap(known -> known.models(notes))
+                .orElseGet(() -> super.models(names, notes));
+    }
+
     /**
      * Reads the file.
      *
@@ -83,9 +111,52 @@ public final class SceneFile extends Scene {
     protected void build() {
         Catalog catalog = Catalog.beside(directory());
         formerNames = catalog.formerNames();
-        set(SettingsFile.read(file, SceneSettings.class, SensorKinds.kinds(catalog), formerNames));
+        Kinds kinds = SensorKinds.kinds(catalog);
+        ScenePlaces site = places.orElseGet(() -> new ScenePlaces(directory()));
+        places = Optional.of(site);
+        PlacedOnce placed = new PlacedOnce(() -> site.of(file, kinds, overrides));
+        SceneSettings settings =
+                SettingsFile.read(file, SceneSettings.class, PlaceForms.in(kinds, placed), formerNames);
+        if (placed.isUsed()) {
+            settings.sweep().ifPresent(this::checkSite);
+        }
+        set(settings);
         List<Path> read = new ArrayList<>(List.of(file));
         read.addAll(catalog.filesRead());
         files = read.stream().map(InputFiles::hash).toList();
+    }
+
+    /** Places are found once, for all runs of a sweep. */
+    private void checkSite(SweepSettings sweep) {
+        if (OF_THE_SITE.matcher(sweep.parameter()).matches()) {
+            String path = "sweep.parameter";
+            throw new InputException(placeOf(path).orElse("") + ": " + path + ": '" + sweep.parameter()
+                    + "' cannot be swept in a scene with places by latitude and longitude, or above the surface: they are"
+                    + " found once, on one site");
+        }
+    }
+
+    /** The places of a file, found when they are first wanted. */
+    private static final class PlacedOnce implements Supplier<Optional<Places>> {
+        private final Supplier<Optional<Places>> source;
+        private Optional<Places> places = Optional.empty();
+        private boolean used;
+
+        PlacedOnce(Supplier<Optional<Places>> source) {
+            this.source = source;
+        }
+
+        boolean isUsed() {
+            return used;
+        }
+
+        @Override
+        public Optional<Places> get() {
+            if (!used) {
+                places = source.get();
+                used = true;
+            }
+            return places;
+        }
     }
 }

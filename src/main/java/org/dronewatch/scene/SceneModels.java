@@ -24,7 +24,7 @@ final class SceneModels {
      */
     SceneModels(ConfiguredScene scene, Consumer<String> notes) {
         this.scene = scene;
-        this.models = new ModelCache(scene.directory(), notes);
+        this.models = scene.models(notes);
     }
 
     /** Warns of weather and light that change nothing that is detected, and of odd settings of sensors. */

@@ -229,8 +229,13 @@ public final class World {
      * points.
      */
     public Ground newGround() {
-        RayTracer traversal = newRayTracer();
-        double above = bounds().maxZ() + 1.0;
+        return groundOf(index);
+    }
+
+    /** The heights of the highest surfaces of a mesh, for the use of one thread. */
+    public static Ground groundOf(TracingIndex index) {
+        RayTracer traversal = index.newRayTracer();
+        double above = index.tree().bounds().maxZ() + 1.0;
         return (x, y) -> traversal.closestHit(x, y, above, 0.0, 0.0, -1.0, 0.0, Double.POSITIVE_INFINITY)
                 ? OptionalDouble.of(above - traversal.distance())
                 : OptionalDouble.empty();

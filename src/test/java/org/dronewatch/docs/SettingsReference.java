@@ -10,8 +10,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.scenario.PlaceForms;
 import org.dronewatch.scenario.Samples;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.Choices;
@@ -26,7 +28,7 @@ import org.dronewatch.setting.file.Kinds;
 
 /** Writes the page that lists every setting with unit, range and default, from the settings records. */
 final class SettingsReference {
-    private final Kinds kinds = SensorKinds.kinds(Catalog.packaged());
+    private final Kinds kinds = PlaceForms.in(SensorKinds.kinds(Catalog.packaged()));
     private final Set<Class<?>> waiting = new LinkedHashSet<>();
     private final Set<Type> switchable = new HashSet<>();
     private final Set<Class<?>> written = new LinkedHashSet<>();
@@ -96,6 +98,15 @@ final class SettingsReference {
         kinds.named(type).ifPresent(named -> page.append("`use` starts from an entry of the catalogue: `")
                 .append(String.join("`, `", named.names()))
                 .append("`.\n\n"));
+        List<Kinds.OtherForm> others = kinds.otherForms(type);
+        if (!others.isEmpty()) {
+            page.append("Scene files may give it as ")
+                    .append(others.stream()
+                            .map(form -> "[" + title(form.parts()) + "](#" + anchor(form.parts()) + ")")
+                            .collect(Collectors.joining(" or ")))
+                    .append(" instead: see [places](places.md).\n\n");
+            others.forEach(form -> waiting.add(form.parts()));
+        }
         page.append("| setting | unit | range | default | what it is |\n|---|---|---|---|---|\n");
         SettingsForm form = SettingsForm.of(type);
         Optional<Record> sample = Samples.of(type);

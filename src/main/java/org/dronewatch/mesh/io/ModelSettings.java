@@ -1,6 +1,7 @@
 package org.dronewatch.mesh.io;
 
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.AsNumbers;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;
@@ -24,7 +25,7 @@ public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,
         UpAxis upAxis,
         @In(value = Quantity.NUMBER, from = 1e-6, to = 1e6) double scale,
-        Position position,
+        @AsNumbers Position position,
         @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading,
         ModelRole role) {
     /** The prefix of models that come with the library. */

@@ -1,22 +1,39 @@
 package org.dronewatch.setting.file;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import org.dronewatch.setting.Choices;
 
 /** Among which kinds of settings a file chooses, and which ready settings it may begin with. Immutable. */
 public final class Kinds {
     /** The kinds of sealed interfaces and those that the class path has. */
-    public static final Kinds FOUND = new Kinds(Map.of(), Map.of());
+    public static final Kinds FOUND = new Kinds(Map.of(), Map.of(), Map.of());
 
     private final Map<Class<?>, Map<String, Class<?>>> registered;
     private final Map<Class<?>, NamedSettings> named;
+    private final Map<Class<?>, List<OtherForm>> others;
 
-    private Kinds(Map<Class<?>, Map<String, Class<?>>> registered, Map<Class<?>, NamedSettings> named) {
+    /**
+     * Another form in which files may write values of a type.
+     *
+     * @param parts what is written
+     * @param value the value that follows from it; empty when it cannot be known, since something else in the file is wrong.
+     *     An {@link IllegalArgumentException} says what is wrong with what is written
+     */
+    public record OtherForm(Class<? extends Record> parts, Function<Record, Optional<?>> value) {}
+
+    private Kinds(
+            Map<Class<?>, Map<String, Class<?>>> registered,
+            Map<Class<?>, NamedSettings> named,
+            Map<Class<?>, List<OtherForm>> others) {
         this.registered = Map.copyOf(registered);
         this.named = Map.copyOf(named);
+        this.others = Map.copyOf(others);
     }
 
     /** Ready settings that a file may take by name and change in part. */
@@ -44,14 +61,34 @@ public final class Kinds {
     public Kinds with(Class<?> type, Map<String, Class<? extends Record>> kinds) {
         Map<Class<?>, Map<String, Class<?>>> more = new LinkedHashMap<>(registered);
         more.put(type, new LinkedHashMap<>(kinds));
-        return new Kinds(more, named);
+        return new Kinds(more, named, others);
     }
 
     /** These, with ready settings for an interface. */
     public Kinds with(Class<?> type, NamedSettings settings) {
         Map<Class<?>, NamedSettings> more = new LinkedHashMap<>(named);
         more.put(type, settings);
-        return new Kinds(registered, more);
+        return new Kinds(registered, more, others);
+    }
+
+    /**
+     * These, with another form in which files may write values of a type, by the parts of a record that have other names than
+     * its own.
+     *
+     * @param value the value that follows from what is written; empty when it cannot be known, since something else in the
+     *     file is wrong
+     */
+    public <T, F extends Record> Kinds with(Class<T> type, Class<F> parts, Function<F, Optional<T>> value) {
+        List<OtherForm> forms = new ArrayList<>(otherForms(type));
+        forms.add(new OtherForm(parts, written -> value.apply(parts.cast(written))));
+        Map<Class<?>, List<OtherForm>> more = new LinkedHashMap<>(others);
+        more.put(type, List.copyOf(forms));
+        return new Kinds(registered, named, more);
+    }
+
+    /** The other forms in which files may write values of a type. */
+    public List<OtherForm> otherForms(Class<?> type) {
+        return others.getOrDefault(type, List.of());
     }
 
     /** Whether any kinds of a type are known. */

@@ -1,5 +1,8 @@
 package org.dronewatch.setting.file;
 
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -22,13 +25,26 @@ final class NamedGroups {
         this.problems = problems;
     }
 
+    /** The entries of a component with the parts of systems in their places. */
+    Node expanded(RecordComponent part, Node node, String field) {
+        return node instanceof Node.Mapping all
+                        && part.getGenericType() instanceof ParameterizedType type
+                        && type.getRawType() == Map.class
+                ? expanded(rawType(type.getActualTypeArguments()[1]), all, field)
+                : node;
+    }
+
+    private static Class<?> rawType(Type type) {
+        return (Class<?>) (type instanceof ParameterizedType parameterized ? parameterized.getRawType() : type);
+    }
+
     /**
      * A mapping without names of systems.
      *
      * @param type of its values
      * @param field path of the mapping
      */
-    Node.Mapping expanded(Class<?> type, Node.Mapping all, String field) {
+    private Node.Mapping expanded(Class<?> type, Node.Mapping all, String field) {
         Optional<Kinds.NamedSettings> named = kinds.named(type);
         if (named.isEmpty()) {
             return all;

@@ -28,7 +28,7 @@ public final class SettingsFile {
         Path directory = file.resolveSibling("").toAbsolutePath();
         Optional<Object> settings = new SettingsReader(kinds, directory, used, problems).read(type, document);
         problems.throwIfAny();
-        return type.cast(settings.orElseThrow());
+        return type.cast(settings.orElseThrow(() -> new InputException(file + ": cannot be read")));
     }
 
     /**

@@ -30,6 +30,7 @@ final class SettingsReader {
     private final Kinds kinds;
     private final FileNames files;
     private final KindChooser chooser;
+    private final OtherForms others;
     private final FormerNameReader formerNames;
     private final Problems problems;
     /** Paths of settings that can be switched off. */
@@ -45,6 +46,7 @@ final class SettingsReader {
         this.files = new FileNames(directory);
         this.formerNames = new FormerNameReader(used, problems);
         this.chooser = new KindChooser(kinds, problems);
+        this.others = new OtherForms(kinds, problems);
         this.problems = problems;
     }
 
@@ -79,6 +81,13 @@ final class SettingsReader {
         }
         if (kinds.isChoice(plain)) {
             return choice(plain, mapping, path);
+        }
+        Optional<Kinds.OtherForm> other = others.of(plain, mapping);
+        if (other.isPresent()) {
+            Object written = record(SettingsForm.of(other.get().parts()), mapping, path);
+            return written == FAILED
+                    ? FAILED
+                    : others.value(other.get(), written, mapping, path).orElse(FAILED);
         }
         if (plain.isRecord()) {
             return chooser.withReadySettings(plain, mapping, path)
@@ -195,10 +204,18 @@ final class SettingsReader {
                         switchable.contains(path) ? List.of(Switchable.ENABLED) : List.of());
                 return;
             }
+            if (others.isRefused(part.get(), node, field)) {
+                return;
+            }
             Object value = read(
                     part.get().getGenericType(),
                     SettingText.quantity(part.get()),
-                    switched(form, part.get(), withoutSystems(part.get(), node, field), field, values),
+                    switched(
+                            form,
+                            part.get(),
+                            new NamedGroups(kinds, problems).expanded(part.get(), node, field),
+                            field,
+                            values),
                     field);
             if (value != FAILED && fits(part.get(), node, value, field)) {
                 values.put(name, value);
@@ -224,19 +241,6 @@ final class SettingsReader {
             }
             return FAILED;
         }
-    }
-
-    /** The entries of a component with the parts of systems in their places. */
-    private Node withoutSystems(RecordComponent part, Node node, String field) {
-        return node instanceof Node.Mapping all
-                        && part.getGenericType() instanceof ParameterizedType type
-                        && type.getRawType() == Map.class
-                ? new NamedGroups(kinds, problems).expanded(rawType(type.getActualTypeArguments()[1]), all, field)
-                : node;
-    }
-
-    private static Class<?> rawType(Type type) {
-        return (Class<?>) (type instanceof ParameterizedType parameterized ? parameterized.getRawType() : type);
     }
 
     /** The entries of a component without their switches, which become another component's value. */

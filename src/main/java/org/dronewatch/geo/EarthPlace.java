@@ -1,0 +1,41 @@
+package org.dronewatch.geo;
+
+import java.util.Optional;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A place by latitude and longitude (WGS 84), as scene files may give it instead of a position: {@code {latitude: 43.7314 deg,
+ * longitude: 7.4202 deg, above: 10 m}}. Without {@code above} and {@code height} it lies on the highest surface there.
+ *
+ * @param latitude north of the equator, rad
+ * @param longitude east of Greenwich, rad
+ * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
+ * @param height height above sea level, as that of the origin, -100 to 100 km, m
+ */
+public record EarthPlace(
+        @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude,
+        @In(value = Quantity.ANGLE, from = -Math.PI, to = Math.PI) double longitude,
+        @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) Optional<Double> above,
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) Optional<Double> height) {
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range, or there are two heights
+     */
+    public EarthPlace {
+        Limits.check(EarthPlace.class, latitude, longitude, above, height);
+        if (above.isPresent() && height.isPresent()) {
+            throw new IllegalArgumentException(
+                    "above and height are two answers to one question: leave one of them out");
+        }
+    }
+
+    /** A place on the highest surface. */
+    @Defaults({"latitude", "longitude"})
+    public static EarthPlace at(double latitude, double longitude) {
+        return new EarthPlace(latitude, longitude, Optional.empty(), Optional.empty());
+    }
+}

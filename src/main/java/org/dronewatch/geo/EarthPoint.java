@@ -1,0 +1,20 @@
+package org.dronewatch.geo;
+
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A point in plan by latitude and longitude (WGS 84), as scene files may give it instead of a pair of east and north.
+ *
+ * @param latitude north of the equator, rad
+ * @param longitude east of Greenwich, rad
+ */
+public record EarthPoint(
+        @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude,
+        @In(value = Quantity.ANGLE, from = -Math.PI, to = Math.PI) double longitude) {
+    /** Checks the limits. */
+    public EarthPoint {
+        Limits.check(EarthPoint.class, latitude, longitude);
+    }
+}

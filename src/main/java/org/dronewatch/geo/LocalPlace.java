@@ -1,0 +1,30 @@
+package org.dronewatch.geo;
+
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A place in the world frame by its height above the surface, as scene files may give it instead of a position: {@code {east:
+ * 120 m, north: -40 m, above: 10 m}}.
+ *
+ * @param east of the origin, -100 to 100 km, m
+ * @param north of the origin, -100 to 100 km, m
+ * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
+ */
+public record LocalPlace(
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double east,
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double north,
+        @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) double above) {
+    /** Checks the limits. */
+    public LocalPlace {
+        Limits.check(LocalPlace.class, east, north, above);
+    }
+
+    /** A place on the highest surface. */
+    @Defaults({"east", "north"})
+    public static LocalPlace at(double east, double north) {
+        return new LocalPlace(east, north, 0.0);
+    }
+}

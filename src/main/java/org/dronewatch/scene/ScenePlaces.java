@@ -1,0 +1,149 @@
+package org.dronewatch.scene;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.run.ModelCache;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.FormerNames;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsPath;
+import org.dronewatch.setting.file.Kinds;
+import org.dronewatch.setting.file.Node;
+import org.dronewatch.setting.file.SettingsFile;
+import org.dronewatch.world.Ground;
+import org.dronewatch.world.Places;
+import org.dronewatch.world.WorldSettings;
+
+/**
+ * Finds the positions of the places in a scene file while it is read: by the origin in the same file, and by the surface of the
+ * site, which is loaded for the first place above it, and then need not be loaded again for the scene's runs.
+ */
+final class ScenePlaces {
+    private static final String WORLD = "world";
+
+    /** Sources of noise are on the site, but do not change it: they may themselves be given by places. */
+    private static final List<String> WITHOUT = List.of("noiseSources");
+
+    private final Path directory;
+    private final HeldNotes notes = new HeldNotes();
+    private final ModelCache models;
+    private boolean loaded;
+    private boolean handedOver;
+
+    ScenePlaces(Path directory) {
+        this.directory = directory;
+        this.models = new ModelCache(directory, notes);
+    }
+
+    /** Keeps lines until somebody wants them. */
+    private static final class HeldNotes implements Consumer<String> {
+        private final List<String> held = new ArrayList<>();
+        private Consumer<String> target = held::add;
+
+        @Override
+        public void accept(String line) {
+            target.accept(line);
+        }
+
+        void to(Consumer<String> receiver) {
+            held.forEach(receiver);
+            held.clear();
+            target = receiver;
+        }
+    }
+
+    Path directory() {
+        return directory;
+    }
+
+    /**
+     * The models that were loaded for places, for the first who asks, and only if there are any.
+     *
+     * @param receiver of the lines about them, and of all that follow
+     */
+    Optional<ModelCache> models(Consumer<String> receiver) {
+        if (!loaded || handedOver) {
+            return Optional.empty();
+        }
+        handedOver = true;
+        notes.to(receiver);
+        return Optional.of(models);
+    }
+
+    /**
+     * The places of a file; empty when its world cannot be read.
+     *
+     * @param file whose names of files start from its directory
+     * @param kinds of settings
+     * @param overrides of the file's settings, of which those of the world count
+     */
+    Optional<Places> of(Path file, Kinds kinds, Map<String, String> overrides) {
+        Node.Mapping document = SettingsFile.document(file);
+        return document.mapping(WORLD)
+                .flatMap(part -> world(part.without(WITHOUT), kinds, file))
+                .map(world -> overridden(world, overrides))
+                .filter(ScenePlaces::isComplete)
+                .map(world -> new Places(world, () -> ground(world, document)));
+    }
+
+    private static Optional<WorldSettings> world(Node.Mapping part, Kinds kinds, Path file) {
+        try {
+            Path here = file.resolveSibling("").toAbsolutePath();
+            return Optional.of(SettingsFile.read(part, WorldSettings.class, kinds, here, new FormerNames()));
+        } catch (InputException e) {
+            // Whoever reads the whole file says so, beside its other mistakes.
+            return Optional.empty();
+        }
+    }
+
+    /** Otherwise whoever reads the whole file says what is missing. */
+    private static boolean isComplete(WorldSettings world) {
+        try {
+            SceneSettings.of(world);
+            return true;
+        } catch (IllegalArgumentException e) {
+            return false;
+        }
+    }
+
+    private static WorldSettings overridden(WorldSettings world, Map<String, String> overrides) {
+        WorldSettings changed = world;
+        for (Map.Entry<String, String> override : overrides.entrySet()) {
+            String path = override.getKey();
+            if (path.startsWith(WORLD + ".")) {
+                try {
+                    changed = new SettingsPath(path.substring(WORLD.length() + 1)).write(changed, override.getValue());
+                } catch (InputException e) {
+                    // It is refused when it is its turn.
+                    return changed;
+                }
+            }
+        }
+        return changed;
+    }
+
+    private Ground ground(WorldSettings world, Node.Mapping document) {
+        loaded = true;
+        placing("world.terrain", document, () -> models.readTerrain(world));
+        placing("world.buildings", document, () -> models.readBuildings(world));
+        List<ModelSettings> all = world.models();
+        for (int i = 0; i < all.size(); i++) {
+            ModelSettings model = all.get(i);
+            placing("world.models." + i, document, () -> models.read(model));
+        }
+        return models.ground(world);
+    }
+
+    private static void placing(String path, Node.Mapping document, Runnable reading) {
+        try {
+            reading.run();
+        } catch (InputException e) {
+            throw new InputException(document.markOf(path) + ": " + path + ": " + e.getMessage(), e);
+        }
+    }
+}
