@@ -24,14 +24,17 @@ import org.dronewatch.sensor.SensorSettings;
  */
 public final class Coverage {
     private final CoverageGrid grid;
-    private final int groundCells;
+    private final Heights heights;
+    private final boolean isKnownEverywhere;
     private final Map<String, SensorSettings<?>> sensors;
-    private final Map<String, boolean[]> reached = new LinkedHashMap<>();
+    private final Map<String, Prober.Answer[]> answers = new LinkedHashMap<>();
     private final Map<String, Prober> probers = new LinkedHashMap<>();
 
-    private Coverage(CoverageGrid grid, Map<String, SensorSettings<?>> sensors, int groundCells) {
+    private Coverage(
+            CoverageGrid grid, Map<String, SensorSettings<?>> sensors, Heights heights, boolean isKnownEverywhere) {
         this.grid = grid;
-        this.groundCells = groundCells;
+        this.heights = heights;
+        this.isKnownEverywhere = isKnownEverywhere;
         this.sensors = sensors;
     }
 
@@ -54,8 +57,9 @@ public final class Coverage {
                 .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'; the scene has "
                         + String.join(", ", settings.individualDrones().keySet())));
         Heights heights = new Heights(stage.world(), grid);
-        Coverage coverage = new Coverage(grid, settings.enabledSensors(), heights.count());
-        List<Supplier<boolean[]>> tasks = new ArrayList<>();
+        Coverage coverage = new Coverage(
+                grid, settings.enabledSensors(), heights, stage.world().isKnownEverywhere());
+        List<Supplier<Prober.Answer[]>> tasks = new ArrayList<>();
         settings.enabledSensors().forEach((id, sensor) -> {
             Prober prober = new Prober(
                     grid,
@@ -69,11 +73,11 @@ public final class Coverage {
             coverage.probers.put(id, prober);
             tasks.add(() -> prober.probe(progress));
         });
-        boolean[][] results = new boolean[tasks.size()][];
+        Prober.Answer[][] results = new Prober.Answer[tasks.size()][];
         Workers.forEach(results.length, i -> results[i] = tasks.get(i).get());
         int next = 0;
         for (String id : settings.enabledSensors().keySet()) {
-            coverage.reached.put(id, results[next++]);
+            coverage.answers.put(id, results[next++]);
         }
         return coverage;
     }
@@ -90,7 +94,36 @@ public final class Coverage {
 
     /** Whether a sensor detects the drone in a cell: columns from the west, rows from the north. */
     public boolean isReached(String sensor, int column, int row) {
-        return reached.get(sensor)[row * grid.cells() + column];
+        return answer(sensor, column, row) == Prober.Answer.DETECTED;
+    }
+
+    private Prober.Answer answer(String sensor, int column, int row) {
+        return answers.get(sensor)[row * grid.cells() + column];
+    }
+
+    /**
+     * Whether no sensor detects the drone in a cell, but one may: there is no ground that is known, or none below the line of sight.
+     * In a world of models, cells without ground are not unknown, but empty.
+     */
+    public boolean isUnknown(int column, int row) {
+        if (sensors.keySet().stream().anyMatch(sensor -> isReached(sensor, column, row))) {
+            return false;
+        }
+        boolean hasGround = !Double.isNaN(heights.height[row * grid.cells() + column]);
+        return hasGround
+                ? sensors.keySet().stream().anyMatch(sensor -> answer(sensor, column, row) == Prober.Answer.UNKNOWN)
+                : !isKnownEverywhere;
+    }
+
+    /** The area of the cells that are {@link #isUnknown unknown}, m2. */
+    public double unknownArea() {
+        int cells = 0;
+        for (int row = 0; row < grid.cells(); row++) {
+            for (int column = 0; column < grid.cells(); column++) {
+                cells += isUnknown(column, row) ? 1 : 0;
+            }
+        }
+        return cells * grid.cellArea();
     }
 
     /**
@@ -135,14 +168,14 @@ public final class Coverage {
 
     /** Number of cells with ground, and so with a drone above it. */
     public int groundCells() {
-        return groundCells;
+        return heights.count();
     }
 
     /** Number of cells in which a sensor detects the drone. */
     public int reachedCells(String sensor) {
         int cells = 0;
-        for (boolean cell : reached.get(sensor)) {
-            cells += cell ? 1 : 0;
+        for (Prober.Answer answer : answers.get(sensor)) {
+            cells += answer == Prober.Answer.DETECTED ? 1 : 0;
         }
         return cells;
     }

@@ -29,22 +29,37 @@ record Prober(
         long seed,
         Assessor assessor) {
 
-    boolean[] probe(IntConsumer progress) {
+    /** What the sensor answers in each cell. */
+    enum Answer {
+        /** It does not detect the drone, or there is no drone because there is no ground. */
+        MISSED,
+        DETECTED,
+        /** The line of sight leaves the ground that is known. */
+        UNKNOWN
+    }
+
+    Answer[] probe(IntConsumer progress) {
         Sensor sensor = settings.create();
-        boolean[] cells = new boolean[grid.cells() * grid.cells()];
+        Answer[] cells = new Answer[grid.cells() * grid.cells()];
         for (int row = 0; row < grid.cells(); row++) {
             Workers.checkInterrupted();
             for (int column = 0; column < grid.cells(); column++) {
                 int cell = row * grid.cells() + column;
                 Optional<Drone> there = comingFrom(column, row);
-                cells[cell] = there.isPresent()
-                        && sensor.observe(world, List.of(there.get()), look(cell, there.get())).stream()
-                                .anyMatch(seen ->
-                                        seen.isDetected() && seen.drone().equals(drone.id()));
+                cells[cell] = there.map(one -> answer(sensor, cell, one)).orElse(Answer.MISSED);
             }
             progress.accept(grid.cells());
         }
         return cells;
+    }
+
+    private Answer answer(Sensor sensor, int cell, Drone there) {
+        if (!world.isKnown(settings.position(), there.origin())) {
+            return Answer.UNKNOWN;
+        }
+        boolean isDetected = sensor.observe(world, List.of(there), look(cell, there)).stream()
+                .anyMatch(seen -> seen.isDetected() && seen.drone().equals(drone.id()));
+        return isDetected ? Answer.DETECTED : Answer.MISSED;
     }
 
     Optional<Assessment> assess(int column, int row) {

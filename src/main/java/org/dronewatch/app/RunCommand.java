@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.report.RayPaths;
 import org.dronewatch.report.RunReport;
@@ -218,6 +219,14 @@ final class RunCommand implements Callable<Integer> {
                     pair.drone(),
                     text(pair.firstDetected()),
                     text(pair.range()));
+        }
+        if (result.pairs().stream().anyMatch(PairResult::isUnknown)) {
+            target.println(
+                    "over unknown ground, beyond the terrain or above a hole, where something may hide the drone: "
+                            + result.pairs().stream()
+                                    .filter(PairResult::isUnknown)
+                                    .map(pair -> "run " + pair.run() + " " + pair.sensor() + " " + pair.drone())
+                                    .collect(Collectors.joining(", ")));
         }
     }
 

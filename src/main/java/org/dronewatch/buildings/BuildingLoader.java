@@ -61,7 +61,7 @@ public final class BuildingLoader {
      * @throws InputException in one line when the file is missing, of no known format or damaged, or has no building near the
      *     origin
      */
-    public LoadedBuildings load(BuildingSettings settings, Origin origin, Optional<TriangleMesh> terrain) {
+    public LoadedBuildings load(BuildingSettings settings, Origin origin, Optional<TerrainGround> terrain) {
         String file = settings.file().orElseThrow(() -> new InputException("needs a 'file', a map with buildings"));
         MapFeatures map = new MapFiles(directory).read(file, MapArea.about(origin, settings.radius() + MARGIN));
         BuildingReport report = new BuildingReport(file, settings, map.leftOut());
@@ -106,11 +106,11 @@ public final class BuildingLoader {
         private final Optional<GroundUnder> ground;
         private final BuildingReport report;
 
-        Site(BuildingSettings settings, Origin origin, Optional<TriangleMesh> terrain, BuildingReport report) {
+        Site(BuildingSettings settings, Origin origin, Optional<TerrainGround> terrain, BuildingReport report) {
             this.settings = settings;
             this.origin = origin;
             this.geodesy = new Geodesy(origin);
-            this.ground = terrain.map(mesh -> new GroundUnder(new TerrainGround(mesh), geodesy));
+            this.ground = terrain.map(below -> new GroundUnder(below, geodesy));
             this.report = report;
         }
 

@@ -39,8 +39,7 @@ final class CityBuildings {
     }
 
     /** The solids near the origin as one mesh; compares their lowest points with the ground. */
-    TriangleMesh mesh(Optional<TriangleMesh> terrain) {
-        Optional<TerrainGround> ground = terrain.map(TerrainGround::new);
+    TriangleMesh mesh(Optional<TerrainGround> ground) {
         float[] floats = new float[vertices.length];
         for (int i = 0; i < vertices.length; i++) {
             floats[i] = (float) vertices[i];

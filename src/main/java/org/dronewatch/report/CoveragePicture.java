@@ -28,6 +28,10 @@ public final class CoveragePicture {
     private static final int SIDE = 380;
     private static final int MARGIN = 24;
     private static final int LINE = 26;
+    /** Stripes mark what is not known: they can be told from every colour, and in print. */
+    private static final int STRIPE = 5;
+
+    private static final Color UNKNOWN = new Color(0x6b6b6b);
     private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 19);
     private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
 
@@ -91,6 +95,9 @@ public final class CoveragePicture {
         int column = u * grid.cells() / MAP;
         int row = v * grid.cells() / MAP;
         Color colour = ground;
+        if (coverage.isUnknown(column, row)) {
+            return (u + v) / STRIPE % 2 == 0 ? mixed(ground, UNKNOWN, 0.75) : mixed(ground, Color.WHITE, 0.75);
+        }
         for (String kind : colours.kinds()) {
             if (coverage.count(kind, column, row) > 0) {
                 colour = mixed(colour, colours.of(kind), isEdge(kind, u, v) ? 0.9 : 0.33);
@@ -180,6 +187,17 @@ public final class CoveragePicture {
             g.drawRect(x, y - 14, 22, 16);
             g.setColor(Color.BLACK);
             g.drawString(String.format(Locale.ROOT, "%s: %s", kind, hectares(coverage.areaOfKind(kind))), x + 34, y);
+        }
+        double unknown = coverage.unknownArea();
+        if (unknown > 0.0) {
+            y += LINE;
+            for (int v = 0; v < 16; v++) {
+                for (int u = 0; u < 22; u++) {
+                    boolean isDark = (u + v) / STRIPE % 2 == 0;
+                    image.setRGB(x + u, y - 14 + v, (isDark ? UNKNOWN : Color.WHITE).getRGB());
+                }
+            }
+            g.drawString("unknown ground: " + hectares(unknown), x + 34, y);
         }
         y += LINE;
         List<String> ids = new ArrayList<>(coverage.sensors().keySet());

@@ -60,6 +60,7 @@ public final class CoverageTable {
 
     private static String name(Cause cause) {
         return switch (cause) {
+            case UNKNOWN -> "unknown";
             case OUT_OF_RANGE -> "out of range";
             case OUT_OF_VIEW -> "out of view";
             case SILENT -> "radio-silent";

@@ -65,6 +65,9 @@ final class ResultFile {
         node.put("drone", pair.drone());
         put(node, "first_detected_s", pair.firstDetected());
         put(node, "range_m", pair.range());
+        if (pair.isUnknown()) {
+            node.put("unknown_ground", true);
+        }
         put(node, "max_range_m", pair.maxRange());
     }
 

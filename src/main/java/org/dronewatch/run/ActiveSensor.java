@@ -62,7 +62,17 @@ final class ActiveSensor {
         long start = System.nanoTime();
         List<Observation> observations = sensor.observe(world, drones, look);
         times.add(settings.kind(), System.nanoTime() - start);
-        return observations;
+        return world.isKnownEverywhere()
+                ? observations
+                : observations.stream()
+                        .map(seen -> isKnown(world, seen, drones) ? seen : seen.asUnknown())
+                        .toList();
+    }
+
+    private boolean isKnown(World world, Observation seen, List<Drone> drones) {
+        return drones.stream()
+                .filter(drone -> drone.id().equals(seen.drone()))
+                .allMatch(drone -> world.isKnown(settings.position(), drone.origin()));
     }
 
     /** Passes to its positioner what the sensor saw itself, and what the sensors that cue it detected. */

@@ -75,6 +75,7 @@ public final class DetectionLog {
         private boolean detected;
         private OptionalDouble first = OptionalDouble.empty();
         private OptionalDouble range = OptionalDouble.empty();
+        private boolean isUnknown;
         private OptionalDouble maxRange = OptionalDouble.empty();
 
         Pair(String sensor, String kind, String drone) {
@@ -87,12 +88,13 @@ public final class DetectionLog {
             if (first.isEmpty()) {
                 first = OptionalDouble.of(observation.arrival());
                 range = OptionalDouble.of(observation.range());
+                isUnknown = observation.isUnknown();
             }
             maxRange = OptionalDouble.of(Math.max(maxRange.orElse(0.0), observation.range()));
         }
 
         PairResult toResult(int run) {
-            return new PairResult(run, sensor, kind, drone, first, range, maxRange);
+            return new PairResult(run, sensor, kind, drone, first, range, isUnknown, maxRange);
         }
     }
 }

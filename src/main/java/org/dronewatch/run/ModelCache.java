@@ -29,7 +29,9 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.setting.file.LinkOut;
+import org.dronewatch.terrain.KnownGround;
 import org.dronewatch.terrain.LoadedTerrain;
+import org.dronewatch.terrain.TerrainGround;
 import org.dronewatch.terrain.TerrainLoader;
 import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.world.Ground;
@@ -49,6 +51,7 @@ public final class ModelCache {
     private final Consumer<String> notes;
     private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
     private final Map<Place, LoadedTerrain> terrains = new HashMap<>();
+    private final Map<Place, KnownGround> grounds = new HashMap<>();
     private final Map<Town, LoadedBuildings> towns = new HashMap<>();
     private final Map<Site, TracingIndex> indexes = new HashMap<>();
     private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
@@ -157,8 +160,8 @@ public final class ModelCache {
     private synchronized LoadedBuildings buildings(Town town) {
         LoadedBuildings known = towns.get(town);
         if (known == null) {
-            Optional<TriangleMesh> ground =
-                    town.terrain().map(place -> terrain(place).mesh());
+            Optional<TerrainGround> ground =
+                    town.terrain().map(place -> ground(place).ground());
             long start = System.nanoTime();
             known = new BuildingLoader(directory).load(town.buildings(), town.origin(), ground);
             loadSeconds += NANO * (System.nanoTime() - start);
@@ -168,6 +171,16 @@ public final class ModelCache {
             known.warnings().forEach(this::warn);
         }
         return known;
+    }
+
+    private KnownGround ground(Place place) {
+        return grounds.computeIfAbsent(
+                place, key -> new KnownGround(new TerrainGround(terrain(key).mesh())));
+    }
+
+    /** Where the ground of a world is known; empty for a world without a terrain from files. */
+    synchronized Optional<KnownGround> knownGround(WorldSettings world) {
+        return Place.of(world).map(this::ground);
     }
 
     /** The ray-tracing index over a world's terrain, buildings and models, merged into one mesh. */

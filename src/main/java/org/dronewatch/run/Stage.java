@@ -49,11 +49,12 @@ public final class Stage {
     public Stage(SceneSettings settings, ModelCache models, long runSeed) {
         PictureMemory.check(settings, Runtime.getRuntime().maxMemory());
         WorldSettings site = settings.world();
-        this.world = new World(models.index(site), site.noise(), site.surfaces(), site.atmosphere())
+        World everywhere = new World(models.index(site), site.noise(), site.surfaces(), site.atmosphere())
                 .withRain(site.rain())
                 .withLight(site.light())
                 .withNoiseSources(site.noiseSources())
                 .withModels(models.firstTriangles(site));
+        this.world = models.knownGround(site).map(everywhere::withKnownGround).orElse(everywhere);
         this.colours = Map.copyOf(models.colours(site));
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;

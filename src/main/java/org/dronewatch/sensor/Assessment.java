@@ -17,10 +17,11 @@ public record Assessment(Signal signal, Explanation explanation) {
     /**
      * Checks that both halves agree.
      *
-     * @throws IllegalArgumentException when a drone is detected with a cause, or missed without one
+     * @throws IllegalArgumentException when a drone is detected with a cause other than {@link Cause#UNKNOWN}, or missed without
+     *     one
      */
     public Assessment {
-        if (signal.isDetected() != (explanation.cause() == Cause.DETECTED)) {
+        if (explanation.cause() != Cause.UNKNOWN && signal.isDetected() != (explanation.cause() == Cause.DETECTED)) {
             throw new IllegalArgumentException("quantity " + signal.quantity() + " with threshold " + signal.threshold()
                     + " does not agree with cause " + explanation.cause());
         }

@@ -34,8 +34,21 @@ public final class Assessor {
         this.cover = new Cover(world, settings.position());
     }
 
-    /** As {@link AssessableSensor#assess}, in this assessor's world. */
+    /**
+     * As {@link AssessableSensor#assess}, in this assessor's world. Where its ground is not known everywhere below the line of sight,
+     * the signal is what it would be if nothing were there, and the cause is {@link Cause#UNKNOWN}.
+     */
     public Assessment assess(Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
+        Assessment known = assessAsIfKnown(drone, pointing, rayRandom);
+        return isKnown(drone) ? known : new Assessment(known.signal(), Explanation.of(Cause.UNKNOWN));
+    }
+
+    /** Whether the ground below the line of sight to a drone is known. */
+    private boolean isKnown(Drone drone) {
+        return world.isKnown(settings.position(), drone.origin());
+    }
+
+    private Assessment assessAsIfKnown(Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
         if (sensor instanceof AssessableSensor assessable) {
             return assessable.assess(world, drone, pointing, rayRandom);
         }
@@ -53,8 +66,11 @@ public final class Assessor {
                 .min(Comparator.comparing(one -> !one.isDetected()));
     }
 
-    /** As {@link AssessableSensor#explainMiss}, in this assessor's world. */
+    /** As {@link AssessableSensor#explainMiss}, in this assessor's world; {@link Cause#UNKNOWN} likewise. */
     public Explanation explainMiss(Drone drone, Optional<Pointing> pointing) {
+        if (!isKnown(drone)) {
+            return Explanation.of(Cause.UNKNOWN);
+        }
         return sensor instanceof AssessableSensor assessable
                 ? assessable.explainMiss(world, drone, pointing)
                 : explainByOutline(drone, pointing);

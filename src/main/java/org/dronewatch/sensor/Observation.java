@@ -25,6 +25,12 @@ public record Observation(
     /** The figure of a sensor that knows how likely its look was to detect the drone. */
     public static final String PROBABILITY = "probability";
 
+    /**
+     * The figure, 1, of a look whose line of sight leaves the ground that is known: that nothing hid the drone is not known
+     * either.
+     */
+    public static final String UNKNOWN = "unknown";
+
     /** Copies the figures, in their order. */
     public Observation {
         figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
@@ -119,6 +125,18 @@ public record Observation(
     /** The probability that this look detects the drone, 0 to 1; for a sensor that does not know it, whether it did. */
     public double probability() {
         return figures.getOrDefault(PROBABILITY, isDetected() ? 1.0 : 0.0);
+    }
+
+    /** This observation as one whose line of sight leaves the ground that is known. */
+    public Observation asUnknown() {
+        Map<String, Double> more = new LinkedHashMap<>(figures);
+        more.put(UNKNOWN, 1.0);
+        return withFigures(more);
+    }
+
+    /** Whether the line of sight leaves the ground that is known. */
+    public boolean isUnknown() {
+        return figures.containsKey(UNKNOWN);
     }
 
     /** Whether the value reaches the threshold. */

@@ -13,13 +13,14 @@ final class Events {
         Observation o = event.observation();
         return String.format(
                 Locale.ROOT,
-                "%s  %s %s %s at %.1f m (%s, needs %s)",
+                "%s  %s %s %s at %.1f m (%s, needs %s)%s",
                 Texts.time(o.arrival()),
                 o.sensor(),
                 event.gained() ? "gains" : "loses",
                 o.drone(),
                 o.range(),
                 Texts.measured(o.value(), o.unit()),
-                Texts.measured(o.threshold(), o.unit()));
+                Texts.measured(o.threshold(), o.unit()),
+                o.isUnknown() ? " over unknown ground" : "");
     }
 }

@@ -25,6 +25,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.terrain.KnownGround;
 import org.jogamp.vecmath.Point3d;
 
 /**
@@ -39,6 +40,9 @@ public final class World {
     private final double rain;
     private final Light light;
     private final Map<String, NoiseSource> noiseSources;
+
+    /** Where the ground is known; everywhere if empty. */
+    private final Optional<KnownGround> known;
 
     /** The models by the number of the first triangle of each. */
     private final NavigableMap<Integer, SiteModel> models;
@@ -101,6 +105,7 @@ public final class World {
         this.rain = 0.0;
         this.light = Light.DAY;
         this.noiseSources = Map.of();
+        this.known = Optional.empty();
         this.models = new TreeMap<>(Map.of(0, SiteModel.UNNAMED));
     }
 
@@ -109,6 +114,7 @@ public final class World {
             double rain,
             Light light,
             Map<String, NoiseSource> noiseSources,
+            Optional<KnownGround> known,
             NavigableMap<Integer, SiteModel> models) {
         this.index = other.index;
         this.backgroundNoise = other.backgroundNoise;
@@ -117,6 +123,7 @@ public final class World {
         this.rain = rain;
         this.light = light;
         this.noiseSources = noiseSources;
+        this.known = known;
         this.models = models;
     }
 
@@ -127,18 +134,19 @@ public final class World {
                 Check.notNegative("rain", millimetresPerHour, Quantity.PRECIPITATION),
                 light,
                 noiseSources,
+                known,
                 models);
     }
 
     /** This world in another light. */
     public World withLight(Light other) {
-        return new World(this, rain, other, noiseSources, models);
+        return new World(this, rain, other, noiseSources, known, models);
     }
 
     /** This world with noise sources by name, in addition to its background. */
     public World withNoiseSources(Map<String, NoiseSource> byName) {
         Map<String, NoiseSource> ordered = Collections.unmodifiableMap(new LinkedHashMap<>(byName));
-        return new World(this, rain, light, ordered, models);
+        return new World(this, rain, light, ordered, known, models);
     }
 
     /**
@@ -150,7 +158,25 @@ public final class World {
         if (!byFirstTriangle.containsKey(0)) {
             throw new IllegalArgumentException("no model begins at triangle 0, but at " + byFirstTriangle.keySet());
         }
-        return new World(this, rain, light, noiseSources, new TreeMap<>(byFirstTriangle));
+        return new World(this, rain, light, noiseSources, known, new TreeMap<>(byFirstTriangle));
+    }
+
+    /** This world with ground that is known only in places, that of a terrain from files. */
+    public World withKnownGround(KnownGround ground) {
+        return new World(this, rain, light, noiseSources, Optional.of(ground), models);
+    }
+
+    /**
+     * Whether the ground below the line between two points is known everywhere: what is not known may hide anything. In a
+     * world of models, all of it is.
+     */
+    public boolean isKnown(Position from, Position to) {
+        return known.isEmpty() || known.get().containsLine(from.x(), from.y(), to.x(), to.y());
+    }
+
+    /** Whether all of the ground is known, as in a world of models. */
+    public boolean isKnownEverywhere() {
+        return known.isEmpty();
     }
 
     /** A world of a mesh with negligible noise (0 dB). */

@@ -126,6 +126,62 @@ class TerrainSceneTest {
                 .contains("(accuracy: 1.0 m)");
     }
 
+    /** Nine tiles of 100 m, of which the middle one is missing: what lies behind it is not known to be free. */
+    @Test
+    void whatLiesBehindAMissingTileIsUnknown() throws IOException {
+        List<String> tiles = new ArrayList<>();
+        for (int tile = 0; tile < 9; tile++) {
+            if (tile != 4) {
+                String name = "tile" + tile + ".asc";
+                tiles.add(name);
+                Files.writeString(
+                        directory.resolve(name),
+                        "ncols 11\nnrows 11\nxllcenter " + (499850 + 100 * (tile % 3)) + "\nyllcenter "
+                                + (5538480.74 + 100 * (tile / 3)) + "\ncellsize 10\n" + "200 ".repeat(121) + "\n");
+            }
+        }
+        Path scene = scene(
+                SITE.replace("file: ground.asc", "files: [" + String.join(", ", tiles) + "]")
+                        + """
+                drones:
+                  across: {model: packaged:quadrotor.obj, flight: {kind: hover, position: [90, 0, 10]}}
+                  beside: {model: packaged:quadrotor.obj, flight: {kind: hover, position: [-90, 90, 10]}}
+                sensors:
+                  eye: {kind: rf, position: [-90, -40, 10]}
+                run: {duration: 1 s}
+                """);
+        Path out = directory.resolve("out");
+        Outcome run = Program.run("run", scene.toString(), "--observations", "--out", out.toString());
+
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.out())
+                .contains("over unknown ground")
+                .contains("run 0 eye across")
+                .doesNotContain("eye beside,");
+        assertThat(Files.readAllLines(out.resolve("observations.csv")))
+                .filteredOn(line -> line.contains(",across,"))
+                .isNotEmpty()
+                .allMatch(line -> line.endsWith("unknown=1"));
+        assertThat(Files.readAllLines(out.resolve("observations.csv")))
+                .filteredOn(line -> line.contains(",beside,"))
+                .isNotEmpty()
+                .noneMatch(line -> line.contains("unknown"));
+        assertThat(Files.readString(out.resolve("result.json"))).containsOnlyOnce("\"unknown_ground\" : true");
+        assertThat(Files.readString(out.resolve("report.html"))).contains("(over unknown ground)");
+
+        Outcome coverage = Program.run(
+                "coverage",
+                scene.toString(),
+                "--side",
+                "280",
+                "--cells",
+                "28",
+                "--out",
+                directory.resolve("plan.png").toString());
+        assertThat(coverage.code()).as(coverage.err()).isZero();
+        assertThat(coverage.out()).contains("in % of the 400 cells with ground").contains("unknown");
+    }
+
     /** As in a file, so in Java. */
     @Test
     void aSceneInJavaHasGroundToo() throws IOException {

@@ -17,6 +17,7 @@ import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.terrain.TerrainGround;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -92,7 +93,7 @@ class BuildingLoaderTest {
         return load(BuildingSettings.of("map.osm"), Optional.empty());
     }
 
-    private LoadedBuildings load(BuildingSettings settings, Optional<TriangleMesh> terrain) throws IOException {
+    private LoadedBuildings load(BuildingSettings settings, Optional<TerrainGround> terrain) throws IOException {
         Files.writeString(directory.resolve("map.osm"), "<osm version='0.6'>" + nodes + ways + "</osm>");
         return new BuildingLoader(directory).load(settings, ORIGIN, terrain);
     }
@@ -324,7 +325,7 @@ class BuildingLoaderTest {
         way(box(30, 0, 50, 10), "building=yes height=12");
         float[] corners = {-100, -100, -10, 100, -100, 10, 100, 100, 10, -100, 100, -10};
         TriangleMesh slope = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
-        LoadedBuildings loaded = load(BuildingSettings.of("map.osm"), Optional.of(slope));
+        LoadedBuildings loaded = load(BuildingSettings.of("map.osm"), Optional.of(new TerrainGround(slope)));
 
         assertThat(highest(loaded.mesh())).isCloseTo(3.0 + 12.0, within(1e-3));
         assertThat(volume(loaded.mesh())).isCloseTo(200 * 13, within(0.05));
@@ -336,7 +337,7 @@ class BuildingLoaderTest {
         way(box(-20, -20, 20, 20), "building=yes height=12");
         float[] corners = {-100, -100, 0, 100, -100, 0, 100, 100, 0, -100, 100, 0, 3, 1, -7};
         TriangleMesh hollow = TriangleMesh.of(corners, new int[] {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4});
-        assertThat(highest(load(BuildingSettings.of("map.osm"), Optional.of(hollow))
+        assertThat(highest(load(BuildingSettings.of("map.osm"), Optional.of(new TerrainGround(hollow)))
                         .mesh()))
                 .isCloseTo(5.0, within(1e-3));
     }
@@ -348,7 +349,7 @@ class BuildingLoaderTest {
         way(box(300, 0, 320, 10), "building=yes height=12");
         float[] corners = {-100, -100, 0, 100, -100, 0, 100, 100, 0, -100, 100, 0};
         TriangleMesh small = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
-        LoadedBuildings loaded = load(BuildingSettings.of("map.osm"), Optional.of(small));
+        LoadedBuildings loaded = load(BuildingSettings.of("map.osm"), Optional.of(new TerrainGround(small)));
         assertThat(loaded.count()).isEqualTo(1);
         assertThat(loaded.description()).anyMatch(line -> line.contains("1 building without ground under it"));
     }

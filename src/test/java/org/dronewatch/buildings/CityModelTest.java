@@ -13,6 +13,7 @@ import java.util.Random;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.terrain.TerrainGround;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -57,7 +58,7 @@ class CityModelTest {
         return load(text, BuildingSettings.of("city.json"), Optional.empty());
     }
 
-    private LoadedBuildings load(String text, BuildingSettings settings, Optional<TriangleMesh> terrain)
+    private LoadedBuildings load(String text, BuildingSettings settings, Optional<TerrainGround> terrain)
             throws IOException {
         Files.writeString(directory.resolve("city.json"), text);
         return new BuildingLoader(directory).load(settings, ORIGIN, terrain);
@@ -124,7 +125,8 @@ class CityModelTest {
     @Test
     void heightsFromAnotherLevelAreDoubted() throws IOException {
         float[] corners = {-100, -100, -48, 100, -100, -48, 100, 100, -48, -100, 100, -48};
-        Optional<TriangleMesh> ground = Optional.of(TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3}));
+        Optional<TerrainGround> ground =
+                Optional.of(new TerrainGround(TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3})));
         BuildingSettings settings = BuildingSettings.of("city.json");
         LoadedBuildings floating = load(city(BOX, solid(WALLS)), settings, ground);
         assertThat(floating.description().get(1))

@@ -106,7 +106,7 @@ final class DetectionTables {
                 pair.sensor(),
                 pair.kind(),
                 label,
-                orElse(pair.firstDetected(), "never"),
+                orElse(pair.firstDetected(), "never") + (pair.isUnknown() ? " (over unknown ground)" : ""),
                 orElse(pair.range(), NONE),
                 last(pair),
                 orElse(pair.maxRange(), NONE),

@@ -1,0 +1,94 @@
+package org.dronewatch.terrain;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.dronewatch.geometry.Ints;
+import org.dronewatch.geometry.TriangleMesh;
+
+/**
+ * Where a terrain has ground: what lies in its holes or beyond its rim is not known, and may hide anything. Immutable.
+ */
+public final class KnownGround {
+    private final TerrainGround ground;
+    /** Both ends of each side of a triangle that is no side of another: the rim, and the rims of holes. */
+    private final double[] rim;
+
+    /** That of a terrain whose triangles share corners. */
+    public KnownGround(TerrainGround ground) {
+        this.ground = ground;
+        this.rim = rim(ground.mesh());
+    }
+
+    private static double[] rim(TriangleMesh mesh) {
+        Map<Long, Integer> sides = new HashMap<>();
+        for (int i = 0; i < mesh.triangleCount(); i++) {
+            for (int k = 0; k < 3; k++) {
+                long from = mesh.vertexIndex(i, k);
+                long to = mesh.vertexIndex(i, (k + 1) % 3);
+                sides.merge(Math.min(from, to) << 32 | Math.max(from, to), 1, Integer::sum);
+            }
+        }
+        Ints ends = new Ints();
+        for (int i = 0; i < mesh.triangleCount(); i++) {
+            for (int k = 0; k < 3; k++) {
+                int from = mesh.vertexIndex(i, k);
+                int to = mesh.vertexIndex(i, (k + 1) % 3);
+                if (sides.get((long) Math.min(from, to) << 32 | Math.max(from, to)) == 1) {
+                    ends.add(from);
+                    ends.add(to);
+                }
+            }
+        }
+        double[] rim = new double[2 * ends.size()];
+        for (int i = 0; i < ends.size(); i++) {
+            rim[2 * i] = mesh.vertexCoordinate(ends.get(i), 0);
+            rim[2 * i + 1] = mesh.vertexCoordinate(ends.get(i), 1);
+        }
+        return rim;
+    }
+
+    /** The terrain. */
+    public TerrainGround ground() {
+        return ground;
+    }
+
+    /** Whether there is ground at a point, m east and north. */
+    public boolean contains(double x, double y) {
+        return !Double.isNaN(ground.heightAt(x, y));
+    }
+
+    /** Whether there is ground everywhere below the line between two points, m east and north. */
+    public boolean containsLine(double fromX, double fromY, double toX, double toY) {
+        if (!contains(fromX, fromY) || !contains(toX, toY)) {
+            return false;
+        }
+        double west = Math.min(fromX, toX);
+        double east = Math.max(fromX, toX);
+        double south = Math.min(fromY, toY);
+        double north = Math.max(fromY, toY);
+        double alongX = toX - fromX;
+        double alongY = toY - fromY;
+        for (int i = 0; i < rim.length; i += 4) {
+            if (Math.max(rim[i], rim[i + 2]) >= west
+                    && Math.min(rim[i], rim[i + 2]) <= east
+                    && Math.max(rim[i + 1], rim[i + 3]) >= south
+                    && Math.min(rim[i + 1], rim[i + 3]) <= north) {
+                double first = side(rim[i] - fromX, rim[i + 1] - fromY, alongX, alongY);
+                double second = side(rim[i + 2] - fromX, rim[i + 3] - fromY, alongX, alongY);
+                double rimX = rim[i + 2] - rim[i];
+                double rimY = rim[i + 3] - rim[i + 1];
+                double start = side(fromX - rim[i], fromY - rim[i + 1], rimX, rimY);
+                double end = side(toX - rim[i], toY - rim[i + 1], rimX, rimY);
+                // A line through the end of a side crosses one of the two sides that meet there.
+                if (first < 0.0 != second < 0.0 && start < 0.0 != end < 0.0) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private static double side(double x, double y, double alongX, double alongY) {
+        return x * alongY - y * alongX;
+    }
+}
