@@ -32,6 +32,7 @@ public final class House {
             new Storey("", "sensor"),
             new Storey("", "positioner"),
             new Storey("what flies", "drone"),
+            new Storey("", "flight.file"),
             new Storey("", "flight"),
             new Storey("the site", "world"),
             new Storey("", "buildings"),

@@ -9,6 +9,8 @@ import org.dronewatch.flight.PopUp;
 import org.dronewatch.flight.Recorded;
 import org.dronewatch.flight.Steered;
 import org.dronewatch.flight.TerrainFollowing;
+import org.dronewatch.flight.file.Mission;
+import org.dronewatch.flight.file.Track;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel;
@@ -61,7 +63,9 @@ public final class BuiltInKinds implements KindGroup {
                 flight("dive", Dive.class, "level towards a target, then dives onto it"),
                 flight("pop-up", PopUp.class, "hovers behind cover, then rises"),
                 flight("steered", Steered.class, "is steered by a program during the run"),
-                flight("recorded", Recorded.class, "flies as in an earlier run, from its flights.csv"));
+                flight("recorded", Recorded.class, "flies as in an earlier run, from its flights.csv"),
+                flight("mission", Mission.class, "a mission planned with QGroundControl, from its .plan"),
+                flight("track", Track.class, "as a real drone flew, from a GPX track or a CSV log"));
     }
 
     private static List<Kind<?>> propagations() {

@@ -4,21 +4,24 @@ import java.util.List;
 import org.dronewatch.world.GroundPoint;
 
 /** A path in plan, cut into short segments; all its corners are among the cuts. */
-final class GroundTrack {
+public final class GroundTrack {
     /** Longest segment, m. */
     static final double STEP = 0.5;
     /** Longest path, m: a hundred thousand segments. */
-    static final double LONGEST = 100_000 * STEP;
+    public static final double LONGEST = 100_000 * STEP;
 
     private final double[] x;
     private final double[] y;
     private final double[] along;
+    private final int[] corners;
 
-    GroundTrack(List<GroundPoint> points) {
+    /** The track from point to point, 1 mm or more apart, m. */
+    public GroundTrack(List<GroundPoint> points) {
         int pieces = 0;
         for (int i = 1; i < points.size(); i++) {
             pieces += pieces(points.get(i - 1), points.get(i));
         }
+        corners = new int[points.size()];
         x = new double[pieces + 1];
         y = new double[pieces + 1];
         along = new double[pieces + 1];
@@ -27,6 +30,7 @@ final class GroundTrack {
         int last = 0;
         for (int i = 1; i < points.size(); i++) {
             last = append(points.get(i - 1), points.get(i), last);
+            corners[i] = last;
         }
     }
 
@@ -47,20 +51,27 @@ final class GroundTrack {
     }
 
     /** The number of cuts, both ends included. */
-    int size() {
+    public int size() {
         return x.length;
     }
 
-    double x(int cut) {
+    /** The cut at one of the points between which the track leads. */
+    public int corner(int point) {
+        return corners[point];
+    }
+
+    /** East, m. */
+    public double x(int cut) {
         return x[cut];
     }
 
-    double y(int cut) {
+    /** North, m. */
+    public double y(int cut) {
         return y[cut];
     }
 
     /** The distance along the path, in plan, from the start to a cut, m. */
-    double along(int cut) {
+    public double along(int cut) {
         return along[cut];
     }
 }

@@ -29,7 +29,7 @@ public record Leg(double time, FlightState start) {
      *
      * @param legs at least one, in order of time
      */
-    static FlightState at(List<Leg> legs, double time) {
+    public static FlightState at(List<Leg> legs, double time) {
         int low = 0;
         int high = legs.size() - 1;
         while (low < high) {

@@ -4,7 +4,7 @@ import java.util.OptionalDouble;
 import org.dronewatch.world.Ground;
 
 /** The ground below a ground track, raised so that it is nowhere too steep: heights at the track's cuts. */
-final class TerrainProfile {
+public final class TerrainProfile {
     private TerrainProfile() {}
 
     /**
@@ -14,7 +14,7 @@ final class TerrainProfile {
      * @return its height at each cut of the track, m
      * @throws IllegalArgumentException when there is nothing below the whole track
      */
-    static double[] over(GroundTrack track, Ground ground, double slope) {
+    public static double[] over(GroundTrack track, Ground ground, double slope) {
         double[] heights = covering(track, known(track, ground), slope);
         for (int i = 1; i < heights.length; i++) {
             double fall = slope * (track.along(i) - track.along(i - 1));

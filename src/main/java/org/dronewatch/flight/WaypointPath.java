@@ -13,16 +13,14 @@ final class WaypointPath implements FlightPath {
     private static final double STRAIGHT = 1e-5;
 
     private final List<Straight> straights = new ArrayList<>();
-    private final double acceleration;
 
     WaypointPath(List<Position> points, double speed, double acceleration) {
-        this.acceleration = acceleration;
         Position start = points.get(0);
         double time = 0.0;
         for (int i = 1; i < points.size(); i++) {
             boolean last = i == points.size() - 1;
             if (last || bends(points.get(i - 1), points.get(i), points.get(i + 1))) {
-                Straight straight = new Straight(start, points.get(i), time, speed);
+                Straight straight = new Straight(start, points.get(i), time, speed, acceleration);
                 straights.add(straight);
                 time = straight.startTime + straight.duration;
                 start = points.get(i);
@@ -48,44 +46,27 @@ final class WaypointPath implements FlightPath {
     }
 
     /** One straight leg, flown from rest to rest. */
-    private final class Straight {
+    private static final class Straight {
         private final Position from;
         private final Position direction;
-        private final double length;
+        private final RestToRest motion;
         private final double startTime;
-        private final double topSpeed;
-        private final double rampTime;
         private final double duration;
         private final double heading;
 
-        Straight(Position from, Position to, double startTime, double speed) {
+        Straight(Position from, Position to, double startTime, double speed, double acceleration) {
+            double length = from.distance(to);
             this.from = from;
-            this.length = from.distance(to);
             this.direction = to.minus(from).times(1.0 / length);
+            this.motion = new RestToRest(length, speed, acceleration);
             this.startTime = startTime;
-            // A short leg is over before the cruise speed is reached: v^2 = a * length in its middle.
-            this.topSpeed = Math.min(speed, Math.sqrt(acceleration * length));
-            this.rampTime = topSpeed / acceleration;
-            this.duration = length / topSpeed + rampTime;
+            this.duration = motion.duration();
             this.heading = Math.atan2(direction.x(), direction.y());
         }
 
         FlightState at(double time) {
-            double left = duration - time;
-            if (left <= 0.0) {
-                return state(length, 0.0);
-            }
-            if (time < rampTime) {
-                return state(0.5 * acceleration * time * time, acceleration * time);
-            }
-            if (left < rampTime) {
-                return state(length - 0.5 * acceleration * left * left, acceleration * left);
-            }
-            return state(topSpeed * (time - 0.5 * rampTime), topSpeed);
-        }
-
-        private FlightState state(double flown, double speed) {
-            return new FlightState(from.plus(direction.times(flown)), direction.times(speed), heading);
+            return new FlightState(
+                    from.plus(direction.times(motion.distance(time))), direction.times(motion.speed(time)), heading);
         }
     }
 }

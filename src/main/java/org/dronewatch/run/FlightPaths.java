@@ -3,41 +3,37 @@ package org.dronewatch.run;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.Consumer;
-import java.util.function.Function;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.Displaced;
 import org.dronewatch.flight.FlightPath;
-import org.dronewatch.flight.FlightsFile;
 import org.dronewatch.flight.FlownPath;
 import org.dronewatch.flight.Leg;
 import org.dronewatch.flight.Recorded;
 import org.dronewatch.flight.Steered;
+import org.dronewatch.flight.file.FlightFromFile;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.world.Ground;
+import org.dronewatch.world.Places;
 
 /**
  * Creates the paths of a scene's drones; a swarm shares its leader's, which may have been costly to fit to the ground.
  */
 final class FlightPaths {
-    private final Ground ground;
+    private final Places places;
     private final double end;
-    private final Function<String, FlightsFile> files;
-    private final Consumer<String> warnings;
+    private final ModelCache files;
     private final Map<DroneSettings, FlightPath> leaders = new HashMap<>();
 
     /**
      * No paths yet.
      *
+     * @param places of the site, with its ground
      * @param end of the run, s
-     * @param files reads the file of a recorded flight by its name in the settings
-     * @param warnings receives a line for each recorded flight that ends before the run does
+     * @param files reads the files of flights
      */
-    FlightPaths(Ground ground, double end, Function<String, FlightsFile> files, Consumer<String> warnings) {
-        this.ground = ground;
+    FlightPaths(Places places, double end, ModelCache files) {
+        this.places = places;
         this.end = end;
         this.files = files;
-        this.warnings = warnings;
     }
 
     /**
@@ -56,7 +52,7 @@ final class FlightPaths {
     /** In a swarm: each drone is steered by itself, and repeats its own flight unless another's is named. */
     private FlightPath beside(String id, DroneSettings drone, Displaced follower) {
         if (follower.leader() instanceof Steered leader) {
-            return drone.withFlight(leader.beside(follower.offset())).createFlight(ground);
+            return drone.withFlight(leader.beside(follower.offset())).createFlight(places.ground());
         }
         DroneSettings leader = drone.withFlight(follower.leader());
         if (follower.leader() instanceof Recorded recorded && recorded.drone().isEmpty()) {
@@ -71,18 +67,39 @@ final class FlightPaths {
     }
 
     private FlightPath alone(String id, DroneSettings drone) {
-        return drone.flight() instanceof Recorded recorded
-                ? drone.leaning(replayed(id, recorded))
-                : drone.createFlight(ground);
+        if (drone.flight() instanceof Recorded recorded) {
+            return drone.leaning(replayed(id, recorded));
+        }
+        return drone.flight() instanceof FlightFromFile settings
+                ? drone.leaning(fromFile(id, drone, settings))
+                : drone.createFlight(places.ground());
+    }
+
+    private FlightPath fromFile(String id, DroneSettings drone, FlightFromFile settings) {
+        FlightPath path = files.flight(settings)
+                .path(
+                        places,
+                        drone.speed(),
+                        drone.acceleration(),
+                        line -> files.warn("drone '" + id + "': flight: " + line));
+        if (path instanceof FlownPath flown) {
+            warnOfEnd(id, flown);
+        }
+        return path;
     }
 
     private FlownPath replayed(String id, Recorded recorded) {
-        FlownPath path = files.apply(recorded.file())
+        FlownPath path = files.flights(recorded.file())
                 .flight(recorded.run(), recorded.drone().orElse(id));
+        warnOfEnd(id, path);
+        return path;
+    }
+
+    private void warnOfEnd(String id, FlownPath path) {
         Leg last = path.legs().get(path.legs().size() - 1);
         if (last.time() < end) {
             double speed = last.start().velocity().length();
-            warnings.accept(String.format(
+            files.warn(String.format(
                     Locale.ROOT,
                     "drone '%s': its recorded flight ends at %s s, the run at %s s: for the rest of the run the drone %s",
                     id,
@@ -90,6 +107,5 @@ final class FlightPaths {
                     end,
                     speed == 0.0 ? "hovers" : String.format(Locale.ROOT, "flies straight on at %.1f m/s", speed)));
         }
-        return path;
     }
 }

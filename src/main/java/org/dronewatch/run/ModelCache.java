@@ -1,7 +1,5 @@
 package org.dronewatch.run;
 
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -20,15 +18,15 @@ import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.bvh.TracingSettings;
 import org.dronewatch.flight.FlightsFile;
+import org.dronewatch.flight.file.FlightFromFile;
+import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.LoadedModel;
 import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.FileHash;
-import org.dronewatch.setting.file.LinkOut;
 import org.dronewatch.terrain.KnownGround;
 import org.dronewatch.terrain.LoadedTerrain;
 import org.dronewatch.terrain.TerrainGround;
@@ -55,7 +53,7 @@ public final class ModelCache {
     private final Map<Town, LoadedBuildings> towns = new HashMap<>();
     private final Map<Site, TracingIndex> indexes = new HashMap<>();
     private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
-    private final Map<String, FlightsFile> flights = new HashMap<>();
+    private final FlightFiles flightFiles;
     private final Set<String> noted = new HashSet<>();
     private double loadSeconds;
     private double buildSeconds;
@@ -94,6 +92,7 @@ public final class ModelCache {
         this.directory = directory;
         this.loader = new ModelLoader(directory);
         this.notes = notes;
+        this.flightFiles = new FlightFiles(directory, (name, hash) -> files.put(name, List.of(hash)), notes);
     }
 
     /** Reads a model, once. */
@@ -108,26 +107,16 @@ public final class ModelCache {
      * @throws InputException when it cannot be read, or is wrong
      */
     public synchronized FlightsFile flights(String file) {
-        FlightsFile known = flights.get(file);
-        if (known == null) {
-            Path path = resolved(file);
-            if (Files.exists(path)) {
-                LinkOut.refuse(directory, path, "file");
-            }
-            known = FlightsFile.read(path, file);
-            flights.put(file, known);
-            files.put(file, List.of(known.hash()));
-            notes.accept("read " + file);
-        }
-        return known;
+        return flightFiles.recorded(file);
     }
 
-    private Path resolved(String file) {
-        try {
-            return directory.resolve(file);
-        } catch (InvalidPathException e) {
-            throw new InputException(PlainText.value(file) + ": not a path: " + e.getReason(), e);
-        }
+    /**
+     * A flight from a file of another program.
+     *
+     * @throws InputException when it cannot be read, or is wrong
+     */
+    public synchronized FlightSource flight(FlightFromFile settings) {
+        return flightFiles.of(settings);
     }
 
     /** Reads the terrain of a world, if it has one, once. */

@@ -24,6 +24,7 @@ import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
+import org.dronewatch.world.Places;
 import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
@@ -58,8 +59,8 @@ public final class Stage {
         this.colours = Map.copyOf(models.colours(site));
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
-        FlightPaths paths =
-                new FlightPaths(world.newGround(), settings.run().duration(), models::flights, models::warn);
+        FlightPaths paths = new FlightPaths(
+                new Places(site, world::newGround), settings.run().duration(), models);
         settings.individualDrones().forEach((id, drone) -> {
             Drone created = new Drone(
                     id, drone, models.index(drone.model(), site.tracing()).tree());

@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightsFile;
 import org.dronewatch.flight.Recorded;
+import org.dronewatch.flight.file.FlightFromFile;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.ConditionAdvice;
@@ -54,6 +55,9 @@ final class SceneModels {
             load("drones." + id + ".model", drone.model());
             if (drone.flight() instanceof Recorded recorded) {
                 placing("drones." + id + ".flight", () -> checkFlight(recorded, id, drone));
+            }
+            if (drone.flight() instanceof FlightFromFile source) {
+                placing("drones." + id + ".flight." + source.fileSetting(), () -> models.flight(source));
             }
         });
     }

@@ -64,7 +64,8 @@ public final class Places {
                     place.latitude(),
                     place.longitude());
         }
-        double surface = surface(geodesy, place.latitude(), place.longitude());
+        double surface = surface(place.latitude(), place.longitude())
+                .orElseThrow(() -> new IllegalArgumentException(hole(geodesy, place.latitude(), place.longitude())));
         return near(
                 geodesy.inWorld(
                         place.latitude(),
@@ -110,26 +111,47 @@ public final class Places {
                                 "needs a world.origin, the latitude and longitude of x = y = 0: a place on a map has no position without it")));
     }
 
-    private Ground ground() {
+    /** The highest surfaces of the site. */
+    public Ground ground() {
         if (ground == null) {
             ground = site.get();
         }
         return ground;
     }
 
-    /** The height of the surface on the place's own vertical, above what the origin's height counts from, m. */
-    private double surface(Geodesy geodesy, double latitude, double longitude) {
+    /** Whether heights above sea level have a meaning: the origin's is stated, or a terrain counts from there. */
+    public boolean heightsAreKnown() {
+        return heightsAreKnown;
+    }
+
+    /**
+     * The position of a place at a height above what the origin's height counts from, or above 0 where that is not known.
+     *
+     * @param latitude rad
+     * @param longitude rad
+     * @param height m
+     * @throws IllegalArgumentException when the scene has no origin, or it is more than 100 km away
+     */
+    public Position atHeight(double latitude, double longitude, double height) {
+        return near(geodesy().inWorld(latitude, longitude, height), latitude, longitude);
+    }
+
+    /**
+     * The height of the highest surface on the place's own vertical, above what the origin's height counts from, or above 0
+     * where that is not known, m; empty in a hole and beyond the rim.
+     *
+     * @param latitude rad
+     * @param longitude rad
+     * @throws IllegalArgumentException when the scene has no origin, or it is more than 100 km away
+     */
+    public OptionalDouble surface(double latitude, double longitude) {
+        Geodesy geodesy = geodesy();
         double height = origin.flatMap(Origin::height).orElse(0.0);
         Position there = near(geodesy.inWorld(latitude, longitude, height), latitude, longitude);
         for (int step = 0; step < MOST_STEPS; step++) {
             OptionalDouble z = ground().height(there.x(), there.y());
             if (z.isEmpty()) {
-                throw new IllegalArgumentException(String.format(
-                        Locale.ROOT,
-                        "no surface at %s (x %.1f m, y %.1f m): the site has a hole or ends there, so give 'height' instead",
-                        inWords(latitude, longitude),
-                        there.x(),
-                        there.y()));
+                return OptionalDouble.empty();
             }
             double found = geodesy.onEarth(new Position(there.x(), there.y(), z.getAsDouble()))
                     .height();
@@ -140,7 +162,18 @@ public final class Places {
             }
             there = geodesy.inWorld(latitude, longitude, height);
         }
-        return height;
+        return OptionalDouble.of(height);
+    }
+
+    private String hole(Geodesy geodesy, double latitude, double longitude) {
+        Position there = geodesy.inWorld(
+                latitude, longitude, origin.flatMap(Origin::height).orElse(0.0));
+        return String.format(
+                Locale.ROOT,
+                "no surface at %s (x %.1f m, y %.1f m): the site has a hole or ends there, so give 'height' instead",
+                inWords(latitude, longitude),
+                there.x(),
+                there.y());
     }
 
     private static Position near(Position position, double latitude, double longitude) {
@@ -156,7 +189,8 @@ public final class Places {
         return position;
     }
 
-    private static String inWords(double latitude, double longitude) {
+    /** Latitude and longitude, in rad, as messages give them. */
+    public static String inWords(double latitude, double longitude) {
         return String.format(
                 Locale.ROOT,
                 "latitude %.6f deg, longitude %.6f deg",

@@ -100,7 +100,7 @@ class DocScenesTest {
                 scene.append('\n').append(text);
             }
         });
-        for (String file : List.of("monaco-srtm.asc", "monaco-buildings.osm.gz")) {
+        for (String file : List.of("monaco-srtm.asc", "monaco-buildings.osm.gz", "approach.plan", "approach.gpx")) {
             Files.copy(Path.of("src/examples/terrain", file), directory.resolve(file));
         }
         Path file = Files.writeString(directory.resolve("scene.yaml"), scene);

@@ -1,0 +1,58 @@
+package org.dronewatch.flight;
+
+/**
+ * Motion over a distance from rest to rest: constant acceleration, cruise, constant deceleration. A short distance is over before
+ * the cruise speed is reached.
+ */
+public final class RestToRest {
+    private final double length;
+    private final double acceleration;
+    private final double topSpeed;
+    private final double rampTime;
+    private final double duration;
+
+    /**
+     * A motion.
+     *
+     * @param length above 0, m
+     * @param speed at most, above 0, m/s
+     * @param acceleration above 0, m/s2
+     */
+    public RestToRest(double length, double speed, double acceleration) {
+        this.length = length;
+        this.acceleration = acceleration;
+        // v^2 = a * length in the middle of a short leg.
+        this.topSpeed = Math.min(speed, Math.sqrt(acceleration * length));
+        this.rampTime = topSpeed / acceleration;
+        this.duration = length / topSpeed + rampTime;
+    }
+
+    /** How long it takes, s. */
+    public double duration() {
+        return duration;
+    }
+
+    /** The distance covered at a time since its start, 0 or more, m. */
+    public double distance(double time) {
+        double left = duration - time;
+        if (left <= 0.0) {
+            return length;
+        }
+        if (time < rampTime) {
+            return 0.5 * acceleration * time * time;
+        }
+        return left < rampTime ? length - 0.5 * acceleration * left * left : topSpeed * (time - 0.5 * rampTime);
+    }
+
+    /** The speed at a time since its start, 0 or more, m/s. */
+    public double speed(double time) {
+        double left = duration - time;
+        if (left <= 0.0) {
+            return 0.0;
+        }
+        if (time < rampTime) {
+            return acceleration * time;
+        }
+        return left < rampTime ? acceleration * left : topSpeed;
+    }
+}

@@ -1,0 +1,98 @@
+package org.dronewatch.flight.file;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.geo.EarthPoint;
+import org.dronewatch.setting.InputException;
+
+/** Collects the points of a track, in the order of the file, and checks their times. For a single use. */
+final class Fixes {
+    /** The most points of a track. */
+    static final int MOST = 1_000_000;
+
+    private final String name;
+    private final List<Fix> all = new ArrayList<>();
+    private int repeated;
+
+    /**
+     * Where the drone was.
+     *
+     * @param line of the file
+     * @param time s, on whatever clock; not a number if the file has none
+     * @param height m
+     */
+    record Fix(long line, double time, EarthPoint place, OptionalDouble height) {
+        boolean isTimed() {
+            return !Double.isNaN(time);
+        }
+    }
+
+    /**
+     * What was read.
+     *
+     * @param fixes at least one; all with times that grow, or none with a time
+     * @param notes what was left out, a line for each thing
+     */
+    record Points(List<Fix> fixes, List<String> notes) {
+        Points {
+            fixes = List.copyOf(fixes);
+            notes = List.copyOf(notes);
+        }
+
+        boolean isTimed() {
+            return fixes.get(0).isTimed();
+        }
+    }
+
+    /** No points yet. */
+    Fixes(String name) {
+        this.name = name;
+    }
+
+    int size() {
+        return all.size();
+    }
+
+    /** Adds a point; one at the same time as the last is left out. */
+    void add(Fix fix) {
+        if (!all.isEmpty()) {
+            Fix last = all.get(all.size() - 1);
+            if (last.isTimed() != fix.isTimed()) {
+                throw new InputException(name + ":" + fix.line() + ": "
+                        + (fix.isTimed()
+                                ? "has a time, others before have none"
+                                : "has no time, others before have one"));
+            }
+            if (fix.time() < last.time()) {
+                throw new InputException(name + ":" + fix.line() + ": is " + (float) (last.time() - fix.time())
+                        + " s before the point in line " + last.line() + ": times must grow");
+            }
+            if (fix.time() == last.time()) {
+                repeated++;
+                return;
+            }
+        }
+        if (all.size() == MOST) {
+            throw new InputException(name + ":" + fix.line() + ": more than " + MOST + " points");
+        }
+        all.add(fix);
+    }
+
+    /**
+     * The points.
+     *
+     * @throws InputException when there are none
+     */
+    Points points(List<String> notes) {
+        if (all.isEmpty()) {
+            throw new InputException(name + ": has no points");
+        }
+        List<String> lines = new ArrayList<>(notes);
+        if (repeated > 0) {
+            lines.add(repeated + (repeated == 1 ? " point has" : " points have") + " the time of the one before, and "
+                    + (repeated == 1 ? "is" : "are") + " left out");
+        }
+        return new Points(all, lines);
+    }
+}

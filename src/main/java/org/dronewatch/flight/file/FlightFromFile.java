@@ -1,0 +1,37 @@
+package org.dronewatch.flight.file;
+
+import java.nio.file.Path;
+import org.dronewatch.flight.FlightPath;
+import org.dronewatch.flight.FlightPathSettings;
+import org.dronewatch.world.Ground;
+
+/** A flight that another program wrote to a file: where it leads depends on the scene's origin and ground. */
+public interface FlightFromFile extends FlightPathSettings {
+
+    /** The file's name in the settings. */
+    String file();
+
+    /** The component that holds the file's name. */
+    String fileSetting();
+
+    /**
+     * Reads the file.
+     *
+     * @param path where it is
+     * @param shown its name in messages and in the provenance of a run
+     * @throws org.dronewatch.setting.InputException when it cannot be read, is too large, or says what is not understood; the
+     *     message gives the line or the item
+     */
+    FlightSource read(Path path, String shown);
+
+    /**
+     * Without a scene nobody knows where on earth the flight is.
+     *
+     * @throws IllegalArgumentException always
+     */
+    @Override
+    default FlightPath create(double speed, double acceleration, Ground ground) {
+        throw new IllegalArgumentException(
+                "a flight from a file of latitudes and longitudes needs a scene with an origin");
+    }
+}

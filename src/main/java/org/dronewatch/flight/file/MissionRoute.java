@@ -1,0 +1,220 @@
+package org.dronewatch.flight.file;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import org.dronewatch.geo.EarthPlace;
+import org.dronewatch.geo.EarthPoint;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.world.Places;
+
+/** Finds where the steps of a mission lead on a site. For a single use. */
+final class MissionRoute {
+    /** How far the height of the launch in a plan may be from that of the site before it is said, m. */
+    private static final double ODD = 20.0;
+
+    /** Nearer points are one, m. */
+    private static final double SAME = 1e-3;
+
+    private final Mission settings;
+    private final PlanFile plan;
+    private final Places places;
+    private final Consumer<String> warnings;
+    private final MissionLegs legs;
+    private double speed;
+    private OptionalDouble launch = OptionalDouble.empty();
+    /** Where the drone is after the steps so far; empty before the first. */
+    private Optional<Position> here = Optional.empty();
+
+    /**
+     * A route.
+     *
+     * @param speed at the start, m/s
+     */
+    MissionRoute(
+            Mission settings,
+            PlanFile plan,
+            Places places,
+            double speed,
+            double acceleration,
+            Consumer<String> warnings) {
+        this.settings = settings;
+        this.plan = plan;
+        this.places = places;
+        this.warnings = warnings;
+        this.speed = speed;
+        this.legs = new MissionLegs(acceleration, settings.climbRate(), settings.descentRate(), places);
+    }
+
+    MissionPath path() {
+        boolean over = false;
+        int left = 0;
+        for (MissionStep step : plan.steps()) {
+            if (over) {
+                left++;
+            } else {
+                take(step);
+                over = step instanceof MissionStep.Stay;
+            }
+        }
+        if (left > 0) {
+            warnings.accept(settings.plan() + ": " + left + (left == 1 ? " step comes" : " steps come")
+                    + " after one at which the drone stays, and " + (left == 1 ? "is" : "are") + " never reached");
+        }
+        return legs.path(here.orElseThrow(
+                () -> new IllegalArgumentException(settings.plan() + ": the mission has no take-off and no waypoint")));
+    }
+
+    private void take(MissionStep step) {
+        if (step instanceof MissionStep.TakeOff up) {
+            takeOff(up);
+        } else if (step instanceof MissionStep.FlyTo to) {
+            flyTo(to);
+        } else if (step instanceof MissionStep.Land down) {
+            land(down.where(), down.place());
+        } else if (step instanceof MissionStep.Return back) {
+            land(back.where(), Optional.of(home(back.where())));
+        } else if (step instanceof MissionStep.Wait wait) {
+            legs.hold(wait.seconds());
+        } else if (step instanceof MissionStep.Speed other) {
+            speed = other.speed();
+        }
+    }
+
+    /** Straight up at home, and level to the place from there; a fixed-wing flies slantwise, but soon enough at the same height. */
+    private void takeOff(MissionStep.TakeOff up) {
+        EarthPoint start = here.isEmpty() ? home(up.where()) : null;
+        if (start != null) {
+            here = Optional.of(placing(up.where(), () -> onSurface(start)));
+            legs.begin(here.get());
+            move(up.where(), start, up.height());
+        }
+        up.place().ifPresent(place -> move(up.where(), place, up.height()));
+    }
+
+    private void flyTo(MissionStep.FlyTo to) {
+        move(to.where(), to.place(), to.height());
+        legs.hold(to.hold());
+    }
+
+    private void move(String where, EarthPoint place, MissionStep.Height height) {
+        Position target = placing(where, () -> position(place, height));
+        if (here.isEmpty()) {
+            legs.begin(target);
+        }
+        boolean follows = height.frame() == MissionStep.Frame.SURFACE;
+        legs.to(target, speed, follows ? OptionalDouble.of(height.metres()) : OptionalDouble.empty());
+        here = Optional.of(target);
+    }
+
+    private void land(String where, Optional<EarthPoint> place) {
+        Position from = here.orElseThrow(
+                () -> new IllegalArgumentException(at(where) + "a landing without a flight before it"));
+        Position spot =
+                place.map(point -> placing(where, () -> onSurface(point))).orElseGet(() -> below(where, from));
+        Position over = new Position(spot.x(), spot.y(), Math.max(from.z(), spot.z()));
+        if (over.distance(from) > SAME) {
+            legs.to(over, speed, OptionalDouble.empty());
+        }
+        legs.to(spot, speed, OptionalDouble.empty());
+        here = Optional.of(spot);
+    }
+
+    private Position below(String where, Position from) {
+        OptionalDouble z = places.ground().height(from.x(), from.y());
+        return new Position(
+                from.x(),
+                from.y(),
+                z.orElseThrow(() -> new IllegalArgumentException(String.format(
+                        Locale.ROOT,
+                        "%sno surface to land on at x %.1f m, y %.1f m: the site has a hole or ends there",
+                        at(where),
+                        from.x(),
+                        from.y()))));
+    }
+
+    private EarthPoint home(String where) {
+        return plan.home()
+                .orElseThrow(() -> new IllegalArgumentException(
+                        at(where) + "needs mission.plannedHomePosition, the launch of the plan"));
+    }
+
+    private Position onSurface(EarthPoint point) {
+        OptionalDouble height = places.surface(point.latitude(), point.longitude());
+        if (height.isEmpty() && plan.home().equals(Optional.of(point))) {
+            return places.atHeight(point.latitude(), point.longitude(), launchHeight());
+        }
+        return places.at(new EarthPlace(point.latitude(), point.longitude(), Optional.of(0.0), Optional.empty()));
+    }
+
+    private Position position(EarthPoint place, MissionStep.Height height) {
+        double latitude = place.latitude();
+        double longitude = place.longitude();
+        return switch (height.frame()) {
+            case SEA -> places.at(new EarthPlace(latitude, longitude, Optional.empty(), Optional.of(height.metres())));
+            case HOME -> places.atHeight(latitude, longitude, launchHeight() + height.metres());
+            case SURFACE ->
+                places.atHeight(
+                        latitude,
+                        longitude,
+                        places.surface(latitude, longitude)
+                                        .orElseThrow(() -> new IllegalArgumentException("no surface at "
+                                                + Places.inWords(latitude, longitude)
+                                                + ", from which its height counts: the site has a hole or ends there"))
+                                + height.metres());
+        };
+    }
+
+    /** The height from which relative heights count: that of the site at the launch, or else that of the plan. */
+    private double launchHeight() {
+        if (launch.isEmpty()) {
+            launch = OptionalDouble.of(foundLaunchHeight());
+        }
+        return launch.getAsDouble();
+    }
+
+    private double foundLaunchHeight() {
+        EarthPoint home = plan.home()
+                .orElseThrow(() ->
+                        new IllegalArgumentException("heights above the launch need mission.plannedHomePosition"));
+        OptionalDouble ground = places.surface(home.latitude(), home.longitude());
+        OptionalDouble planned = places.heightsAreKnown() ? plan.homeHeight() : OptionalDouble.empty();
+        if (ground.isEmpty()) {
+            double height = planned.orElseThrow(() ->
+                    new IllegalArgumentException("no surface at " + Places.inWords(home.latitude(), home.longitude())
+                            + ", the launch, from which its height counts: the site has a hole or ends there"));
+            warnings.accept(String.format(
+                    Locale.ROOT,
+                    "%s: the launch lies where the site has a hole or ends: heights count from %.1f m above sea level, as the plan says",
+                    settings.plan(),
+                    height));
+            return height;
+        }
+        if (planned.isPresent() && Math.abs(planned.getAsDouble() - ground.getAsDouble()) > ODD) {
+            warnings.accept(String.format(
+                    Locale.ROOT,
+                    "%s: the launch is %.1f m above sea level in the plan, %.1f m on the site: heights count from the site",
+                    settings.plan(),
+                    planned.getAsDouble(),
+                    ground.getAsDouble()));
+        }
+        return ground.getAsDouble();
+    }
+
+    private interface Placing {
+        Position position();
+    }
+
+    private Position placing(String where, Placing placing) {
+        try {
+            return placing.position();
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(at(where) + e.getMessage(), e);
+        }
+    }
+
+    private String at(String where) {
+        return settings.plan() + ": " + where + ": ";
+    }
+}

@@ -1,0 +1,48 @@
+package org.dronewatch.flight.file;
+
+import java.util.Optional;
+import org.dronewatch.geo.EarthPoint;
+
+/** What one item of a mission makes the drone do. */
+sealed interface MissionStep {
+    /** Where in the file it stands, for messages. */
+    String where();
+
+    /** What a height counts from. */
+    enum Frame {
+        /** Sea level. */
+        SEA,
+        /** The ground at the launch. */
+        HOME,
+        /** The surface below the place. */
+        SURFACE
+    }
+
+    /**
+     * A height, m.
+     *
+     * @param frame what it counts from
+     */
+    record Height(Frame frame, double metres) {}
+
+    /** Climbs from the ground at home; then on to a place, if it has one. */
+    record TakeOff(String where, Optional<EarthPoint> place, Height height) implements MissionStep {}
+
+    /** Flies straight to a place, and waits there for some seconds. */
+    record FlyTo(String where, EarthPoint place, Height height, double hold) implements MissionStep {}
+
+    /** Flies above a place, if it has one, and descends to the surface. */
+    record Land(String where, Optional<EarthPoint> place) implements MissionStep {}
+
+    /** Flies above home at its present height, and lands there. */
+    record Return(String where) implements MissionStep {}
+
+    /** Waits for some seconds. */
+    record Wait(String where, double seconds) implements MissionStep {}
+
+    /** Flies at another speed from now on, m/s. */
+    record Speed(String where, double speed) implements MissionStep {}
+
+    /** Stays where it is until the end of the run. */
+    record Stay(String where) implements MissionStep {}
+}

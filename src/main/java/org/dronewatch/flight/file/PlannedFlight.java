@@ -1,0 +1,31 @@
+package org.dronewatch.flight.file;
+
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.dronewatch.flight.FlightPath;
+import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.world.Places;
+
+/** A mission as it was read. */
+record PlannedFlight(Mission settings, PlanFile plan) implements FlightSource {
+    @Override
+    public FileHash hash() {
+        return plan.hash();
+    }
+
+    @Override
+    public String description() {
+        return String.format(
+                Locale.ROOT,
+                "%s: a mission of %d %s",
+                settings.plan(),
+                plan.items(),
+                plan.items() == 1 ? "item" : "items");
+    }
+
+    @Override
+    public FlightPath path(Places places, double speed, double acceleration, Consumer<String> warnings) {
+        plan.warnings().forEach(line -> warnings.accept(settings.plan() + ": " + line));
+        return new MissionRoute(settings, plan, places, plan.speed().orElse(speed), acceleration, warnings).path();
+    }
+}

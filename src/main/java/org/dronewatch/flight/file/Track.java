@@ -1,0 +1,76 @@
+package org.dronewatch.flight.file;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.FileName;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.file.BoundedFile;
+
+/**
+ * Flies as a real drone flew, by a track in GPX or a log in CSV: straight and evenly from each point to the next, at their times,
+ * the first at the start of the run. It stays at the last point. Without times, it flies through the points as with {@code waypoints}.
+ *
+ * @param log path of the {@code .gpx} or {@code .csv} file
+ * @param heights what the heights in the file count from
+ * @param verticalOffset added to all heights, -10 to 10 km, m
+ * @param track name of the track, in a GPX file with several
+ */
+public record Track(
+        @FileName String log,
+        Heights heights,
+        @In(value = Quantity.LENGTH, from = -10_000, to = 10_000) double verticalOffset,
+        Optional<String> track)
+        implements FlightFromFile {
+    /** The largest file that is read, bytes. */
+    static final int LARGEST = 64 << 20;
+
+    /** What the heights in a file count from. */
+    public enum Heights {
+        /** Sea level, as the height of the scene's origin. */
+        SEA,
+        /** The first point, which lies on the surface. */
+        START,
+        /** The surface below each point; a point without a height is on it. */
+        SURFACE
+    }
+
+    /** Checks the limits. */
+    public Track {
+        Limits.check(Track.class, log, heights, verticalOffset, track);
+        if (log.isBlank()) {
+            throw new IllegalArgumentException("log is empty: it must name a .gpx or .csv file");
+        }
+    }
+
+    /** A track with heights above sea level. */
+    @Defaults("log")
+    public static Track of(String log) {
+        return new Track(log, Heights.SEA, 0.0, Optional.empty());
+    }
+
+    @Override
+    public String file() {
+        return log;
+    }
+
+    @Override
+    public String fileSetting() {
+        return "log";
+    }
+
+    @Override
+    public FlightSource read(Path path, String shown) {
+        byte[] bytes = BoundedFile.read(path, LARGEST);
+        int first = 0;
+        while (first < bytes.length && (bytes[first] < 0 || Character.isWhitespace(bytes[first]))) {
+            first++;
+        }
+        // A GPX file begins with its first element, perhaps after a mark of the byte order.
+        boolean isXml = first < bytes.length && bytes[first] == '<';
+        return new TrackedFlight(
+                this, isXml ? GpxFile.read(shown, bytes, track) : CsvLog.read(shown, bytes, heights, track), bytes);
+    }
+}
