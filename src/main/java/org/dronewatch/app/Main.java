@@ -31,6 +31,7 @@ import picocli.CommandLine.Spec;
             RunCommand.class,
             ViewCommand.class,
             CheckCommand.class,
+            NewCommand.class,
             SaveCommand.class,
             SchemaCommand.class,
             RenderCommand.class,

@@ -1,0 +1,196 @@
+package org.dronewatch.app;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.dronewatch.analysis.CoveredApproach;
+import org.dronewatch.analysis.HighPoints;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.World;
+
+/**
+ * The text of a scene for a real place: its ground and buildings, a sensor of each kind, an intruder and a protected zone, with
+ * comments that say what to change.
+ *
+ * @param name of the scene
+ * @param latitude of the origin, degrees
+ * @param longitude of the origin, degrees
+ * @param radius of the site, m
+ * @param terrain names of the files of elevations beside the scene
+ * @param crs system of these files, if they do not state it
+ * @param isSurface whether roofs and treetops are in the elevations
+ * @param buildings name of the map beside the scene
+ */
+record NewScene(
+        String name,
+        double latitude,
+        double longitude,
+        double radius,
+        List<String> terrain,
+        Optional<String> crs,
+        boolean isSurface,
+        Optional<String> buildings) {
+    /** Masts stand within this distance of the origin along each axis, m, or an eighth of the radius. */
+    private static final double MASTS_WITHIN = 250.0;
+
+    private static final double MASTS_APART = 60.0;
+
+    /** How far the intruder comes from, as a share of the radius, and at most, m. */
+    private static final double START = 0.85;
+
+    private static final double FARTHEST_START = 1500.0;
+    private static final double HEIGHT = 30.0;
+    private static final double SPEED = 15.0;
+    private static final double MAST = 6.0;
+
+    /** The site alone: what has to be read before sensors can be placed on it. */
+    String site() {
+        StringBuilder text = new StringBuilder();
+        line(
+                text,
+                "# %s, begun with 'dronewatch new'. Everything here may be changed: 'dronewatch check' says what does not fit,",
+                name);
+        line(text, "# 'dronewatch view' shows it, and the page on all settings lists what else there is.");
+        line(text, "world:");
+        line(text, "  # x = y = 0. Heights count from the zero of the elevations, as a rule the sea.");
+        line(text, "  origin: {latitude: %s deg, longitude: %s deg, height: 0}", number(latitude), number(longitude));
+        if (!terrain.isEmpty()) {
+            line(text, "  terrain:");
+            line(text, terrain.size() == 1 ? "    file: %s" : "    files: [%s]", names());
+            crs.ifPresent(code -> line(text, "    crs: %s", code));
+            line(text, "    radius: %s", Quantity.LENGTH.inWords(radius));
+            line(text, "    accuracy: 1 m  # greatest vertical error where triangles are saved");
+            line(
+                    text,
+                    isSurface
+                            ? "    surface: dsm  # roofs and treetops are in these heights; dtm is bare ground"
+                            : "    surface: dtm  # bare ground; dsm if roofs and treetops are in these heights");
+        }
+        buildings.ifPresent(file -> {
+            line(text, "  buildings:");
+            line(text, "    file: %s", quoted(file));
+            line(text, "    radius: %s", Quantity.LENGTH.inWords(radius));
+            line(text, "    height: 9 m  # of buildings of which the map states neither height nor levels");
+        });
+        line(text, "  backgroundNoise: 45 dB  # A-weighted: 30 in quiet country, 40 in a suburb, 55 in a city by day");
+        line(text, "");
+        line(text, "run: {duration: 1 s}");
+        return text.toString();
+    }
+
+    private String names() {
+        return terrain.stream().map(NewScene::quoted).collect(Collectors.joining(", "));
+    }
+
+    /** A name in YAML, where quotes keep what would mean something else. */
+    private static String quoted(String file) {
+        return file.matches("[A-Za-z0-9_][A-Za-z0-9_.-]*") ? file : "'" + file.replace("'", "''") + "'";
+    }
+
+    /** The whole scene, with sensors and a flight where the site suggests them. */
+    String whole(World world) {
+        List<Position> masts = HighPoints.near(world, Math.min(MASTS_WITHIN, 0.125 * radius), 2, MASTS_APART);
+        if (masts.isEmpty()) {
+            throw new InputException("there is neither ground nor a building near the origin, " + number(latitude)
+                    + " N " + number(longitude) + " E");
+        }
+        Position first = masts.get(0);
+        Position second = masts.get(masts.size() - 1);
+        Position watcher = first.plus(new Position(0, 0, MAST));
+        double length = Math.min(START * radius, FARTHEST_START);
+        Optional<CoveredApproach> covered = CoveredApproach.to(world, watcher, length, HEIGHT);
+        double azimuth = covered.map(CoveredApproach::azimuth).orElse(0.0);
+        Position start =
+                covered.map(CoveredApproach::start).orElseGet(() -> new Position(0, length, first.z() + HEIGHT));
+        Position towards = start.minus(watcher);
+        String aim = String.format(
+                Locale.ROOT,
+                "{azimuth: %.0f deg, elevation: %.0f deg}",
+                (Math.toDegrees(Math.atan2(towards.x(), towards.y())) + 360.0) % 360.0,
+                Math.toDegrees(Math.atan2(towards.z(), Math.hypot(towards.x(), towards.y()))));
+
+        StringBuilder text = new StringBuilder(site().replaceFirst("(?s)run:.*", ""));
+        line(text, "drones:");
+        line(text, "  intruder:");
+        line(text, "    model: packaged:quadrotor.obj");
+        line(text, "    speed: %.0f m/s", SPEED);
+        covered.ifPresentOrElse(
+                way -> {
+                    line(
+                            text,
+                            "    # Low over ground and roofs, from where the mast sees least of it: %.0f %% of the way is hidden.",
+                            100.0 * way.hidden());
+                    line(
+                            text,
+                            "    # Points are east and north of the origin; {latitude: ..., longitude: ...} works, too.");
+                    line(
+                            text,
+                            "    flight: {kind: terrain-following, points: [[%.0f, %.0f], [0, 0]], height: %.0f m}",
+                            start.x(),
+                            start.y(),
+                            HEIGHT);
+                },
+                () -> line(
+                        text,
+                        "    flight: {kind: approach, from: [%.0f, %.0f, %.0f], to: [0, 0, %.0f]}",
+                        start.x(),
+                        start.y(),
+                        start.z(),
+                        first.z() + HEIGHT));
+        line(text, "");
+        line(
+                text,
+                "# One sensor of each kind, from the catalogue ('dronewatch list'), on the highest points near the origin.");
+        line(text, "# 'above' counts from the ground or the roof there.");
+        line(text, "sensors:");
+        line(text, "  radar: {use: blighter-a400-m10s, position: %s, aim: %s}", place(first, MAST), aim);
+        line(text, "  radio: {use: droneshield-rfone, position: %s}", place(first, MAST - 1.0));
+        line(text, "  # Turns to what the radar detects.");
+        line(text, "  camera:");
+        line(text, "    use: piranha-46-hr");
+        line(text, "    position: %s", place(first, MAST - 2.0));
+        line(text, "    aim: %s", aim);
+        line(text, "    detection: {kind: target-task, task: recognition}");
+        line(text, "    positioner: {use: viper, cues: [radar], zoom: {cued: 8 deg, tracked: 2.2 deg}}");
+        line(text, "  thermal:");
+        line(text, "    use: cooled-thermal-camera");
+        line(text, "    position: %s", place(second, MAST));
+        line(text, "    aim: %s", aim);
+        line(text, "    positioner: {use: viper, cues: [radar]}");
+        line(text, "  microphone: {use: droneshield-v2, position: %s, rate: 2 Hz}", place(second, 2.0));
+        line(text, "");
+        line(text, "alert:");
+        line(text, "  protect: {centre: %s, radius: 50 m}", middle(world));
+        line(text, "  response: 30 s  # between alert and countermeasure");
+        line(text, "");
+        line(text, "run: {duration: %.0f s}", Math.ceil(Math.hypot(start.x(), start.y()) / SPEED) + 5.0);
+        return text.toString();
+    }
+
+    private static String place(Position at, double above) {
+        return String.format(
+                Locale.ROOT, "{east: %s m, north: %s m, above: %.0f m}", number(at.x()), number(at.y()), above);
+    }
+
+    private static String middle(World world) {
+        return world.surfaceHeight(0.0, 0.0).isPresent() ? "{east: 0 m, north: 0 m, above: 2 m}" : "[0, 0, 2]";
+    }
+
+    private static String number(double value) {
+        return Double.toString(value + 0.0).replaceFirst("\\.0$", "");
+    }
+
+    private static void line(StringBuilder text, String pattern, Object... values) {
+        text.append(String.format(Locale.ROOT, pattern, values)).append('\n');
+    }
+
+    /** The name of a scene in a directory: the directory's, if it can be one. */
+    static String nameIn(Path directory) {
+        String last = String.valueOf(directory.getFileName());
+        return last.matches("[A-Za-z0-9_-]{1,64}") ? last : "site";
+    }
+}

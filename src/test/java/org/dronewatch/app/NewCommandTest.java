@@ -1,0 +1,126 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.SensorSettings;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What 'new' makes runs at once, and what is wrong leaves nothing behind. */
+class NewCommandTest {
+    private static final String SRTM = "src/examples/terrain/monaco-srtm.asc";
+    private static final String MAP = "src/examples/terrain/monaco-buildings.osm.gz";
+
+    @TempDir
+    private Path directory;
+
+    private Outcome make(String options) {
+        List<String> words =
+                new ArrayList<>(List.of("new", directory.resolve("town").toString()));
+        words.addAll(List.of(options.strip().split(" ")));
+        return Program.run(words.toArray(String[]::new));
+    }
+
+    private SceneSettings settings() {
+        return new SceneRunner(new SceneFile(directory.resolve("town/town.yaml"))).settings();
+    }
+
+    private List<String> left() throws IOException {
+        try (Stream<Path> all = Files.list(directory)) {
+            return all.map(file -> file.getFileName().toString()).toList();
+        }
+    }
+
+    @Test
+    void aSceneHasASensorOfEachKindOnItsHighestPoints() throws IOException {
+        Outcome outcome =
+                make("--at 43.7314,7.4202 --radius 1km --terrain " + SRTM + " --crs EPSG:4326 --buildings " + MAP);
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.out()).contains("scene in ").contains("town.yaml");
+        assertThat(outcome.err())
+                .containsOnlyOnce("read monaco-buildings.osm.gz")
+                .contains("next: dronewatch view");
+        assertThat(left()).containsExactly("town");
+
+        SceneSettings scene = settings();
+        assertThat(scene.sensors().values())
+                .extracting(SensorSettings::kind)
+                .containsExactlyInAnyOrder("radar", "rf", "camera", "thermal", "acoustic");
+        // The Rock is 60 to 70 m high there, its houses 9 m more.
+        assertThat(scene.sensors().get("radar").position().z()).isBetween(70.0, 90.0);
+        assertThat(scene.alert().protect()).isPresent();
+        assertThat(scene.world().terrain().orElseThrow().allFiles()).containsExactly("monaco-srtm.asc");
+        assertThat(Files.readString(directory.resolve("town/town.yaml"))).contains("of the way is hidden.");
+    }
+
+    /** A map alone, or elevations alone, make a site as well; a directory may exist if it is empty. */
+    @ParameterizedTest
+    @CsvSource({"--buildings " + MAP, "--terrain " + SRTM + " --crs EPSG:4326"})
+    void oneOfBothIsEnough(String files) throws IOException {
+        Files.createDirectory(directory.resolve("town"));
+        Outcome outcome = make("--at 43.7314,7.4202 --radius 500m " + files);
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        SceneSettings scene = settings();
+        Outcome run = Program.run(
+                "run",
+                directory.resolve("town/town.yaml").toString(),
+                "--set",
+                "run.duration=1s",
+                "--out",
+                directory.resolve("out").toString());
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(scene.sensors()).hasSize(5);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--at 43.7314,7.4202 | needs --terrain, --buildings or both",
+                "--at 43.7314 --buildings MAP | --at 43.7314: must be latitude and longitude in degrees",
+                "--at 93,7 --buildings MAP | --at 93,7: must be latitude and longitude in degrees",
+                "--at x,7 --buildings MAP | --at x,7: must be latitude and longitude in degrees",
+                "--at 43.7,7.4 --radius 5m --buildings MAP | --radius 5m: must be 200 m to 20000 m",
+                "--at 43.7,7.4 --radius far --buildings MAP | --radius far: ",
+                "--at 43.7,7.4 --buildings none.osm | --buildings none.osm: no such file",
+                "--at 43.7,7.4 --terrain src | --terrain src: is a directory",
+                "--at 43.7314,7.4202 --terrain SRTM | --terrain SRTM: does not state its coordinate reference system",
+                "--at 43.7314,7.4202 --terrain SRTM --crs EPSG:1 | --crs EPSG:1: ",
+                "--at 43.7314,7.4202 --terrain SRTM SRTM --crs EPSG:4326 | another file has the same name",
+                "--at 10,10 --buildings MAP | monaco-buildings.osm.gz: has no building within 2000 m of the origin",
+                "--at 10,10 --terrain SRTM --crs EPSG:4326 | monaco-srtm.asc",
+                "--at 43.7,7.4 --buildings README.md | README.md: is none of OpenStreetMap XML",
+            })
+    void whatIsWrongLeavesNothingBehind(String options, String message) throws IOException {
+        Outcome outcome = make(options.replace("MAP", MAP).replace("SRTM", SRTM));
+        assertThat(outcome.code()).as(outcome.err()).isEqualTo(2);
+        assertThat(outcome.err().lines().filter(line -> !line.startsWith("read ")))
+                .singleElement()
+                .asString()
+                .contains(message.replace("SRTM", SRTM))
+                .doesNotContain(".new-");
+        assertThat(left()).isEmpty();
+    }
+
+    @Test
+    void whatIsThereIsNotTouched() throws IOException {
+        Files.createDirectory(directory.resolve("town"));
+        Files.writeString(directory.resolve("town/notes.txt"), "mine");
+        Outcome outcome = make("--at 43.7314,7.4202 --buildings " + MAP);
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.err()).contains("is not empty: choose a new directory");
+        assertThat(Files.readString(directory.resolve("town/notes.txt"))).isEqualTo("mine");
+    }
+}
