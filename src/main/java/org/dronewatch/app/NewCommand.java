@@ -172,8 +172,9 @@ final class NewCommand implements Callable<Integer> {
         } catch (InvalidPathException e) {
             throw new InputException(asked() + ": not a path: " + e.getReason(), e);
         }
-        if (path.getParent() == null || !Files.isDirectory(path.getParent())) {
-            throw new InputException(asked() + ": there is no directory " + PlainText.value(path.getParent()));
+        Path parent = path.getParent();
+        if (parent == null || !Files.isDirectory(parent)) {
+            throw new InputException(asked() + ": there is no directory " + PlainText.value(String.valueOf(parent)));
         }
         if (Files.isDirectory(path)) {
             try (Stream<Path> content = Files.list(path)) {
@@ -252,7 +253,7 @@ final class NewCommand implements Callable<Integer> {
 
     private Path staging(Path target) {
         try {
-            return Files.createTempDirectory(target.getParent(), ".new-");
+            return Files.createTempDirectory(target.resolveSibling(""), ".new-");
         } catch (IOException e) {
             throw new InputException(asked() + ": no permission to write there", e);
         }

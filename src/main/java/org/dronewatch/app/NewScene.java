@@ -103,7 +103,6 @@ record NewScene(
         Position watcher = first.plus(new Position(0, 0, MAST));
         double length = Math.min(START * radius, FARTHEST_START);
         Optional<CoveredApproach> covered = CoveredApproach.to(world, watcher, length, HEIGHT);
-        double azimuth = covered.map(CoveredApproach::azimuth).orElse(0.0);
         Position start =
                 covered.map(CoveredApproach::start).orElseGet(() -> new Position(0, length, first.z() + HEIGHT));
         Position towards = start.minus(watcher);
