@@ -158,7 +158,7 @@ class HouseRulesTest {
                             "sensor\\.acoustic\\.energy\\.ReceiverSphere",
                             "sensor\\.acoustic\\.propagation\\.AcousticRay",
                             "sensor\\.optics\\.VisibleArea",
-                            "world\\.(Clearance|Surroundings|Visibility|World)")
+                            "world\\.(Clearance|SurfaceColumn|Surroundings|Visibility|World)")
                     + ")");
 
     private static DescribedPredicate<JavaMethodCall> ofARayTracer(String method) {

@@ -32,6 +32,7 @@ import picocli.CommandLine.Spec;
             ViewCommand.class,
             CheckCommand.class,
             NewCommand.class,
+            HeightCommand.class,
             SaveCommand.class,
             SchemaCommand.class,
             RenderCommand.class,

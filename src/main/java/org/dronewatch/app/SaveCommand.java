@@ -1,7 +1,9 @@
 package org.dronewatch.app;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.dronewatch.flight.file.PlanWriter;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SceneWriter;
@@ -21,8 +23,13 @@ import picocli.CommandLine.Spec;
         name = "save",
         mixinStandardHelpOptions = true,
         description = "Writes a scene with its overrides, or one run of its sweep, as a scene file that gives the same"
-                + " results.",
-        footer = {"", "Example:", "  dronewatch save camera-range --run 2 --set run.duration=30s --out third.yaml"})
+                + " results; or a flight as a mission of QGroundControl.",
+        footer = {
+            "",
+            "Examples:",
+            "  dronewatch save camera-range --run 2 --set run.duration=30s --out third.yaml",
+            "  dronewatch save site.yaml --flight intruder --out intruder.plan"
+        })
 final class SaveCommand implements Callable<Integer> {
     @Mixin
     private SceneChoice choice;
@@ -38,11 +45,19 @@ final class SaveCommand implements Callable<Integer> {
     private Long seed;
 
     @Option(
+            names = "--flight",
+            paramLabel = "DRONE",
+            description =
+                    "Writes the flight of this drone as a plan of QGroundControl instead of the scene; the scene needs"
+                            + " a world.origin.")
+    private String flight;
+
+    @Option(
             names = "--out",
             required = true,
             paramLabel = "FILE",
             description =
-                    "File to write, .yaml or .yml; the scene's own models must be beside it or below. An existing file"
+                    "File to write, .yaml or .yml, or .plan with --flight; the scene's own models must be beside it or below. An existing file"
                             + " is replaced only if 'save' wrote it.")
     private String out;
 
@@ -51,6 +66,9 @@ final class SaveCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        if (flight != null) {
+            return saveFlight();
+        }
         if (!SceneFile.isFileName(out)) {
             throw new InputException("--out " + PlainText.value(out) + ": must end in .yaml or .yml");
         }
@@ -69,6 +87,28 @@ final class SaveCommand implements Callable<Integer> {
         byte[] text = runner.text(settings, target.path()).getBytes(StandardCharsets.UTF_8);
         target.write(stream -> stream.write(text));
         spec.commandLine().getErr().println("scene in " + PlainText.value(out));
+        return 0;
+    }
+
+    private int saveFlight() {
+        if (!out.toLowerCase(Locale.ROOT).endsWith(".plan")) {
+            throw new InputException("--out " + PlainText.value(out) + ": must end in .plan for a flight");
+        }
+        WholeFile target = new WholeFile("--out", out).replacingOnly(PlanWriter.FIRST_LINE, "'save'");
+        SceneRunner runner = choice.runner(choice.create());
+        runner.notes(spec.commandLine().getErr()::println);
+        SceneSettings settings = SceneChoice.settingsOfRun(runner, run == null ? 0 : run);
+        PlanWriter.Written plan = SavedFlight.of(settings, flight, runner);
+        target.write(stream -> stream.write(plan.text().getBytes(StandardCharsets.UTF_8)));
+        spec.commandLine()
+                .getErr()
+                .printf(
+                        Locale.ROOT,
+                        "mission of %d %s in %s: the flight is nowhere further than %.1f m from its lines%n",
+                        plan.items(),
+                        plan.items() == 1 ? "item" : "items",
+                        PlainText.value(out),
+                        plan.tolerance());
         return 0;
     }
 }

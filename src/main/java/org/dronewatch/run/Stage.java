@@ -50,12 +50,7 @@ public final class Stage {
     public Stage(SceneSettings settings, ModelCache models, long runSeed) {
         PictureMemory.check(settings, Runtime.getRuntime().maxMemory());
         WorldSettings site = settings.world();
-        World everywhere = new World(models.index(site), site.noise(), site.surfaces(), site.atmosphere())
-                .withRain(site.rain())
-                .withLight(site.light())
-                .withNoiseSources(site.noiseSources())
-                .withModels(models.firstTriangles(site));
-        this.world = models.knownGround(site).map(everywhere::withKnownGround).orElse(everywhere);
+        this.world = worldOf(site, models);
         this.colours = Map.copyOf(models.colours(site));
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
@@ -77,6 +72,16 @@ public final class Stage {
                 .filter(ActiveSensor::tracesRays)
                 .map(ActiveSensor::id)
                 .toList();
+    }
+
+    /** The world of a scene: its site in its weather and light. */
+    public static World worldOf(WorldSettings site, ModelCache models) {
+        World everywhere = new World(models.index(site), site.noise(), site.surfaces(), site.atmosphere())
+                .withRain(site.rain())
+                .withLight(site.light())
+                .withNoiseSources(site.noiseSources())
+                .withModels(models.firstTriangles(site));
+        return models.knownGround(site).map(everywhere::withKnownGround).orElse(everywhere);
     }
 
     /**

@@ -1,18 +1,32 @@
 package org.dronewatch.scenario;
 
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.dronewatch.geo.EarthPlace;
 import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.geo.LocalPlace;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.FormerNames;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.Kinds;
+import org.dronewatch.setting.file.Node;
+import org.dronewatch.setting.file.SettingsFile;
 import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.Places;
 
 /** In what forms, besides numbers, scene files may give positions. */
 public final class PlaceForms {
+    private static final Pattern DEGREES = Pattern.compile("([-+]?[\\d.]+)\\s*,\\s*([-+]?[\\d.]+)");
+
     private PlaceForms() {}
 
     /**
@@ -29,6 +43,40 @@ public final class PlaceForms {
     /** These forms, for who only wants to know what they look like. */
     public static Kinds in(Kinds kinds) {
         return in(kinds, Optional::empty);
+    }
+
+    /** A place alone. */
+    record Alone(Position at) {}
+
+    /**
+     * The position of a place that a person typed: as in a scene file, or latitude and longitude in degrees with a comma between.
+     *
+     * @param option what messages call it
+     * @throws InputException in one line when it is not a place, or has no position
+     */
+    public static Position parse(String option, String text, Places places) {
+        String shown = option + " " + PlainText.value(text) + ": ";
+        Matcher pair = DEGREES.matcher(text.strip());
+        String place = pair.matches()
+                ? "{latitude: " + pair.group(1) + " deg, longitude: " + pair.group(2) + " deg}"
+                : text.strip();
+        try {
+            Node.Mapping document = SettingsFile.document(
+                    option, new ByteArrayInputStream(("at: " + place).getBytes(StandardCharsets.UTF_8)));
+            Kinds kinds = in(Kinds.FOUND, () -> Optional.of(places));
+            return SettingsFile.read(document, Alone.class, kinds, Path.of(""), new FormerNames())
+                    .at();
+        } catch (InputException e) {
+            String first = e.getMessage()
+                    .lines()
+                    .filter(line -> line.contains(": unknown "))
+                    .findFirst()
+                    .orElseGet(() -> e.getMessage().lines().findFirst().orElse(""));
+            throw new InputException(
+                    shown + first.replaceFirst("^\\Q" + option + "\\E:\\d+:\\d+: (at(\\.\\w+)?: )?", ""), e);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     private static <F, T> Function<F, Optional<T>> found(Supplier<Optional<Places>> places, At<F, T> at) {

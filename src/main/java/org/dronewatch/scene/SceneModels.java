@@ -45,12 +45,7 @@ final class SceneModels {
 
     /** Reads the models of a run, so that an error in one names the setting that refers to it. */
     void load(SceneSettings settings) {
-        placing("world.terrain", () -> models.readTerrain(settings.world()));
-        placing("world.buildings", () -> models.readBuildings(settings.world()));
-        List<ModelSettings> world = settings.world().models();
-        for (int i = 0; i < world.size(); i++) {
-            load("world.models." + i, world.get(i));
-        }
+        loadSite(settings);
         settings.drones().forEach((id, drone) -> {
             load("drones." + id + ".model", drone.model());
             if (drone.flight() instanceof Recorded recorded) {
@@ -60,6 +55,16 @@ final class SceneModels {
                 placing("drones." + id + ".flight." + source.fileSetting(), () -> models.flight(source));
             }
         });
+    }
+
+    /** Reads the models of the site alone, likewise. */
+    void loadSite(SceneSettings settings) {
+        placing("world.terrain", () -> models.readTerrain(settings.world()));
+        placing("world.buildings", () -> models.readBuildings(settings.world()));
+        List<ModelSettings> world = settings.world().models();
+        for (int i = 0; i < world.size(); i++) {
+            load("world.models." + i, world.get(i));
+        }
     }
 
     private void load(String path, ModelSettings model) {

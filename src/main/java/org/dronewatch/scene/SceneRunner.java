@@ -29,6 +29,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.world.World;
 
 /**
  * Runs a scene on the caller's thread: once, or once for each value of its sweep. The results depend only on the scene,
@@ -236,6 +237,20 @@ public final class SceneRunner {
         return Interrupts.surfacing(() -> {
             models().load(settings);
             return new Stage(settings, models().cache(), settings.run().seed());
+        });
+    }
+
+    /**
+     * Loads the site of one of the scene's runs, without its drones.
+     *
+     * @param settings one of {@link #settingsOfRuns()}
+     * @throws CancellationException when the thread is interrupted; it stays so
+     * @throws InputException when a file is wrong
+     */
+    public World world(SceneSettings settings) {
+        return Interrupts.surfacing(() -> {
+            models().loadSite(settings);
+            return Stage.worldOf(settings.world(), models().cache());
         });
     }
 

@@ -95,4 +95,32 @@ class FlightFileSceneTest extends CommandLines {
                 .contains(
                         "drone 'visitor': flight: approach.gpx:4: no surface at latitude 43.800000 deg, longitude 7.4");
     }
+
+    /** A saved flight is a mission that can be flown: as a plan, and under another name. */
+    @Test
+    void aFlightIsSavedAsAMission() throws IOException {
+        Program.Outcome outcome = commandIn("save DIR/approach.yaml --flight visitor --out DIR/saved.plan");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.err())
+                .containsPattern(
+                        "mission of \\d+ items in .*saved.plan: the flight is nowhere further than 0.5 m from its lines");
+        write("flight: {plan: saved.plan}");
+        assertThat(commandIn("check DIR/scene.yaml").code()).isZero();
+        assertThat(commandIn("save DIR/approach.yaml --flight visitor --out DIR/saved.plan")
+                        .code())
+                .isZero();
+        assertRefusedAtLast("save DIR/approach.yaml --flight visitor --out DIR/approach.plan", "exists already");
+        assertRefusedAtLast("save DIR/approach.yaml --flight visitor --out DIR/other.yaml", "must end in .plan");
+        assertRefusedAtLast("save DIR/approach.yaml --flight visitro --out DIR/other.plan", "closest match: visitor");
+        assertRefusedAtLast("save camera-range --flight quadrotor --out DIR/other.plan", "needs a world.origin");
+        write("flight: {kind: steered, start: [0, 0, 200]}");
+        assertRefusedAtLast("save DIR/scene.yaml --flight visitor --out DIR/other.plan", "is steered during the run");
+        assertThat(directory.resolve("other.plan")).doesNotExist();
+    }
+
+    private void assertRefusedAtLast(String command, String message) {
+        Program.Outcome outcome = commandIn(command);
+        assertThat(outcome.code()).as(outcome.err()).isEqualTo(2);
+        assertThat(outcome.err().lines().reduce((a, b) -> b).orElseThrow()).contains(message);
+    }
 }

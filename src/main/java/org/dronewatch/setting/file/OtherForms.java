@@ -18,15 +18,18 @@ final class OtherForms {
         this.problems = problems;
     }
 
-    /** The form in which a mapping stands for a record of this type: the one that knows most of its names; empty for its own. */
+    /**
+     * The form in which a mapping stands for a record of this type: the one that knows most of its names, or the first when
+     * nothing in it has a name of the record; empty for its own.
+     */
     Optional<Kinds.OtherForm> of(Class<?> type, Node.Mapping mapping) {
         List<Kinds.OtherForm> forms = kinds.otherForms(type);
         if (forms.isEmpty()) {
             return Optional.empty();
         }
         Set<String> foreign = new HashSet<>(mapping.values().keySet());
-        foreign.removeAll(SettingsForm.of(type).names());
-        Kinds.OtherForm best = null;
+        boolean isOwn = foreign.removeAll(SettingsForm.of(type).names()) || foreign.isEmpty();
+        Kinds.OtherForm best = isOwn ? null : forms.get(0);
         long most = 0;
         for (Kinds.OtherForm form : forms) {
             long known = SettingsForm.of(form.parts()).names().stream()

@@ -1,0 +1,132 @@
+package org.dronewatch.app;
+
+import java.io.PrintWriter;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.dronewatch.geo.GeoPoint;
+import org.dronewatch.geo.Geodesy;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scenario.PlaceForms;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.world.Places;
+import org.dronewatch.world.SurfaceColumn;
+import org.dronewatch.world.World;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Says how high the site is at a place, and what is there. */
+@Command(
+        name = "height",
+        mixinStandardHelpOptions = true,
+        description = "Prints how high ground and surface are at a place of a scene's site, and what is there.",
+        footer = {
+            "",
+            "Examples:",
+            "  dronewatch height site.yaml --at 43.7314,7.4202",
+            "  dronewatch height site.yaml --at '{east: 120 m, north: -40 m, above: 10 m}'"
+        })
+final class HeightCommand implements Callable<Integer> {
+    private static final String AT = "--at";
+
+    @Mixin
+    private SceneChoice choice;
+
+    @Option(
+            names = AT,
+            required = true,
+            paramLabel = "PLACE",
+            description =
+                    "Latitude and longitude in degrees, as in 43.7314,7.4202, or a place as in a scene file, as in"
+                            + " '{east: 120 m, north: -40 m}'.")
+    private String at;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        SceneRunner runner = choice.runner(choice.create());
+        runner.notes(spec.commandLine().getErr()::println);
+        SceneSettings settings = SceneChoice.settingsOfRun(runner, 0);
+        // What is no place is refused before the site is loaded.
+        Places places =
+                new Places(settings.world(), () -> runner.world(settings).newGround());
+        Position place = PlaceForms.parse(AT, at, places);
+        World world = runner.world(settings);
+        SurfaceColumn column = SurfaceColumn.at(world, place.x(), place.y());
+        if (column.highest().isEmpty()) {
+            throw new InputException(String.format(
+                    Locale.ROOT,
+                    "%s %s: no surface at x %.1f m, y %.1f m: the site has a hole or ends there",
+                    AT,
+                    PlainText.value(at),
+                    place.x(),
+                    place.y()));
+        }
+        Optional<Geodesy> geodesy = settings.world().origin().map(Geodesy::new);
+        print(place, column, geodesy, places.heightsAreKnown());
+        return 0;
+    }
+
+    private void print(Position place, SurfaceColumn column, Optional<Geodesy> geodesy, boolean aboveTheSea) {
+        PrintWriter out = spec.commandLine().getOut();
+        double top = column.highest().orElseThrow().z();
+        Optional<SurfaceColumn.Surface> ground = column.ground();
+        geodesy.ifPresent(earth -> {
+            GeoPoint point = earth.onEarth(place);
+            out.printf(
+                    Locale.ROOT, "place: latitude %.6f deg, longitude %.6f deg%n", point.latitude(), point.longitude());
+        });
+        out.printf(
+                Locale.ROOT,
+                "place: x %.2f m, y %.2f m, z %.2f m, %.2f m above the surface%n",
+                plain(place.x()),
+                plain(place.y()),
+                plain(place.z()),
+                plain(place.z() - top));
+        for (SurfaceColumn.Surface surface : column.surfaces()) {
+            boolean isGround = ground.filter(surface::equals).isPresent();
+            String name = isGround ? "ground" : surface.z() == top ? "surface" : "below";
+            String sea = geodesy.filter(earth -> aboveTheSea)
+                    .map(earth -> String.format(
+                            Locale.ROOT,
+                            ", %.2f m above sea level",
+                            earth.onEarth(new Position(place.x(), place.y(), surface.z()))
+                                    .height()))
+                    .orElse("");
+            String over = ground.filter(low -> surface.z() > low.z())
+                    .map(low -> String.format(Locale.ROOT, ", %.2f m above the ground", surface.z() - low.z()))
+                    .orElse("");
+            out.printf(
+                    Locale.ROOT,
+                    "%s: z %.2f m%s%s: %s%n",
+                    isGround && surface.z() == top ? "ground and surface" : name,
+                    surface.z(),
+                    sea,
+                    over,
+                    what(surface));
+        }
+    }
+
+    /** Centimetres, without a sign before zero. */
+    private static double plain(double metres) {
+        return Math.round(100.0 * metres) / 100.0;
+    }
+
+    private static String what(SurfaceColumn.Surface surface) {
+        String file = surface.what().model().file();
+        String role = surface.what().model().role().name().toLowerCase(Locale.ROOT);
+        String material = surface.what().material();
+        return role
+                + (file.isEmpty() ? "" : " of " + PlainText.value(file))
+                + (material.isEmpty() ? "" : ", " + PlainText.value(material))
+                + (surface.facesUp() ? "" : ", from below");
+    }
+}

@@ -1,0 +1,69 @@
+package org.dronewatch.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.mesh.io.ModelRole;
+
+/**
+ * All surfaces of a world above and below one another at a point, the highest first.
+ *
+ * @param surfaces empty where the world has nothing
+ */
+public record SurfaceColumn(List<Surface> surfaces) {
+    /** Nearer surfaces are one, m. */
+    private static final double APART = 1e-3;
+
+    /** The most surfaces that are looked for. */
+    private static final int MOST = 1000;
+
+    /**
+     * A surface.
+     *
+     * @param z its height, m
+     * @param what its model and material
+     * @param facesUp whether its corners run counter-clockwise seen from above: it is no underside
+     */
+    public record Surface(double z, Obstacle what, boolean facesUp) {}
+
+    /** Copies the list: later changes by the caller have no effect. */
+    public SurfaceColumn {
+        surfaces = List.copyOf(surfaces);
+    }
+
+    /**
+     * The surfaces at a point.
+     *
+     * @param x east, m
+     * @param y north, m
+     */
+    public static SurfaceColumn at(World world, double x, double y) {
+        RayTracer tracer = world.newRayTracer();
+        TriangleMesh mesh = world.mesh();
+        double[] normal = new double[3];
+        double above = world.bounds().maxZ() + 1.0;
+        List<Surface> found = new ArrayList<>();
+        double from = 0.0;
+        while (found.size() < MOST && tracer.closestHit(x, y, above, 0.0, 0.0, -1.0, from, Double.POSITIVE_INFINITY)) {
+            mesh.normal(tracer.triangle(), normal);
+            found.add(new Surface(above - tracer.distance(), world.obstacle(tracer.triangle()), normal[2] > 0.0));
+            from = tracer.distance() + APART;
+        }
+        return new SurfaceColumn(found);
+    }
+
+    /** The highest surface; empty where the world has nothing. */
+    public Optional<Surface> highest() {
+        return surfaces.stream().findFirst();
+    }
+
+    /** The highest surface of terrain; without any, the lowest that faces up; empty if there is neither. */
+    public Optional<Surface> ground() {
+        return surfaces.stream()
+                .filter(surface -> surface.what().model().role() == ModelRole.TERRAIN)
+                .findFirst()
+                .or(() -> surfaces.stream().filter(Surface::facesUp).reduce((high, low) -> low));
+    }
+}
