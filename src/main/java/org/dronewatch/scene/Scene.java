@@ -327,10 +327,10 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
 
     /** A run under the user's own simulator, which determines how long it lasts. All replications have the same settings. */
     private RunSession openSession() {
+        RunInfo info = session == null ? new RunInfo(0, 1, describe().withoutSweep()) : session.info();
         if (models == null) {
             models = models(directory(), note -> {});
         }
-        RunInfo info = session == null ? new RunInfo(0, 1, describe().withoutSweep()) : session.info();
         if (session != null) {
             session.close();
         }

@@ -43,6 +43,9 @@ record LogColumns(Optional<Column> time, Column latitude, Column longitude, Opti
             "elevation",
             "ele",
             "height");
+    /** What may count from anything. */
+    private static final List<String> PLAIN = List.of("altitude", "alt", "elevation", "ele");
+
     private static final List<String> ABOVE_THE_START = List.of(
             "height_above_takeoff",
             "height_above_take_off",
@@ -82,7 +85,7 @@ record LogColumns(Optional<Column> time, Column latitude, Column longitude, Opti
                 switch (heights) {
                     case SEA -> find(header, ABOVE_THE_SEA);
                     case START -> find(header, ABOVE_THE_START).or(() -> find(header, ABOVE_THE_SEA));
-                    case SURFACE -> find(header, ABOVE_THE_SURFACE);
+                    case SURFACE -> find(header, ABOVE_THE_SURFACE).or(() -> find(header, PLAIN));
                 };
         if (height.isEmpty() && heights != Track.Heights.SURFACE) {
             throw missing(file, header, "height", heights == Track.Heights.SEA ? ABOVE_THE_SEA : ABOVE_THE_START);
@@ -132,6 +135,6 @@ record LogColumns(Optional<Column> time, Column latitude, Column longitude, Opti
     String inWords() {
         return "columns " + time.map(column -> "'" + column.name() + "', ").orElse("") + "'" + latitude.name() + "', '"
                 + longitude.name() + "'"
-                + height.map(column -> ", '" + column.name() + "'").orElse("");
+                + height.map(column -> ", '" + column.name() + "'").orElse("; none of heights, so all are 0");
     }
 }

@@ -73,6 +73,10 @@ final class MissionRoute {
             flyTo(to);
         } else if (step instanceof MissionStep.Land down) {
             land(down.where(), down.place());
+        } else if (step instanceof MissionStep.TouchDown down) {
+            Position spot = placing(down.where(), () -> onSurface(down.place()));
+            legs.to(spot, speed, OptionalDouble.empty());
+            here = Optional.of(spot);
         } else if (step instanceof MissionStep.Return back) {
             land(back.where(), Optional.of(home(back.where())));
         } else if (step instanceof MissionStep.Wait wait) {

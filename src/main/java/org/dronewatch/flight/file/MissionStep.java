@@ -34,6 +34,9 @@ sealed interface MissionStep {
     /** Flies above a place, if it has one, and descends to the surface. */
     record Land(String where, Optional<EarthPoint> place) implements MissionStep {}
 
+    /** Flies straight down to the surface at a place, as a fixed-wing lands. */
+    record TouchDown(String where, EarthPoint place) implements MissionStep {}
+
     /** Flies above home at its present height, and lands there. */
     record Return(String where) implements MissionStep {}
 

@@ -91,7 +91,8 @@ record PlanFile(
             still.forEach((command, where) -> warnings.add(where.get(0)
                     + (where.size() == 1 ? "" : " and " + (where.size() - 1) + " more") + ": "
                     + MissionCommands.inWords(command) + " does not move the drone, and is left out"));
-            for (String fence : List.of("geoFence.circles", "geoFence.polygons", "rallyPoints.points")) {
+            for (String fence :
+                    List.of("geoFence.circles", "geoFence.polygons", "geoFence.polygon", "rallyPoints.points")) {
                 String[] part = fence.split("\\.");
                 if (!root.path(part[0]).path(part[1]).isEmpty()) {
                     warnings.add(fence + ": no drone keeps to it, and it is left out");
@@ -155,13 +156,20 @@ record PlanFile(
                 }
                 command(item, where);
             } else if (type.equals("ComplexItem")) {
-                JsonNode transects = item.path("TransectStyleComplexItem").path("Items");
-                if (!transects.isArray()) {
-                    throw new InputException(name + ": " + where + ": complex item '"
-                            + PlainText.value(item.path("complexItemType").asString(""))
-                            + "' is not understood: only surveys and corridors, with their items, are");
-                }
-                // QGroundControl writes what it will fly: simple items only.
+                complex(item, where);
+            } else {
+                throw new InputException(name + ": " + where + ": type '" + PlainText.value(type)
+                        + "' must be SimpleItem or ComplexItem");
+            }
+        }
+
+        /** Surveys, whose simple items QGroundControl writes beside what they were made from, and landing patterns. */
+        private void complex(JsonNode item, String where) {
+            String kind = item.path("complexItemType").asString("");
+            JsonNode transects = item.path("TransectStyleComplexItem").path("Items");
+            if (kind.equals("fwLandingPattern") || kind.equals("vtolLandingPattern")) {
+                landing(item, kind.startsWith("vtol"), where);
+            } else if (transects.isArray()) {
                 for (JsonNode inner : transects) {
                     if (!inner.path("type").asString("").equals("SimpleItem")) {
                         throw new InputException(name + ": " + where
@@ -170,9 +178,28 @@ record PlanFile(
                 }
                 items(transects, where + ".TransectStyleComplexItem.Items");
             } else {
-                throw new InputException(name + ": " + where + ": type '" + PlainText.value(type)
-                        + "' must be SimpleItem or ComplexItem");
+                throw new InputException(name + ": " + where + ": complex item '" + PlainText.value(kind)
+                        + "' is not understood: only surveys, corridors and landing patterns are");
             }
+        }
+
+        private void landing(JsonNode item, boolean isVtol, String where) {
+            JsonNode approach = item.path("landingApproachCoordinate").isArray()
+                    ? item.path("landingApproachCoordinate")
+                    : item.path("loiterCoordinate");
+            JsonNode land = item.path("landCoordinate");
+            MissionStep.Frame frame =
+                    item.path("altitudesAreRelative").asBoolean(true) ? MissionStep.Frame.HOME : MissionStep.Frame.SEA;
+            double height =
+                    numbers.number(approach.path(2), where, "height", -PlanNumbers.HIGHEST, PlanNumbers.HIGHEST);
+            warnings.add(where + ": the drone does not circle before it lands");
+            steps.add(new MissionStep.FlyTo(
+                    where,
+                    numbers.point(approach.path(0), approach.path(1), where),
+                    new MissionStep.Height(frame, height),
+                    0.0));
+            EarthPoint spot = numbers.point(land.path(0), land.path(1), where);
+            steps.add(isVtol ? new MissionStep.Land(where, Optional.of(spot)) : new MissionStep.TouchDown(where, spot));
         }
 
         private void command(JsonNode item, String where) {
@@ -185,10 +212,7 @@ record PlanFile(
                 still.computeIfAbsent(command, unseen -> new ArrayList<>()).add(where);
                 return;
             }
-            JsonNode params = item.path("params");
-            if (!params.isArray() || params.size() != 7) {
-                throw new InputException(name + ": " + where + ".params: must be a list of 7 numbers");
-            }
+            JsonNode params = numbers.parameters(item, where);
             moving(command, item, params, where);
             if (item.path("autoContinue").isBoolean()
                     && !item.path("autoContinue").booleanValue()) {

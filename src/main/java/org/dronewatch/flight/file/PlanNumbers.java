@@ -6,6 +6,8 @@ import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
 
 /**
  * Reads the numbers of a plan's items, of which each has seven parameters (MAVLink, MISSION_ITEM): the first four mean what the
@@ -70,5 +72,25 @@ record PlanNumbers(String name) {
                     name + ": " + where + ": " + what + " " + PlainText.value(node) + " must be " + from + " to " + to);
         }
         return value;
+    }
+
+    /**
+     * The seven parameters of an item; earlier versions of QGroundControl wrote four, and the place apart from them.
+     *
+     * @throws InputException when there are not as many
+     */
+    JsonNode parameters(JsonNode item, String where) {
+        JsonNode params = item.path("params");
+        JsonNode place = item.path("coordinate");
+        if (params.isArray() && params.size() == 4 && place.isArray() && place.size() == 3) {
+            ArrayNode all = JsonNodeFactory.instance.arrayNode();
+            params.forEach(all::add);
+            place.forEach(all::add);
+            return all;
+        }
+        if (!params.isArray() || params.size() != 7) {
+            throw new InputException(name + ": " + where + ".params: must be a list of 7 numbers");
+        }
+        return params;
     }
 }

@@ -205,6 +205,43 @@ class MissionTest {
                 .containsExactly("a.plan: 1 step comes after one at which the drone stays, and is never reached");
     }
 
+    /** Landing patterns of fixed-wings lead straight down to the surface, those of VTOLs above the place, and down. */
+    @Test
+    void landingPatternsEndOnTheSurface() {
+        String pattern =
+                "{\"type\": \"ComplexItem\", \"complexItemType\": \"fwLandingPattern\", \"altitudesAreRelative\": true,"
+                        + " \"loiterCoordinate\": [1.004, 2.0, 40], \"landCoordinate\": [1.001, 2.0, 0], \"loiterRadius\": 75}";
+        Plans wing = new Plans().waypoint(3, 1.004, 2.002, 40);
+        wing.items.add(pattern);
+        FlightPath path = wing.fly();
+        Position approach = Plans.at(1.004, 2.0, 140);
+        Position spot = Plans.at(1.001, 2.0, 100);
+        double time = duration(Plans.at(1.004, 2.002, 140), approach, 8.0);
+        assertAt(path.at(time), approach);
+        double down = duration(approach, spot, 8.0);
+        Position half = path.at(time + down / 2).position();
+        assertThat(half.distance(approach.plus(spot).times(0.5))).isLessThan(1e-3);
+        assertAt(path.at(time + down), path.at(1e5).position());
+        assertThat(path.at(1e5).position().distance(spot)).isLessThan(0.02);
+        assertThat(wing.warnings).containsExactly("a.plan: mission.items.1: the drone does not circle before it lands");
+
+        Plans vtol = new Plans().waypoint(3, 1.004, 2.002, 40);
+        vtol.items.add(pattern.replace("fwLandingPattern", "vtolLandingPattern")
+                .replace("loiterCoordinate", "landingApproachCoordinate"));
+        double over = time + approach.distance(new Position(spot.x(), spot.y(), approach.z())) / 8.0 + 8.0 / 2.5;
+        assertThat(vtol.fly().at(over).position().z()).isGreaterThan(39.0);
+        assertThat(vtol.fly().at(1e5).position().distance(spot)).isLessThan(0.02);
+    }
+
+    /** As QGroundControl wrote places until 2017. */
+    @Test
+    void olderPlansAreReadToo() {
+        Plans plan = new Plans();
+        plan.items.add("{\"type\": \"SimpleItem\", \"command\": 16, \"frame\": 3, \"coordinate\": [1.001, 2.0, 50],"
+                + " \"params\": [0, 0, 0, null]}");
+        assertAt(plan.fly().at(0.0), Plans.at(1.001, 2.0, 150));
+    }
+
     @Test
     void speedsAreThoseOfTheVehicle() {
         Plans wing = new Plans().waypoint(3, 1.0, 2.0, 50).waypoint(3, 1.01, 2.0, 50);
@@ -262,7 +299,7 @@ class MissionTest {
                 "1.0, 2.0, 50.0 | null, 2.0, 50.0 | mission.items.0: latitude null must be -90.0 to 90.0",
                 "1.0, 2.0, 50.0 | 1.0, 2.0, 1e9 | mission.items.0: height 1.0E9 must be",
                 "[0, 0, 0, null | [-5, 0, 0, null | mission.items.0: time -5 must be 0.0 to",
-                "SimpleItem | ComplexItem | complex item '' is not understood",
+                "SimpleItem | ComplexItem | complex item '' is not understood: only surveys, corridors and landing patterns are",
                 "SimpleItem | Other | mission.items.0: type 'Other' must be SimpleItem or ComplexItem",
                 "\"items\" | \"itms\" | mission.items is missing",
                 "\"vehicleType\": 2 | \"vehicleType\": 10 | mission.vehicleType 10 does not fly",

@@ -148,6 +148,12 @@ class TrackTest {
         assertThat(read(Track.of("a.csv"), DJI).description())
                 .isEqualTo("a.csv: 2 points in 10.0 s; columns 'time(millisecond)', 'latitude', 'longitude',"
                         + " 'altitude_above_seaLevel(feet)'");
+        assertThat(read(track("a.csv", Track.Heights.SURFACE, 0), DJI).description())
+                .endsWith("columns 'time(millisecond)', 'latitude', 'longitude'; none of heights, so all are 0");
+        assertAt(
+                fly(track("a.csv", Track.Heights.SURFACE, 0), "time,lat,lon,alt\n0,1.0,2.0,30\n")
+                        .at(0.0),
+                Plans.at(1.0, 2.0, 142.0));
         String plain =
                 "\uFEFFTimestamp;Lat;Lon;Alt [m]\n2026-11-24T03:00:00Z;1.0;2.0;150\n2026-11-24T03:00:04Z;1.001;2.0;150\n";
         assertAt(fly(Track.of("b.csv"), plain).at(4.0), Plans.at(1.001, 2.0, 150));
