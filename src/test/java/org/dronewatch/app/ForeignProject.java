@@ -53,7 +53,7 @@ final class ForeignProject {
 
     /** Copies the project's scene with its model into a directory. */
     static void copyScene(Path directory) throws IOException {
-        for (String file : List.of("scene.yaml", "wall.stl")) {
+        for (String file : List.of("scene.yaml", "wall.off")) {
             Files.copy(DIRECTORY.resolve(file), directory.resolve(file));
         }
     }

@@ -16,7 +16,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import javax.tools.ToolProvider;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aimed;
@@ -66,7 +65,7 @@ class ForeignProjectTest {
                         "flight path         zigzag              southward, swaying; " + jar,
                         "propagation         spherical           spreading alone; " + jar,
                         "detection function  any-pixel           one pixel is enough; " + jar,
-                        "model file          .stl                STL as text; " + jar);
+                        "model file          .off                Object File Format; " + jar);
     }
 
     @Test
@@ -120,15 +119,14 @@ class ForeignProjectTest {
     @Test
     void aDroneOfForeignPartsFliesBesideAPackagedOne() throws IOException, InterruptedException {
         copyTheScene();
-        Files.writeString(
-                directory.resolve("kite.stl"), "solid kite\n" + facet("-1 0 0", "1 0 0", "0 0 1.5") + "endsolid\n");
+        Files.writeString(directory.resolve("kite.off"), "OFF\n3 1 0\n-1 0 0\n1 0 0\n0 0 1.5\n3 0 1 2\n");
         Files.writeString(
                 directory.resolve("kite.yaml"),
                 """
-                world: {models: [wall.stl]}
+                world: {models: [wall.off]}
                 drones:
                   kite:
-                    model: {file: kite.stl, upAxis: z}
+                    model: {file: kite.off, upAxis: z}
                     flight: {kind: zigzag, from: [0, 190, 20], sway: 3 m}
                     speed: 5 m/s
                     sound: kite-motor
@@ -158,12 +156,6 @@ class ForeignProjectTest {
                         .anyMatch(row -> number(row, names, "value") > 0.0);
             }
         }
-    }
-
-    private static String facet(String... vertices) {
-        String lines =
-                Arrays.stream(vertices).map(vertex -> "vertex " + vertex + "\n").collect(Collectors.joining());
-        return "facet normal 0 1 0\nouter loop\n" + lines + "endloop\nendfacet\n";
     }
 
     @Test

@@ -104,7 +104,7 @@ class SettingsPathTest {
                                 + " the kinds"
                                 + " are [hover, approach, inbound, waypoints, glide, orbit, terrain-following,"
                                 + " low-approach, dive,"
-                                + " pop-up, steered, recorded]");
+                                + " pop-up, steered, recorded, mission, track]");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "obrit"))
                 .withMessageStartingWith("drones.quadrotor.flight=obrit: 'obrit' is not one of [hover, approach, ");

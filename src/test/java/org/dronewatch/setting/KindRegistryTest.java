@@ -91,7 +91,9 @@ class KindRegistryTest {
     void theLibrarysOwnAreFoundOnTheClassPath() {
         assertThat(KindRegistry.found().of(SensorSettings.class).keySet())
                 .containsExactly("camera", "acoustic", "radar", "rf", "thermal");
-        assertThat(Choices.of(FlightPathSettings.class)).hasSize(12).containsKeys("hover", "pop-up", "steered");
+        assertThat(Choices.of(FlightPathSettings.class))
+                .hasSize(14)
+                .containsKeys("hover", "pop-up", "steered", "mission", "track");
         assertThat(KindRegistry.found().all()).allMatch(FoundKind::builtIn);
         assertThat(KindRegistry.found().all())
                 .allSatisfy(one -> assertThat(Choices.nameOf(one.kind().settings()))

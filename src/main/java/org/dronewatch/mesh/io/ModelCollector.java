@@ -32,12 +32,13 @@ public final class ModelCollector {
     }
 
     /**
-     * Adds a vertex in the file's own coordinates.
+     * Adds a vertex in the file's own coordinates, which are rounded to single precision only after it has been placed: those of a
+     * national grid lose nothing if the model's position takes them back to the origin.
      *
      * @return its index, from 0 on
      * @throws InputException when it is not finite, or placed too far from the origin
      */
-    public int addVertex(float x, float y, float z) {
+    public int addVertex(double x, double y, double z) {
         placement.place(x, y, z, vertices);
         for (int i = vertices.size() - 3; i < vertices.size(); i++) {
             if (!(Math.abs(vertices.get(i)) <= TriangleMesh.MAX_COORDINATE)) {

@@ -103,12 +103,17 @@ public final class ModelFile {
      * @throws InputException with the end of a sentence when the name leads elsewhere or there is no such file
      */
     public ModelFile beside(String sibling) {
+        return beside(sibling, MAX_BYTES_BESIDE);
+    }
+
+    /** The same with a limit of its own, bytes. */
+    ModelFile beside(String sibling, long maxBytes) {
         if (path == null) {
             return resource(sibling).orElseThrow(() -> new InputException("is not beside it"));
         }
         try {
             Path other = inDirectory(sibling.replace('\\', '/'));
-            String problem = wrongWith(other, MAX_BYTES_BESIDE);
+            String problem = wrongWith(other, maxBytes);
             if (!problem.isEmpty()) {
                 throw new InputException(problem);
             }
@@ -136,6 +141,16 @@ public final class ModelFile {
     /** What messages call the file. */
     public String name() {
         return name;
+    }
+
+    /** How many bytes it has. */
+    long size() throws IOException {
+        if (path != null) {
+            return Files.size(path);
+        }
+        try (InputStream bytes = open()) {
+            return bytes.skip(MAX_BYTES);
+        }
     }
 
     /** Which bytes it has. */

@@ -1,6 +1,7 @@
 package org.dronewatch.mesh.io;
 
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.setting.InputException;
 
@@ -26,6 +27,11 @@ public final class ModelLoader {
     public LoadedModel load(ModelSettings settings) {
         ModelFile file = ModelFile.find(directory, settings.file());
         MeshReaders readers = MeshReaders.found();
+        if (file.name().toLowerCase(Locale.ROOT).endsWith(".ifc") && !readers.knows(file.name())) {
+            throw new InputException(
+                    file.name() + ": IFC files are not read: 'IfcConvert --use-world-coords model.ifc model.glb' of"
+                            + " IfcOpenShell converts them");
+        }
         try {
             return readers.of(file.name()).read(file, settings);
         } catch (InputException e) {

@@ -40,7 +40,7 @@ final class ObjMeshCollector {
         this.placement = placement;
     }
 
-    void addVertex(float x, float y, float z) {
+    void addVertex(double x, double y, double z) {
         placement.place(x, y, z, vertices);
         for (int i = vertices.size() - 3; i < vertices.size(); i++) {
             if (!(Math.abs(vertices.get(i)) <= TriangleMesh.MAX_COORDINATE)) {

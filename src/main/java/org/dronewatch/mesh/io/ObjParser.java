@@ -14,11 +14,14 @@ final class ObjParser {
     private static final int MAX_DIGITS = 9;
     private static final int LONGEST_EXCERPT = 40;
 
+    /** From here on single precision loses a tenth of a millimetre, m. */
+    private static final float FAR = 1000f;
+
     private final String file;
     private final ObjLines lines;
     private final ObjMeshCollector collector;
     private final Ints corners = new Ints();
-    private final float[] coordinates = new float[3];
+    private final double[] coordinates = new double[3];
     private String line = "";
     private int next;
 
@@ -60,7 +63,7 @@ final class ObjParser {
     private void vertex() {
         int count = 0;
         for (String token = token(); !token.isEmpty(); token = token()) {
-            float value = number(token);
+            double value = number(token);
             if (count < coordinates.length) {
                 coordinates[count] = value;
             }
@@ -72,9 +75,11 @@ final class ObjParser {
         collector.addVertex(coordinates[0], coordinates[1], coordinates[2]);
     }
 
-    private float number(String token) {
+    /** In single precision, which suffices near the origin; coordinates of national grids need double. */
+    private double number(String token) {
         try {
-            return Float.parseFloat(token);
+            float value = Float.parseFloat(token);
+            return Math.abs(value) < FAR ? value : Double.parseDouble(token);
         } catch (NumberFormatException e) {
             throw new InputException(lines.at(file) + "not a number: " + quoted(token), e);
         }

@@ -21,7 +21,7 @@ final class Placement {
     }
 
     /** Appends the placed vertex. */
-    void place(float fileX, float fileY, float fileZ, Floats target) {
+    void place(double fileX, double fileY, double fileZ, Floats target) {
         double x = scale * fileX;
         double y = scale * (yUp ? -fileZ : fileY);
         double z = scale * (yUp ? fileY : fileZ);

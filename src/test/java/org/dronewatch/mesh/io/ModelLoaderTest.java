@@ -39,13 +39,13 @@ class ModelLoaderTest {
 
     @Test
     void aFormatThatNoReaderKnowsIsNamed() throws IOException {
-        Files.writeString(directory.resolve("hangar.stl"), "solid hangar\nfacet normal 0 0 1\n");
+        Files.writeString(directory.resolve("hangar.dae"), "solid hangar\nfacet normal 0 0 1\n");
         Files.writeString(directory.resolve("hangar.obj"), "solid hangar\nfacet normal 0 0 1\n");
         ModelLoader loader = new ModelLoader(directory);
 
         assertThatExceptionOfType(InputException.class)
-                .isThrownBy(() -> loader.load(ModelSettings.of("hangar.stl")))
-                .withMessageContaining("hangar.stl:1: ")
+                .isThrownBy(() -> loader.load(ModelSettings.of("hangar.dae")))
+                .withMessageContaining("hangar.dae:1: ")
                 .withMessageEndingWith(
                         "; it was read as OBJ, because no reader for files of this name is on the class path");
         assertThatExceptionOfType(InputException.class)
@@ -156,7 +156,7 @@ class ModelLoaderTest {
                 "f                 | model.obj:5: |",
                 "v 1 NaN 0         | model.obj:5: | NaN",
                 "v 1 Infinity 0    | model.obj:5: | Infinity",
-                "v 1 1e39 0        | model.obj:5: | Infinity",
+                "v 1 1e39 0        | model.obj:5: | 1.0E39",
                 "v 1 2             | model.obj:5: | 3",
                 "v 1 2 three       | model.obj:5: | three",
                 "v                 | model.obj:5: |",
