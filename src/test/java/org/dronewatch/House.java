@@ -38,6 +38,7 @@ public final class House {
             new Storey("", "buildings"),
             new Storey("", "terrain", "buildings.io"),
             new Storey("", "terrain.io"),
+            new Storey("", "geo.features"),
             new Storey("", "mesh.io", "geo"),
             new Storey("the ray kernel", "bvh", "raster"),
             new Storey("", "kdtree"),

@@ -7,7 +7,6 @@ import java.util.concurrent.Callable;
 import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Geodesy;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.scenario.PlaceForms;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
@@ -56,9 +55,7 @@ final class HeightCommand implements Callable<Integer> {
         runner.notes(spec.commandLine().getErr()::println);
         SceneSettings settings = SceneChoice.settingsOfRun(runner, 0);
         // What is no place is refused before the site is loaded.
-        Places places =
-                new Places(settings.world(), () -> runner.world(settings).newGround());
-        Position place = PlaceForms.parse(AT, at, places);
+        Position place = runner.place(AT, at, settings);
         World world = runner.world(settings);
         SurfaceColumn column = SurfaceColumn.at(world, place.x(), place.y());
         if (column.highest().isEmpty()) {
@@ -71,7 +68,8 @@ final class HeightCommand implements Callable<Integer> {
                     place.y()));
         }
         Optional<Geodesy> geodesy = settings.world().origin().map(Geodesy::new);
-        print(place, column, geodesy, places.heightsAreKnown());
+        boolean aboveTheSea = new Places(settings.world(), world::newGround).heightsAreKnown();
+        print(place, column, geodesy, aboveTheSea);
         return 0;
     }
 

@@ -12,7 +12,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronewatch.geo.EarthPlace;
 import org.dronewatch.geo.EarthPoint;
+import org.dronewatch.geo.FeaturePlace;
+import org.dronewatch.geo.FeaturePoint;
 import org.dronewatch.geo.LocalPlace;
+import org.dronewatch.geo.features.Features;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
@@ -33,16 +36,33 @@ public final class PlaceForms {
      * Kinds of settings, with the forms of positions.
      *
      * @param places of the scene; empty when they cannot be known, since the site's own settings are wrong
+     * @param maps gives the features of a map by the name of its file, or of the one with the scene's name
      */
-    public static Kinds in(Kinds kinds, Supplier<Optional<Places>> places) {
+    public static Kinds in(Kinds kinds, Supplier<Optional<Places>> places, Function<Optional<String>, Features> maps) {
         return kinds.with(Position.class, EarthPlace.class, found(places, Places::at))
                 .with(Position.class, LocalPlace.class, found(places, Places::at))
-                .with(GroundPoint.class, EarthPoint.class, found(places, Places::at));
+                .with(
+                        Position.class,
+                        FeaturePlace.class,
+                        found(
+                                places,
+                                (known, place) -> known.at(maps.apply(place.file())
+                                        .place(place.feature(), place.above(), place.height()))))
+                .with(GroundPoint.class, EarthPoint.class, found(places, Places::at))
+                .with(
+                        GroundPoint.class,
+                        FeaturePoint.class,
+                        found(
+                                places,
+                                (known, point) ->
+                                        known.at(maps.apply(point.file()).point(point.feature()))));
     }
 
     /** These forms, for who only wants to know what they look like. */
     public static Kinds in(Kinds kinds) {
-        return in(kinds, Optional::empty);
+        return in(kinds, Optional::empty, file -> {
+            throw new IllegalArgumentException("no map is known");
+        });
     }
 
     /** A place alone. */
@@ -52,9 +72,12 @@ public final class PlaceForms {
      * The position of a place that a person typed: as in a scene file, or latitude and longitude in degrees with a comma between.
      *
      * @param option what messages call it
+     * @param directory where names of files start
+     * @param maps gives the features of a map
      * @throws InputException in one line when it is not a place, or has no position
      */
-    public static Position parse(String option, String text, Places places) {
+    public static Position parse(
+            String option, String text, Places places, Path directory, Function<Optional<String>, Features> maps) {
         String shown = option + " " + PlainText.value(text) + ": ";
         Matcher pair = DEGREES.matcher(text.strip());
         String place = pair.matches()
@@ -63,8 +86,8 @@ public final class PlaceForms {
         try {
             Node.Mapping document = SettingsFile.document(
                     option, new ByteArrayInputStream(("at: " + place).getBytes(StandardCharsets.UTF_8)));
-            Kinds kinds = in(Kinds.FOUND, () -> Optional.of(places));
-            return SettingsFile.read(document, Alone.class, kinds, Path.of(""), new FormerNames())
+            Kinds kinds = in(Kinds.FOUND, () -> Optional.of(places), maps);
+            return SettingsFile.read(document, Alone.class, kinds, directory, new FormerNames())
                     .at();
         } catch (InputException e) {
             String first = e.getMessage()

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import nl.tudelft.simulation.dsol.experiment.ExperimentReplication;
 import nl.tudelft.simulation.dsol.formalisms.eventscheduling.SimEventInterface;
 import nl.tudelft.simulation.dsol.model.AbstractDsolModel;
@@ -19,6 +20,7 @@ import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.geo.Origin;
+import org.dronewatch.geo.features.Features;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.RunControl;
@@ -277,6 +279,13 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
      * @param names directory of relative file names
      */
     void prepare(Map<String, String> overrides, Path names) {}
+
+    /** The maps to which the scene may refer: none unless the scene itself is a file. */
+    Function<Optional<String>, Features> maps() {
+        return file -> {
+            throw new IllegalArgumentException("only a scene file has a map beside it");
+        };
+    }
 
     /** The models of the scene's runs, of which some may have been loaded when it was described. */
     ModelCache models(Path names, Consumer<String> notes) {

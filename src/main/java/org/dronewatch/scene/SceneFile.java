@@ -8,11 +8,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.geo.features.Features;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.PlaceForms;
@@ -102,6 +104,11 @@ public final class SceneFile extends Scene {
                 .orElseGet(() -> super.models(names, notes));
     }
 
+    @Override
+    Function<Optional<String>, Features> maps() {
+        return new FeatureFiles(file);
+    }
+
     /**
      * Reads the file.
      *
@@ -114,15 +121,17 @@ public final class SceneFile extends Scene {
         Kinds kinds = SensorKinds.kinds(catalog);
         ScenePlaces site = places.orElseGet(() -> new ScenePlaces(directory()));
         places = Optional.of(site);
+        FeatureFiles maps = new FeatureFiles(file);
         PlacedOnce placed = new PlacedOnce(() -> site.of(file, kinds, overrides));
         SceneSettings settings =
-                SettingsFile.read(file, SceneSettings.class, PlaceForms.in(kinds, placed), formerNames);
+                SettingsFile.read(file, SceneSettings.class, PlaceForms.in(kinds, placed, maps), formerNames);
         if (placed.isUsed()) {
             settings.sweep().ifPresent(this::checkSite);
         }
         set(settings);
         List<Path> read = new ArrayList<>(List.of(file));
         read.addAll(catalog.filesRead());
+        read.addAll(maps.read());
         files = read.stream().map(InputFiles::hash).toList();
     }
 

@@ -11,6 +11,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Interrupts;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Frame;
@@ -25,10 +26,12 @@ import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
 import org.dronewatch.run.Timing;
 import org.dronewatch.scenario.InputFiles;
+import org.dronewatch.scenario.PlaceForms;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.world.Places;
 import org.dronewatch.world.World;
 
 /**
@@ -252,6 +255,19 @@ public final class SceneRunner {
             models().loadSite(settings);
             return Stage.worldOf(settings.world(), models().cache());
         });
+    }
+
+    /**
+     * The position of a place on the site of one of the scene's runs, of which no more is loaded than that takes.
+     *
+     * @param option what messages call it
+     * @param text as in a scene file, or latitude and longitude in degrees with a comma between
+     * @param settings one of {@link #settingsOfRuns()}
+     * @throws InputException in one line when it is not a place, or has no position
+     */
+    public Position place(String option, String text, SceneSettings settings) {
+        Places places = new Places(settings.world(), () -> world(settings).newGround());
+        return PlaceForms.parse(option, text, places, scene.directory().toAbsolutePath(), scene.maps());
     }
 
     /**

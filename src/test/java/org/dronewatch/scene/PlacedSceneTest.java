@@ -185,4 +185,42 @@ class PlacedSceneTest {
                         () -> runner(SITE).set("world.terrain.accuracy", "-1").settings())
                 .isInstanceOf(InputException.class);
     }
+
+    /** Names of a map beside the scene file, with its name or another. */
+    @Test
+    void placesHaveNamesOnAMap() throws IOException {
+        String map =
+                "{\"type\": \"FeatureCollection\", \"features\": [{\"type\": \"Feature\", \"properties\": {\"name\": \"gate\"},"
+                        + " \"geometry\": {\"type\": \"Point\", \"coordinates\": [15.0, 50.0005]}}]}";
+        Files.writeString(directory.resolve("other.geojson"), map);
+        String named = SITE.replace(
+                        "{east: 50.02, north: 10, above: 2 m}", "{feature: gate, file: other.geojson, above: 2 m}")
+                .replace(
+                        "{latitude: 50.0005 deg, longitude: 15.0 deg}, [0, 0]",
+                        "{feature: gate, file: other.geojson}, [0, 0]");
+        SceneFile scene = new SceneFile(Files.writeString(directory.resolve("site.yaml"), named));
+        SceneRunner runner = new SceneRunner(scene);
+        SceneSettings settings = runner.settings();
+        assertNear(settings.sensors().get("eye").position(), 0, 55.6146, 2);
+        TerrainFollowing two = (TerrainFollowing) settings.drones().get("two").flight();
+        assertNear(new Position(two.points().get(0).x(), two.points().get(0).y(), 0), 0, 55.6146, 0);
+        assertThat(runner.inputs().scene())
+                .extracting(file -> file.file())
+                .containsExactly("site.yaml", "other.geojson");
+        assertNear(
+                runner.place("--at", "{feature: gate, file: other.geojson, height: 210 m}", settings), 0, 55.6146, 10);
+
+        String own = named.replace(", file: other.geojson", "");
+        assertThat(refusal(own))
+                .contains("site.yaml:18:15: sensors.eye.position: neither site.geojson nor site.kml is beside"
+                        + " the scene file: give 'file'");
+        Files.writeString(directory.resolve("site.geojson"), map);
+        assertThat(refusal(own)).isEmpty();
+        assertThat(refusal(own.replace("feature: gate, above", "feature: gaet, above")))
+                .contains("sensors.eye.position: feature 'gaet': there is none in site.geojson; closest match: gate");
+        assertThat(refusal(named.replace("other.geojson, above", "../other.geojson, above")))
+                .contains("leads out of the directory");
+        Files.writeString(directory.resolve("site.geojson"), "{");
+        assertThat(refusal(own)).contains("site.geojson:1: not whole JSON");
+    }
 }

@@ -1,0 +1,42 @@
+package org.dronewatch.geo;
+
+import java.util.Optional;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.FileName;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A place by the name that a map gives it, as scene files may give it instead of a position: {@code {feature: north gate, above:
+ * 3 m}}. Without {@code above} and {@code height} it is as high as the file says, or lies on the highest surface there.
+ *
+ * @param feature name of a point in a GeoJSON or KML file
+ * @param file that file; the one beside the scene file that has the same name but for {@code .geojson} or {@code .kml} unless given
+ * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
+ * @param height height above sea level, as that of the origin, -100 to 100 km, m
+ */
+public record FeaturePlace(
+        String feature,
+        @FileName Optional<String> file,
+        @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) Optional<Double> above,
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) Optional<Double> height) {
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range, or there are two heights
+     */
+    public FeaturePlace {
+        Limits.check(FeaturePlace.class, feature, file, above, height);
+        if (above.isPresent() && height.isPresent()) {
+            throw new IllegalArgumentException(
+                    "above and height are two answers to one question: leave one of them out");
+        }
+    }
+
+    /** A place of the file with the scene's name. */
+    @Defaults("feature")
+    public static FeaturePlace of(String feature) {
+        return new FeaturePlace(feature, Optional.empty(), Optional.empty(), Optional.empty());
+    }
+}

@@ -1,0 +1,2 @@
+/** Places with names, from files of maps. */
+package org.dronewatch.geo.features;
