@@ -17,6 +17,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.file.PackagedSite;
 import org.dronewatch.terrain.TerrainGround;
 
 /**
@@ -64,7 +65,7 @@ public final class BuildingLoader {
     public LoadedBuildings load(BuildingSettings settings, Origin origin, Optional<TerrainGround> terrain) {
         String file = settings.file().orElseThrow(() -> new InputException("needs a 'file', a map with buildings"));
         MapFeatures map = new MapFiles(directory).read(file, MapArea.about(origin, settings.radius() + MARGIN));
-        BuildingReport report = new BuildingReport(file, settings, map.leftOut());
+        BuildingReport report = new BuildingReport(PackagedSite.plain(file), settings, map.leftOut());
         Site site = new Site(settings, origin, terrain, report);
         TriangleMesh mesh = map.model().isPresent()
                 ? new CityBuildings(map.model().get(), settings, site.transform(map), report).mesh(terrain)

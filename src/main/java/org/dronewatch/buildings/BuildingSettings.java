@@ -9,13 +9,14 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.setting.file.PackagedSite;
 
 /**
  * The buildings of a real place, from a map: OpenStreetMap (.osm, also in .gz, or .osm.pbf), outlines in GeoJSON, or a city
  * model in CityJSON. Outlines stand on the scene's terrain, about its geographic origin, {@code world.origin}, which such a scene
  * must give.
  *
- * @param file the map
+ * @param file the map, or {@code packaged:NAME} for one that comes with the library
  * @param crs coordinate reference system of GeoJSON or CityJSON by its EPSG code; omit it for longitude and
  *     latitude, and for the system that a city model states
  * @param radius how far from the origin buildings are taken, 10 m to 20 km
@@ -26,7 +27,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param material material of buildings of which the map states none, a name in the table of surfaces
  */
 public record BuildingSettings(
-        @FileName Optional<String> file,
+        @FileName(unless = PackagedSite.PREFIX) Optional<String> file,
         Optional<String> crs,
         @In(value = Quantity.LENGTH, from = 10, to = 20_000) double radius,
         @In(value = Quantity.LENGTH, from = 1, to = 200) double height,

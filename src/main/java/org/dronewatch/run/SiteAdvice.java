@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.mesh.io.ModelSettings;
@@ -16,6 +17,7 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.setting.Switchable;
+import org.dronewatch.setting.file.PackagedSite;
 import org.dronewatch.terrain.ElevationSurface;
 import org.dronewatch.world.Clearance;
 import org.dronewatch.world.NoiseSource;
@@ -69,7 +71,11 @@ record SiteAdvice(SceneSettings settings, World world) {
     /** Heights of roofs, and buildings on them. */
     private void onTerrain(Consumer<String> target) {
         List<String> buildings = new ArrayList<>();
-        settings.world().buildings().ifPresent(map -> map.file().ifPresent(buildings::add));
+        settings.world()
+                .buildings()
+                .flatMap(BuildingSettings::file)
+                .map(PackagedSite::plain)
+                .ifPresent(buildings::add);
         settings.world().models().stream()
                 .filter(model -> model.role() == ModelRole.BUILDING)
                 .map(ModelSettings::shownFile)

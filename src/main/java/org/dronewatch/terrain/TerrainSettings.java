@@ -11,12 +11,13 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.setting.file.PackagedSite;
 
 /**
  * The ground of a real place, from files of elevations: GeoTIFF, SRTM tiles (.hgt, also in .zip or .gz) or ESRI ASCII grids
  * (.asc). It lies about the scene's geographic origin, {@code world.origin}, which such a scene must give.
  *
- * @param file the file of elevations
+ * @param file the file of elevations, or {@code packaged:NAME} for one that comes with the library
  * @param files several files instead, which make one terrain; they must have the same grid of posts. Where they overlap, the
  *     first one counts that has a height there
  * @param crs coordinate reference system of the files by its EPSG code, such as EPSG:25832; omit it for that which the files
@@ -31,8 +32,8 @@ import org.dronewatch.setting.SettingsForm;
  *     table of surfaces itself needs no assignment
  */
 public record TerrainSettings(
-        @FileName Optional<String> file,
-        @FileName List<String> files,
+        @FileName(unless = PackagedSite.PREFIX) Optional<String> file,
+        @FileName(unless = PackagedSite.PREFIX) List<String> files,
         Optional<String> crs,
         @In(value = Quantity.LENGTH, from = 10, to = 100_000) double radius,
         @In(value = Quantity.LENGTH, from = 0, to = 1000) double accuracy,

@@ -1,8 +1,10 @@
 package org.dronewatch.world;
 
+import java.util.stream.Collectors;
 import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.setting.file.PackagedSite;
 import org.dronewatch.terrain.TerrainSettings;
 
 /**
@@ -17,12 +19,14 @@ public record SiteModel(String file, ModelRole role) {
 
     /** The ground that a scene's terrain is. */
     public static SiteModel of(TerrainSettings settings) {
-        return new SiteModel(String.join(", ", settings.allFiles()), ModelRole.TERRAIN);
+        return new SiteModel(
+                settings.allFiles().stream().map(PackagedSite::plain).collect(Collectors.joining(", ")),
+                ModelRole.TERRAIN);
     }
 
     /** The buildings of a map. */
     public static SiteModel of(BuildingSettings settings) {
-        return new SiteModel(settings.file().orElse(""), ModelRole.BUILDING);
+        return new SiteModel(settings.file().map(PackagedSite::plain).orElse(""), ModelRole.BUILDING);
     }
 
     /** As its settings name it. */

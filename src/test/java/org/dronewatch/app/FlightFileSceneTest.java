@@ -15,7 +15,7 @@ class FlightFileSceneTest extends CommandLines {
 
     @BeforeEach
     void copyExamples() throws IOException {
-        for (String name : new String[] {"monaco-srtm.asc", "approach.yaml", "approach.plan", "approach.gpx"}) {
+        for (String name : new String[] {"approach.yaml", "approach.plan", "approach.gpx"}) {
             Files.copy(EXAMPLES.resolve(name), directory.resolve(name));
         }
     }

@@ -20,8 +20,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** What 'new' makes runs at once, and what is wrong leaves nothing behind. */
 class NewCommandTest {
-    private static final String SRTM = "src/examples/terrain/monaco-srtm.asc";
-    private static final String MAP = "src/examples/terrain/monaco-buildings.osm.gz";
+    private static final String SRTM = "sites/monaco-srtm.asc";
+    private static final String MAP = "sites/monaco-buildings.osm.gz";
 
     @TempDir
     private Path directory;

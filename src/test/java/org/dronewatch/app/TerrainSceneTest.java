@@ -313,7 +313,7 @@ class TerrainSceneTest {
     /** What lies in the documentation for readers to copy. */
     @Test
     void theExampleIsValid() {
-        Outcome outcome = Program.run("check", "src/examples/terrain/monaco.yaml");
+        Outcome outcome = Program.run("check", "scenes/monaco.yaml");
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err())
                 .contains("-2.0 to 608.0 m high")

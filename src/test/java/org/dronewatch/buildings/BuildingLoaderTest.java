@@ -398,8 +398,7 @@ class BuildingLoaderTest {
         Origin origin = Origin.at(Math.toRadians(43.7369557132469), Math.toRadians(7.422733173869995));
         BuildingSettings settings =
                 BuildingSettings.of("monaco-buildings.osm.gz").withRadius(4000);
-        LoadedBuildings loaded =
-                new BuildingLoader(Path.of("src/examples/terrain")).load(settings, origin, Optional.empty());
+        LoadedBuildings loaded = new BuildingLoader(Path.of("sites")).load(settings, origin, Optional.empty());
 
         assertThat(loaded.count()).isEqualTo(966);
         assertThat(loaded.area())

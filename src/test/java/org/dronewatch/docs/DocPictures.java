@@ -35,12 +35,11 @@ final class DocPictures {
             file("site-multi-sensor", "render multi-sensor --view orbit --time 12 --out OUT"),
             file("site-acoustic-range", "render acoustic-range --view top --time 60 --out OUT"),
             file("site-camera-range", "render camera-range --view side --time 25 --out OUT"),
-            file(
-                    "terrain-monaco",
-                    "render src/examples/terrain/monaco.yaml --view orbit --bearing 150deg --time 25 --out OUT"),
+            file("terrain-monaco", "render scenes/monaco.yaml --view orbit --bearing 150deg --time 30 --out OUT"),
             file(
                     "coverage-unknown",
-                    "coverage src/examples/terrain/monaco.yaml --side 5000 --height 40 --cells 150 --out OUT"),
+                    "coverage scenes/monaco.yaml --side 5000 --height 40 --cells 150 --drone from-the-sea"
+                            + " --set sensors.microphone.enabled=false --out OUT"),
             file("site-closed-space", "render closed-space --view orbit --rays --max-order 1 --heard-only --out OUT"),
             file("glider", "render scenes/glider.yaml --view side --time 30 --out OUT"),
             file("multi-sensor-coverage", "coverage multi-sensor --side 400 --height 10 --cells 200 --out OUT"),

@@ -101,7 +101,8 @@ class DocScenesTest {
             }
         });
         for (String file : List.of("monaco-srtm.asc", "monaco-buildings.osm.gz", "approach.plan", "approach.gpx")) {
-            Files.copy(Path.of("src/examples/terrain", file), directory.resolve(file));
+            String where = file.startsWith("monaco") ? "sites" : "src/examples/terrain";
+            Files.copy(Path.of(where, file), directory.resolve(file));
         }
         Path file = Files.writeString(directory.resolve("scene.yaml"), scene);
         String refusal = "";

@@ -1,6 +1,7 @@
 package org.dronewatch.buildings.io;
 
 import java.io.BufferedInputStream;
+import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -18,6 +19,7 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.setting.file.LinkOut;
+import org.dronewatch.setting.file.PackagedSite;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.databind.JsonNode;
@@ -50,30 +52,63 @@ public final class MapFiles {
      * @throws InputException in one line when the file is missing, of no known format, or damaged
      */
     public MapFeatures read(String name, MapArea area) {
-        Path path = path(name);
-        try (InputStream bytes = Files.newInputStream(path)) {
-            FileHash hash = FileHash.of(String.valueOf(path.getFileName()), bytes);
-            byte[] start = start(path);
+        Source source = source(name);
+        try (InputStream bytes = source.open()) {
+            FileHash hash = FileHash.of(shortName(name), bytes);
+            byte[] start = start(source);
             if (PbfBlocks.isPbf(start)) {
-                return osm("OpenStreetMap PBF", name, path, area, hash, (in, target) -> OsmPbf.read(name, in, target));
+                return osm(
+                        "OpenStreetMap PBF",
+                        PackagedSite.plain(name),
+                        source,
+                        area,
+                        hash,
+                        (in, target) -> OsmPbf.read(PackagedSite.plain(name), in, target));
             }
             String text = new String(start, StandardCharsets.UTF_8)
                     .replace("\uFEFF", "")
                     .strip();
             if (text.startsWith("<")) {
-                return osm("OpenStreetMap XML", name, path, area, hash, (in, target) -> OsmXml.read(name, in, target));
+                return osm(
+                        "OpenStreetMap XML",
+                        PackagedSite.plain(name),
+                        source,
+                        area,
+                        hash,
+                        (in, target) -> OsmXml.read(PackagedSite.plain(name), in, target));
             }
             if (text.startsWith("{")) {
-                return json(name, path, hash);
+                return json(name, source, hash);
             }
             throw new InputException(name
                     + ": is none of OpenStreetMap XML, OpenStreetMap PBF, GeoJSON and CityJSON; 'ogr2ogr buildings.geojson "
-                    + path.getFileName() + "' converts most other formats");
+                    + shortName(name) + "' converts most other formats");
         } catch (EOFException e) {
             throw new InputException(name + ": ends too early: it is cut off or damaged", e);
         } catch (IOException e) {
             throw new InputException(name + ": cannot be read: " + PlainText.line(String.valueOf(e.getMessage())), e);
         }
+    }
+
+    /** Where the bytes of a file come from. */
+    private interface Source {
+        InputStream open() throws IOException;
+    }
+
+    private Source source(String name) {
+        if (PackagedSite.isNamed(name)) {
+            byte[] bytes = PackagedSite.bytes(name);
+            return () -> new ByteArrayInputStream(bytes);
+        }
+        Path path = path(name);
+        return () -> Files.newInputStream(path);
+    }
+
+    /** The last part of a name. */
+    private static String shortName(String name) {
+        return PackagedSite.isNamed(name)
+                ? PackagedSite.plain(name)
+                : String.valueOf(Path.of(name).getFileName());
     }
 
     private Path path(String name) {
@@ -91,14 +126,14 @@ public final class MapFiles {
         return path;
     }
 
-    private static byte[] start(Path path) throws IOException {
-        try (InputStream in = unpacked(path)) {
+    private static byte[] start(Source source) throws IOException {
+        try (InputStream in = unpacked(source)) {
             return in.readNBytes(START);
         }
     }
 
-    private static InputStream unpacked(Path path) throws IOException {
-        InputStream in = new BufferedInputStream(Files.newInputStream(path), 1 << 16);
+    private static InputStream unpacked(Source source) throws IOException {
+        InputStream in = new BufferedInputStream(source.open(), 1 << 16);
         in.mark(2);
         boolean isPacked = in.read() == 0x1F && in.read() == 0x8B;
         in.reset();
@@ -111,15 +146,16 @@ public final class MapFiles {
     }
 
     private static MapFeatures osm(
-            String format, String name, Path path, MapArea area, FileHash hash, Elements elements) throws IOException {
+            String format, String name, Source source, MapArea area, FileHash hash, Elements elements)
+            throws IOException {
         OsmFeatures features = new OsmFeatures(name, area, false);
-        try (InputStream in = unpacked(path)) {
+        try (InputStream in = unpacked(source)) {
             elements.read(in, features);
         }
         if (features.isIncomplete()) {
             // Ways come before their nodes, as Overpass writes them.
             features = new OsmFeatures(name, area, true);
-            try (InputStream in = unpacked(path)) {
+            try (InputStream in = unpacked(source)) {
                 elements.read(in, features);
             }
         }
@@ -132,9 +168,9 @@ public final class MapFiles {
                 hash);
     }
 
-    private static MapFeatures json(String name, Path path, FileHash hash) throws IOException {
+    private static MapFeatures json(String name, Source source, FileHash hash) throws IOException {
         byte[] all;
-        try (InputStream in = unpacked(path)) {
+        try (InputStream in = unpacked(source)) {
             all = in.readNBytes(MOST_JSON + 1);
         }
         if (all.length > MOST_JSON) {

@@ -1,5 +1,6 @@
 package org.dronewatch.terrain.io;
 
+import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -17,6 +18,7 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.setting.file.LinkOut;
+import org.dronewatch.setting.file.PackagedSite;
 
 /** Opens files of elevations by what they begin with, whatever they are called; only tiles of SRTM must have their names. */
 public final class ElevationFiles {
@@ -53,9 +55,20 @@ public final class ElevationFiles {
 
     /** Which bytes a file has. */
     public FileHash hash(String name) {
+        if (PackagedSite.isNamed(name)) {
+            return packagedHash(name);
+        }
         Path path = path(name);
         try (InputStream in = Files.newInputStream(path)) {
             return FileHash.of(String.valueOf(path.getFileName()), in);
+        } catch (IOException e) {
+            throw unreadable(name, e);
+        }
+    }
+
+    private static FileHash packagedHash(String name) {
+        try (InputStream in = new ByteArrayInputStream(PackagedSite.bytes(name))) {
+            return FileHash.of(PackagedSite.plain(name), in);
         } catch (IOException e) {
             throw unreadable(name, e);
         }
@@ -67,9 +80,10 @@ public final class ElevationFiles {
      * @throws InputException when it is none of the formats, or damaged
      */
     public ElevationFile open(String name) {
-        Path path = path(name);
         try {
-            ElevationBytes bytes = ElevationBytes.of(name, path);
+            ElevationBytes bytes = PackagedSite.isNamed(name)
+                    ? ElevationBytes.of(PackagedSite.plain(name), PackagedSite.bytes(name))
+                    : ElevationBytes.of(name, path(name));
             if (bytes.size() > MOST_BYTES) {
                 throw new InputException(String.format(
                         Locale.ROOT, "%s: has %,d bytes, must have at most %,d", name, bytes.size(), MOST_BYTES));
