@@ -16,6 +16,7 @@ final class Targets {
                 new TextTarget(),
                 new ObjTarget(),
                 new TerrainTarget(),
+                new FlightTarget(),
                 new YamlTarget(),
                 new SetTarget(),
                 new KernelTarget(),

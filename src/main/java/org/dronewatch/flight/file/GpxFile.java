@@ -1,9 +1,5 @@
 package org.dronewatch.flight.file;
 
-import java.io.ByteArrayInputStream;
-import java.io.InputStreamReader;
-import java.io.Reader;
-import java.nio.charset.StandardCharsets;
 import java.time.DateTimeException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -11,26 +7,26 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
-import javax.xml.stream.XMLStreamReader;
 import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
+import org.dronewatch.setting.file.XmlText;
 
 /** Reads a track or a route of a GPX file (1.0 or 1.1). */
 final class GpxFile {
     private static final double HIGHEST = 100_000.0;
+    /** Of an element in a track, in the file. */
+    private static final int DEPTH_IN_TRACK = 3;
+
     private static final int LONGEST_TEXT = 200;
-    private static final int MOST_DEPTH = 64;
 
     private final String name;
     private final Map<String, Course> tracks = new LinkedHashMap<>();
     private Course course;
     private String courseName = "";
-    private int depth;
     private int waypoints;
 
     /** A track or a route. */
@@ -52,65 +48,31 @@ final class GpxFile {
      */
     static Fixes.Points read(String shown, byte[] bytes, Optional<String> wanted) {
         String name = PlainText.value(shown);
-        XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
-        // A track has no document type: nothing is expanded, and no other file is read.
-        factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
-        factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
         GpxFile file = new GpxFile(name);
-        try {
-            file.read(factory.createXMLStreamReader(text(bytes)));
-        } catch (XMLStreamException e) {
-            int line = e.getLocation() == null ? 1 : e.getLocation().getLineNumber();
-            String why = String.valueOf(e.getMessage()).replaceFirst("(?s).*Message: ", "");
-            throw new InputException(name + ":" + line + ": not whole XML: " + PlainText.line(why), e);
-        }
+        XmlText.read(name, bytes, "gpx", xml -> {
+            while (xml.hasNext()) {
+                if (xml.next() == XMLStreamConstants.START_ELEMENT) {
+                    file.start(xml);
+                }
+            }
+        });
         return file.chosen(wanted);
     }
 
-    private static Reader text(byte[] bytes) {
-        boolean marked =
-                bytes.length > 2 && bytes[0] == (byte) 0xEF && bytes[1] == (byte) 0xBB && bytes[2] == (byte) 0xBF;
-        int from = marked ? 3 : 0;
-        return new InputStreamReader(
-                new ByteArrayInputStream(bytes, from, bytes.length - from), StandardCharsets.UTF_8);
-    }
-
-    private void read(XMLStreamReader xml) throws XMLStreamException {
-        boolean begun = false;
-        while (xml.hasNext()) {
-            int event = xml.next();
-            if (event == XMLStreamConstants.DTD) {
-                throw new InputException(at(xml) + "has a document type, which no GPX file needs");
-            }
-            if (event == XMLStreamConstants.START_ELEMENT) {
-                if (!begun && !xml.getLocalName().equals("gpx")) {
-                    throw new InputException(at(xml) + "begins with <" + PlainText.value(xml.getLocalName())
-                            + ">, must begin with <gpx>: not a track");
-                }
-                begun = true;
-                depth++;
-                if (depth > MOST_DEPTH) {
-                    throw new InputException(at(xml) + "nested more than " + MOST_DEPTH + " deep");
-                }
-                start(xml);
-            } else if (event == XMLStreamConstants.END_ELEMENT) {
-                depth--;
-            }
-        }
-    }
-
     /** Names of tracks stand before their points. */
-    private void start(XMLStreamReader xml) throws XMLStreamException {
-        switch (xml.getLocalName()) {
+    private void start(XmlText xml) throws XMLStreamException {
+        switch (xml.element()) {
             case "trk", "rte" -> {
                 course = new Course();
                 courseName = "";
-                String unnamed = xml.getLocalName().equals("trk") ? "track " : "route ";
+                String unnamed = xml.element().equals("trk") ? "track " : "route ";
                 keep(unnamed + (tracks.size() + 1));
             }
             case "name" -> {
-                String text = content(xml);
-                if (course != null && course.fixes.size() == 0 && depth == 2) {
+                // Not that of the file, of a point, or in an extension.
+                boolean isOfTrack = xml.depth() == DEPTH_IN_TRACK;
+                String text = xml.content();
+                if (isOfTrack && course != null && course.fixes.size() == 0) {
                     tracks.remove(courseName);
                     keep(text.isBlank() ? courseName : text.strip());
                 }
@@ -122,7 +84,7 @@ final class GpxFile {
             }
             case "trkpt", "rtept" -> {
                 if (course == null) {
-                    throw new InputException(at(xml) + "a point outside of a track");
+                    throw new InputException(xml.at() + "a point outside of a track");
                 }
                 point(xml);
             }
@@ -142,79 +104,46 @@ final class GpxFile {
         tracks.put(free, course);
     }
 
-    private String content(XMLStreamReader xml) throws XMLStreamException {
-        StringBuilder text = new StringBuilder();
-        int inner = 1;
-        while (inner > 0) {
-            int event = xml.next();
-            if (event == XMLStreamConstants.START_ELEMENT) {
-                inner++;
-            } else if (event == XMLStreamConstants.END_ELEMENT) {
-                inner--;
-            } else if (xml.isCharacters() && text.length() < LONGEST_TEXT) {
-                text.append(xml.getText(), 0, Math.min(xml.getText().length(), LONGEST_TEXT));
-            }
-        }
-        depth--;
-        return text.toString();
-    }
-
-    private void point(XMLStreamReader xml) throws XMLStreamException {
-        long line = xml.getLocation().getLineNumber();
+    private void point(XmlText xml) throws XMLStreamException {
+        long line = xml.line();
         EarthPoint place = new EarthPoint(
-                Math.toRadians(number(xml, "lat", xml.getAttributeValue(null, "lat"), -90.0, 90.0)),
-                Math.toRadians(number(xml, "lon", xml.getAttributeValue(null, "lon"), -180.0, 180.0)));
+                Math.toRadians(number(xml, "lat", xml.attribute("lat"), -90.0, 90.0)),
+                Math.toRadians(number(xml, "lon", xml.attribute("lon"), -180.0, 180.0)));
         OptionalDouble height = OptionalDouble.empty();
         double time = Double.NaN;
-        int inner = 1;
-        while (inner > 0) {
-            int event = xml.next();
-            if (event == XMLStreamConstants.END_ELEMENT) {
-                inner--;
-            } else if (event == XMLStreamConstants.START_ELEMENT
-                    && inner == 1
-                    && xml.getLocalName().equals("ele")) {
-                depth++;
-                height = OptionalDouble.of(number(xml, "ele", content(xml), -HIGHEST, HIGHEST));
-            } else if (event == XMLStreamConstants.START_ELEMENT
-                    && inner == 1
-                    && xml.getLocalName().equals("time")) {
-                depth++;
-                time = time(xml, content(xml).strip());
-            } else if (event == XMLStreamConstants.START_ELEMENT) {
-                inner++;
+        int inside = xml.depth();
+        while (xml.depth() >= inside) {
+            if (xml.next() != XMLStreamConstants.START_ELEMENT || xml.depth() > inside + 1) {
+                continue;
             }
-            if (inner > MOST_DEPTH) {
-                throw new InputException(at(xml) + "nested more than " + MOST_DEPTH + " deep");
+            if (xml.element().equals("ele")) {
+                height = OptionalDouble.of(number(xml, "ele", xml.content(), -HIGHEST, HIGHEST));
+            } else if (xml.element().equals("time")) {
+                time = time(xml, xml.content().strip());
             }
         }
-        depth--;
         course.fixes.add(new Fixes.Fix(line, time, place, height));
     }
 
-    private double number(XMLStreamReader xml, String what, String text, double from, double to) {
+    private double number(XmlText xml, String what, String text, double from, double to) {
         try {
             double value = Double.parseDouble(String.valueOf(text).strip());
             if (value >= from && value <= to) {
                 return value;
             }
         } catch (NumberFormatException e) {
-            throw new InputException(at(xml) + what + " '" + PlainText.value(text) + "' must be a number", e);
+            throw new InputException(xml.at() + what + " '" + PlainText.value(text) + "' must be a number", e);
         }
-        throw new InputException(at(xml) + what + " " + PlainText.value(text) + " must be " + from + " to " + to);
+        throw new InputException(xml.at() + what + " " + PlainText.value(text) + " must be " + from + " to " + to);
     }
 
-    private double time(XMLStreamReader xml, String text) {
+    private double time(XmlText xml, String text) {
         try {
             return LogTime.seconds(text);
         } catch (DateTimeException e) {
             throw new InputException(
-                    at(xml) + "time '" + PlainText.value(text) + "' must be as in 2026-11-24T03:30:00Z", e);
+                    xml.at() + "time '" + PlainText.value(text) + "' must be as in 2026-11-24T03:30:00Z", e);
         }
-    }
-
-    private String at(XMLStreamReader xml) {
-        return name + ":" + xml.getLocation().getLineNumber() + ": ";
     }
 
     private Fixes.Points chosen(Optional<String> wanted) {

@@ -13,10 +13,8 @@ import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.FileHash;
-import tools.jackson.core.JacksonException;
-import tools.jackson.core.TokenStreamLocation;
+import org.dronewatch.setting.file.JsonText;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /**
  * A plan of QGroundControl: a JSON file with a mission, whose items are commands of MAVLink. What moves the drone is understood, or
@@ -73,7 +71,7 @@ record PlanFile(
         }
 
         PlanFile plan(String named, byte[] bytes) {
-            JsonNode root = tree(bytes);
+            JsonNode root = JsonText.read(name, bytes);
             String type = root.path("fileType").asString("");
             if (!type.equals("Plan")) {
                 throw new InputException(name + ": fileType is '" + PlainText.value(type)
@@ -116,21 +114,6 @@ record PlanFile(
                     ? OptionalDouble.of(numbers.number(stated, "mission", which, 0.001, FASTEST))
                     : OptionalDouble.empty();
             return new PlanFile(hash(named, bytes), launch, launchHeight, speed, steps, warnings, items);
-        }
-
-        private JsonNode tree(byte[] bytes) {
-            try {
-                return JsonMapper.shared().readTree(bytes);
-            } catch (JacksonException e) {
-                TokenStreamLocation at = e.getLocation();
-                String line = at == null || at.getLineNr() < 1 ? "" : ":" + at.getLineNr();
-                throw new InputException(
-                        name + line + ": not whole JSON: "
-                                + PlainText.beginning(
-                                        PlainText.line(e.getOriginalMessage()).replaceFirst(", from `.*?`", ""),
-                                        PlainText.LONGEST),
-                        e);
-            }
         }
 
         private static FileHash hash(String name, byte[] bytes) {

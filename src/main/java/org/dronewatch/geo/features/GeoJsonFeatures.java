@@ -4,16 +4,14 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import tools.jackson.core.JacksonException;
-import tools.jackson.core.TokenStreamLocation;
+import org.dronewatch.setting.file.JsonText;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /** Reads the features of GeoJSON (RFC 7946) that have a {@code name} among their properties. */
 record GeoJsonFeatures(String file, Features.Found found) {
 
     void read(byte[] bytes) {
-        JsonNode root = tree(bytes);
+        JsonNode root = JsonText.read(file, bytes);
         String type = root.path("type").asString("");
         if (type.equals("Feature")) {
             feature(root, 0);
@@ -25,19 +23,6 @@ record GeoJsonFeatures(String file, Features.Found found) {
         } else {
             throw new InputException(
                     file + ": 'type' is '" + PlainText.value(type) + "', must be FeatureCollection or Feature");
-        }
-    }
-
-    private JsonNode tree(byte[] bytes) {
-        try {
-            return JsonMapper.shared().readTree(bytes);
-        } catch (JacksonException e) {
-            TokenStreamLocation at = e.getLocation();
-            String line = at == null || at.getLineNr() < 1 ? "" : ":" + at.getLineNr();
-            throw new InputException(
-                    file + line + ": not whole JSON: "
-                            + PlainText.beginning(PlainText.line(e.getOriginalMessage()), PlainText.LONGEST),
-                    e);
         }
     }
 

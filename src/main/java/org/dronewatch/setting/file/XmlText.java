@@ -1,0 +1,140 @@
+package org.dronewatch.setting.file;
+
+import java.io.ByteArrayInputStream;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+
+/**
+ * Reads XML, always in UTF-8, that a person named: nothing is expanded, no other file is read, and depth and length of texts are
+ * bounded. For a single use.
+ */
+public final class XmlText {
+    private static final int MOST_DEPTH = 64;
+    private static final int LONGEST_TEXT = 1000;
+    private static final int MARK_BYTES = 3;
+
+    private final String name;
+    private final XMLStreamReader xml;
+    private int depth;
+
+    /** What reads the elements. */
+    @FunctionalInterface
+    public interface Reading {
+        /** Reads to the end. */
+        void read(XmlText xml) throws XMLStreamException;
+    }
+
+    private XmlText(String name, XMLStreamReader xml) {
+        this.name = name;
+        this.xml = xml;
+    }
+
+    /**
+     * Reads a document.
+     *
+     * @param name what messages call it
+     * @param root name of its outermost element
+     * @param reading receives it inside that element
+     * @throws InputException in one line when it is not such a document
+     */
+    public static void read(String name, byte[] bytes, String root, Reading reading) {
+        XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
+        factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+        factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
+        boolean marked = bytes.length >= MARK_BYTES
+                && bytes[0] == (byte) 0xEF
+                && bytes[1] == (byte) 0xBB
+                && bytes[2] == (byte) 0xBF;
+        int from = marked ? MARK_BYTES : 0;
+        // Decoded here: the parser would print what is wrong with bytes, in addition to throwing it.
+        InputStreamReader text = new InputStreamReader(
+                new ByteArrayInputStream(bytes, from, bytes.length - from), StandardCharsets.UTF_8);
+        try {
+            XmlText document = new XmlText(name, factory.createXMLStreamReader(text));
+            document.begin(root);
+            reading.read(document);
+        } catch (XMLStreamException e) {
+            int line = e.getLocation() == null ? 1 : e.getLocation().getLineNumber();
+            String why = String.valueOf(e.getMessage()).replaceFirst("(?s).*Message: ", "");
+            throw new InputException(
+                    name + ":" + line + ": not whole XML: "
+                            + PlainText.beginning(PlainText.line(why), PlainText.LONGEST),
+                    e);
+        }
+    }
+
+    private void begin(String root) throws XMLStreamException {
+        while (next() != XMLStreamConstants.START_ELEMENT) {
+            // What may stand before the outermost element.
+        }
+        if (!element().equals(root)) {
+            throw new InputException(
+                    at() + "begins with <" + PlainText.value(element()) + ">, must begin with <" + root + ">");
+        }
+    }
+
+    /** Whether something follows. */
+    public boolean hasNext() throws XMLStreamException {
+        return xml.hasNext();
+    }
+
+    /** Goes on to what follows, as {@link XMLStreamReader#next()} does. */
+    public int next() throws XMLStreamException {
+        int event = xml.next();
+        if (event == XMLStreamConstants.DTD) {
+            throw new InputException(at() + "has a document type, which no such file needs");
+        }
+        if (event == XMLStreamConstants.START_ELEMENT && ++depth > MOST_DEPTH) {
+            throw new InputException(at() + "nested more than " + MOST_DEPTH + " deep");
+        }
+        if (event == XMLStreamConstants.END_ELEMENT) {
+            depth--;
+        }
+        return event;
+    }
+
+    /** How many elements are open here. */
+    public int depth() {
+        return depth;
+    }
+
+    /** The name of the element here, without the prefix of its namespace. */
+    public String element() {
+        return xml.getLocalName();
+    }
+
+    /** An attribute of the element here; null if it has none of that name. */
+    public String attribute(String called) {
+        return xml.getAttributeValue(null, called);
+    }
+
+    /** The line here. */
+    public int line() {
+        return xml.getLocation().getLineNumber();
+    }
+
+    /** The beginning of messages about this line. */
+    public String at() {
+        return name + ":" + line() + ": ";
+    }
+
+    /** The text of the element here, up to its end, as far as it is not very long. */
+    public String content() throws XMLStreamException {
+        StringBuilder text = new StringBuilder();
+        int inside = depth;
+        int event = next();
+        while (event != XMLStreamConstants.END_ELEMENT || depth >= inside) {
+            if (xml.isCharacters() && text.length() < LONGEST_TEXT) {
+                text.append(xml.getText(), 0, Math.min(xml.getTextLength(), LONGEST_TEXT));
+            }
+            event = next();
+        }
+        return text.toString();
+    }
+}
