@@ -172,6 +172,14 @@ public final class ModelCache {
         return Place.of(world).map(this::ground);
     }
 
+    /** What was read of the terrain and the buildings of a world, a line for each thing. */
+    synchronized List<String> siteNotes(WorldSettings world) {
+        List<String> lines = new ArrayList<>();
+        Place.of(world).ifPresent(place -> lines.addAll(terrain(place).description()));
+        Town.of(world).ifPresent(town -> lines.addAll(buildings(town).description()));
+        return lines;
+    }
+
     /** The ray-tracing index over a world's terrain, buildings and models, merged into one mesh. */
     synchronized TracingIndex index(WorldSettings world) {
         return indexes.computeIfAbsent(Site.of(world), this::build);

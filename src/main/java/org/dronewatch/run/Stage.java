@@ -35,6 +35,7 @@ import org.dronewatch.world.WorldSettings;
  */
 public final class Stage {
     private final World world;
+    private final List<String> siteNotes;
     private final Map<String, Integer> colours;
     private final Map<String, Map<String, Integer>> droneColours = new LinkedHashMap<>();
     private final List<Airborne> airborne = new ArrayList<>();
@@ -51,6 +52,7 @@ public final class Stage {
         PictureMemory.check(settings, Runtime.getRuntime().maxMemory());
         WorldSettings site = settings.world();
         this.world = worldOf(site, models);
+        this.siteNotes = models.siteNotes(site);
         this.colours = Map.copyOf(models.colours(site));
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
@@ -91,6 +93,11 @@ public final class Stage {
     void release() {
         active.clear();
         clock.end();
+    }
+
+    /** What was read of a real place, a line for each thing, with the attribution that a map asks for; none for models. */
+    public List<String> siteNotes() {
+        return siteNotes;
     }
 
     /** The world. */

@@ -114,7 +114,10 @@ class BuildingSceneTest {
                 "run", scene.toString(), "--out", directory.resolve("out").toString());
         assertThat(run.code()).as(run.err()).isZero();
         assertThat(Files.readString(directory.resolve("out/provenance.json"))).contains("map.osm");
-        assertThat(Files.readString(directory.resolve("out/report.html"))).contains("map.osm");
+        assertThat(Files.readString(directory.resolve("out/report.html")))
+                .contains("read map.osm: OpenStreetMap XML, 2 buildings")
+                .contains("1 stated, 0 from levels of 3 m, 1 assumed to be 9 m")
+                .contains("(c) OpenStreetMap contributors, Open Database License");
         Outcome saved = Program.run(
                 "save",
                 scene.toString(),

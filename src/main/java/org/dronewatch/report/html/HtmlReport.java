@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.ConditionAdvice;
@@ -31,6 +32,9 @@ public final class HtmlReport {
     private final Views views;
     private final List<Figure> plots;
     private final Map<String, String> provenance;
+
+    /** What is known of a real place, from the last run that was shown. */
+    private List<String> siteNotes = List.of();
 
     /** Provides the site of a run when the report needs it. */
     @FunctionalInterface
@@ -77,13 +81,17 @@ public final class HtmlReport {
         section(page, "Sensors", settings.sensors());
         section(page, "Sources of the settings", settings.sources());
         section(page, "Drones", settings.drones());
-        section(page, "Site", settings.site());
+        section(page, "Site", settings.site() + notes());
         section(page, "Limitations of the model", settings.limits());
         if (!provenance.isEmpty()) {
             section(page, "Provenance", Html.definitions(provenance));
         }
         page.append("</body>\n</html>\n");
         page.flush();
+    }
+
+    private String notes() {
+        return siteNotes.stream().map(note -> Html.plain("p", note)).collect(Collectors.joining());
     }
 
     private static String style() throws IOException {
@@ -123,7 +131,9 @@ public final class HtmlReport {
     }
 
     private RunSections sections(RunResult run, String level) throws IOException {
-        return new RunSections(run, looks.ofRun(run.run()).orElseThrow(), views.of(run), level);
+        RunView view = views.of(run);
+        siteNotes = view.stage().siteNotes();
+        return new RunSections(run, looks.ofRun(run.run()).orElseThrow(), view, level);
     }
 
     /** Explains the table of all runs and which of them are detailed below. */

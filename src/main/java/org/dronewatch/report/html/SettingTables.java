@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
@@ -22,6 +23,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.file.PackagedSite;
 import org.dronewatch.sound.Wind;
 import org.dronewatch.world.WorldSettings;
 
@@ -133,11 +135,11 @@ final class SettingTables {
                 Long.toString(result.seed())));
         world.terrain().ifPresent(terrain -> {
             head.add("terrain");
-            row.add(String.join(", ", terrain.allFiles()));
+            row.add(terrain.allFiles().stream().map(PackagedSite::plain).collect(Collectors.joining(", ")));
         });
         world.buildings().flatMap(BuildingSettings::file).ifPresent(map -> {
             head.add("buildings");
-            row.add(map);
+            row.add(PackagedSite.plain(map));
         });
         Wind wind = world.atmosphere().wind();
         if (wind.speed() > 0.0) {
