@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.dronewatch.flight.FlightPath;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -28,7 +31,7 @@ class FlightFileSceneTest extends CommandLines {
 
     @Test
     void aMissionIsRunAndItsFileIsPartOfTheRun() throws IOException {
-        Program.Outcome outcome = commandIn("run DIR/approach.yaml --out DIR/out --set run.duration=30");
+        Program.Outcome outcome = commandIn("run DIR/approach.yaml --out DIR/out --set run.duration=1");
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err())
                 .contains("read approach.plan: a mission of 7 items")
@@ -42,16 +45,33 @@ class FlightFileSceneTest extends CommandLines {
         assertThat(commandIn("check DIR/saved.yaml").code()).isZero();
     }
 
-    /** The track was logged during this mission, rounded to a decimetre: both lead to the same places. */
     @Test
-    void aTrackIsRun() throws IOException {
+    void aTrackIsFlown() throws IOException {
         write("flight: {log: approach.gpx}");
-        Program.Outcome outcome = commandIn("run DIR/scene.yaml --out DIR/out --set run.duration=235");
+        Program.Outcome outcome = commandIn("check DIR/scene.yaml --set run.duration=235");
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err())
                 .contains("read approach.gpx: 24 points in 230.0 s")
                 .contains(
                         "its recorded flight ends at 230.0 s, the run at 235.0 s: for the rest of the run the drone hovers");
+    }
+
+    /** The track was logged during the mission, each ten seconds, rounded to a decimetre: then both are at the same places. */
+    @Test
+    void theTrackIsThatOfTheMission() throws IOException {
+        FlightPath mission = flight("approach.yaml");
+        write("flight: {log: approach.gpx}");
+        FlightPath track = flight("scene.yaml");
+        for (int time = 0; time <= 230; time += 10) {
+            assertThat(track.at(time).position().distance(mission.at(time).position()))
+                    .as("%s s", time)
+                    .isLessThan(0.5);
+        }
+    }
+
+    private FlightPath flight(String scene) {
+        SceneRunner runner = new SceneRunner(new SceneFile(directory.resolve(scene)));
+        return runner.stage(runner.settings()).flight("visitor");
     }
 
     @Test

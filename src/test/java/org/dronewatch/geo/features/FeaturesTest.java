@@ -137,10 +137,10 @@ class FeaturesTest {
         assertThatThrownBy(() -> read("{\"a\":".repeat(100_000))).isInstanceOf(InputException.class);
     }
 
-    /** Whatever a file holds, it is read or refused in a line: seeds 0 to 1999. */
+    /** Whatever a file holds, it is read or refused in a line: seeds 0 to 999. */
     @Test
     void damagedFilesAreReadOrRefused() {
-        for (int seed = 0; seed < 2000; seed++) {
+        for (int seed = 0; seed < 1000; seed++) {
             SplittableRandom random = new SplittableRandom(seed);
             byte[] bytes = (seed % 2 == 0 ? KML : GEOJSON).getBytes(StandardCharsets.UTF_8);
             for (int i = random.nextInt(1, 4); i > 0; i--) {
