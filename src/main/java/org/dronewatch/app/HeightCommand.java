@@ -24,7 +24,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "height",
         mixinStandardHelpOptions = true,
-        description = "Prints how high ground and surface are at a place of a scene's site, and what is there.",
+        description = "Prints how high the ground and the surface are at a place on a scene's site, and what is there.",
         footer = {
             "",
             "Examples:",

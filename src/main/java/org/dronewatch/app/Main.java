@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
         name = "dronewatch",
         versionProvider = Main.Version.class,
         mixinStandardHelpOptions = true,
-        description = "Simulates how a set of sensors sees and hears drones in the 3D model of a real site.",
+        description = "Simulates how a set of sensors sees and hears drones in a 3D model of a real site.",
         subcommands = {
             ListCommand.class,
             RunCommand.class,

@@ -36,7 +36,7 @@ import picocli.CommandLine.Spec;
         name = "new",
         mixinStandardHelpOptions = true,
         description =
-                "Begins a scene of a real place: a directory with the given files and a commented scene file that runs at once,"
+                "Creates a scene of a real place: a directory with the given files and a commented scene file that runs at once,"
                         + " with a sensor of each kind on the highest points, an intruder, and a protected zone.",
         footer = {
             "",
@@ -47,7 +47,7 @@ final class NewCommand implements Callable<Integer> {
     private static final double NARROWEST = 200.0;
     private static final double WIDEST = 20_000.0;
 
-    @Parameters(paramLabel = "DIR", description = "Directory to make; it must not exist or be empty.")
+    @Parameters(paramLabel = "DIR", description = "Directory to create; an existing one must be empty.")
     private String directory;
 
     @Option(

@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
         name = "save",
         mixinStandardHelpOptions = true,
         description = "Writes a scene with its overrides, or one run of its sweep, as a scene file that gives the same"
-                + " results; or a flight as a mission of QGroundControl.",
+                + " results; or a flight as a QGroundControl mission.",
         footer = {
             "",
             "Examples:",
@@ -47,9 +47,8 @@ final class SaveCommand implements Callable<Integer> {
     @Option(
             names = "--flight",
             paramLabel = "DRONE",
-            description =
-                    "Writes the flight of this drone as a plan of QGroundControl instead of the scene; the scene needs"
-                            + " a world.origin.")
+            description = "Writes the flight of this drone as a QGroundControl plan instead of the scene, whose"
+                    + " world.origin must be set.")
     private String flight;
 
     @Option(

@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
         name = "schema",
         mixinStandardHelpOptions = true,
         description = {
-            "Prints the JSON schema of scene files, with the kinds of all jars on the class path.",
+            "Prints the JSON schema of scene files, with the kinds that all jars on the class path add.",
             "Editors complete and check scene files as you type if their first line is",
             "# yaml-language-server: $schema=scene.schema.json"
         },

@@ -49,7 +49,7 @@ final class SiteView {
     @Option(
             names = "--focus",
             paramLabel = "ID",
-            description = "Sensor or drone on which a picture of the site is centred and zoomed in.")
+            description = "Sensor or drone that a picture of the site is centred on and zoomed in on.")
     private String focus;
 
     @Option(

@@ -29,6 +29,8 @@ final class BuildingReport {
     private int assumed;
     private int fromLevels;
     private double area;
+    private int woods;
+    private double woodArea;
 
     BuildingReport(String file, BuildingSettings settings, Map<String, Integer> leftOut) {
         this.file = file;
@@ -62,6 +64,12 @@ final class BuildingReport {
         buildings++;
         added += solid.floor() > 0 ? 1 : 0;
         area += squareMetres;
+    }
+
+    /** A wood that was built. */
+    void addWood(double squareMetres) {
+        woods++;
+        woodArea += squareMetres;
     }
 
     /** How far the lowest points of the solids of a city model lie above the ground, m. */
@@ -98,6 +106,14 @@ final class BuildingReport {
                 Quantity.LENGTH.inWords(settings.radius()),
                 area));
         lines.add(map.model().isPresent() ? cityModel(triangles) : heights(triangles));
+        if (woods > 0) {
+            lines.add(String.format(
+                    Locale.ROOT,
+                    "woods: %s, %,.0f m2, %s high",
+                    counted(woods, "wood"),
+                    woodArea,
+                    Quantity.LENGTH.inWords(settings.woodHeight().orElseThrow())));
+        }
         if (!leftOut.isEmpty()) {
             lines.add("buildings: left out: "
                     + leftOut.entrySet().stream()

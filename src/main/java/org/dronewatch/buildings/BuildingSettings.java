@@ -19,12 +19,16 @@ import org.dronewatch.setting.file.PackagedSite;
  * @param file the map, or {@code packaged:NAME} for one that comes with the library
  * @param crs coordinate reference system of GeoJSON or CityJSON by its EPSG code; omit it for longitude and
  *     latitude, and for the system that a city model states
- * @param radius how far from the origin buildings are taken, 10 m to 20 km
- * @param height height of buildings of which the map states neither height nor levels, 1 to 200 m
- * @param levelHeight height of a level of buildings of which the map states only how many, 1 to 20 m
- * @param verticalOffset what is added to the heights of a city model, -1000 to 1000 m: for one that counts from another level than
+ * @param radius how far from the origin buildings are included, 10 m to 20 km
+ * @param height height of buildings for which the map states neither a height nor levels, 1 to 200 m
+ * @param levelHeight height of a level, for buildings for which the map states only the number of levels, 1 to 20 m
+ * @param verticalOffset what is added to the heights of a city model, -1000 to 1000 m: for one that counts from another
+ *     level than
  *     {@code world.origin.height} and the terrain do
- * @param material material of buildings of which the map states none, a name in the table of surfaces
+ * @param woodHeight height of the woods on the map, which become canopies that nothing passes through, 1 to 100 m; omit it
+ *     to build
+ *     no woods
+ * @param material material of buildings for which the map states none: a name in the table of surfaces
  */
 public record BuildingSettings(
         @FileName(unless = PackagedSite.PREFIX) Optional<String> file,
@@ -33,11 +37,12 @@ public record BuildingSettings(
         @In(value = Quantity.LENGTH, from = 1, to = 200) double height,
         @In(value = Quantity.LENGTH, from = 1, to = 20) double levelHeight,
         @In(value = Quantity.LENGTH, from = -1000, to = 1000) double verticalOffset,
+        @In(value = Quantity.LENGTH, from = 1, to = 100) Optional<Double> woodHeight,
         String material) {
     /** Within 2 km, three levels of 3 m, of rendered brick; without a file yet. */
     @Defaults
-    public static final BuildingSettings DEFAULT =
-            new BuildingSettings(Optional.empty(), Optional.empty(), 2000.0, 9.0, 3.0, 0.0, "brick_rendered");
+    public static final BuildingSettings DEFAULT = new BuildingSettings(
+            Optional.empty(), Optional.empty(), 2000.0, 9.0, 3.0, 0.0, Optional.empty(), "brick_rendered");
 
     /**
      * Checks the limits.
@@ -46,7 +51,8 @@ public record BuildingSettings(
      *     system is not known
      */
     public BuildingSettings {
-        Limits.check(BuildingSettings.class, file, crs, radius, height, levelHeight, verticalOffset, material);
+        Limits.check(
+                BuildingSettings.class, file, crs, radius, height, levelHeight, verticalOffset, woodHeight, material);
         if (material.isBlank()) {
             throw new IllegalArgumentException("material is empty: it must be a name");
         }
@@ -87,6 +93,11 @@ public record BuildingSettings(
     /** These settings with the heights of a city model shifted by as many metres. */
     public BuildingSettings withVerticalOffset(double metres) {
         return SettingsForm.with(this, "verticalOffset", metres);
+    }
+
+    /** These settings with the woods of the map as canopies of a height, m. */
+    public BuildingSettings withWoodHeight(double metres) {
+        return SettingsForm.with(this, "woodHeight", Optional.of(metres));
     }
 
     /** These settings with another material of buildings whose material is not known. */

@@ -9,6 +9,7 @@ import org.dronewatch.setting.file.FileHash;
  * What was made of a map.
  *
  * @param mesh closed solids in the world frame, whose triangles face outwards
+ * @param woods canopies in the world frame; without triangles if there are none
  * @param colours of the materials in daylight, by name: red, green and blue in the lowest 24 bits
  * @param count how many buildings and parts stand there
  * @param area of their outlines, without courtyards, m2
@@ -19,6 +20,7 @@ import org.dronewatch.setting.file.FileHash;
  */
 public record LoadedBuildings(
         TriangleMesh mesh,
+        TriangleMesh woods,
         Map<String, Integer> colours,
         int count,
         double area,

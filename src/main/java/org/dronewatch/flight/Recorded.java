@@ -15,7 +15,7 @@ import org.dronewatch.world.Ground;
  * speed does not matter.
  *
  * @param file path of the {@code flights.csv}
- * @param drone id of the drone in the file; the drone's own id unless given
+ * @param drone id of the drone in the file; this drone's own id by default
  * @param run number of the run in the file, 0 to 1,000,000
  */
 public record Recorded(

@@ -14,7 +14,7 @@ import org.dronewatch.setting.Quantity;
  * follows the ground below itself, not below the others.
  *
  * @param count number of drones, including the leader, 1 to 1000
- * @param spacing between neighbours, above 0 and at most 10 km, m
+ * @param spacing distance between neighbours, above 0 and at most 10 km, m
  * @param formation how they are arranged
  */
 public record Swarm(

@@ -13,7 +13,7 @@ import org.dronewatch.setting.Quantity;
  * @param latitude north of the equator, rad
  * @param longitude east of Greenwich, rad
  * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
- * @param height height above sea level, as that of the origin, -100 to 100 km, m
+ * @param height height above sea level, as is the height distance east of the origin, -100 to 100 km, m
  */
 public record EarthPlace(
         @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude,

@@ -12,9 +12,10 @@ import org.dronewatch.setting.Quantity;
  * 3 m}}. Without {@code above} and {@code height} it is as high as the file says, or lies on the highest surface there.
  *
  * @param feature name of a point in a GeoJSON or KML file
- * @param file that file; the one beside the scene file that has the same name but for {@code .geojson} or {@code .kml} unless given
+ * @param file that file; the one beside the scene file that has the same name but for {@code .geojson} or {@code .kml}
+ *     unless given
  * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
- * @param height height above sea level, as that of the origin, -100 to 100 km, m
+ * @param height height above sea level, as is the height distance east of the origin, -100 to 100 km, m
  */
 public record FeaturePlace(
         String feature,

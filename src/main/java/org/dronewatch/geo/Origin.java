@@ -8,7 +8,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Where on earth the scene's origin lies (WGS 84), so that results can be shown on a map.
+ * Geographic position of the scene's origin (WGS 84), so that results can be shown on a map.
  *
  * @param latitude north of the equator, rad
  * @param longitude east of Greenwich, rad

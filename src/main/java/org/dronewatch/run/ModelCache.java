@@ -229,6 +229,11 @@ public final class ModelCache {
         if (town.isPresent()) {
             starts.put(next, SiteModel.of(town.get().buildings()));
             next += buildings(town.get()).mesh().triangleCount();
+            int woods = buildings(town.get()).woods().triangleCount();
+            if (woods > 0) {
+                starts.put(next, SiteModel.ofWoods(town.get().buildings()));
+                next += woods;
+            }
         }
         for (ModelSettings model : world.models()) {
             starts.put(next, SiteModel.of(model));
@@ -248,7 +253,12 @@ public final class ModelCache {
     private TracingIndex build(Site site) {
         List<TriangleMesh> meshes = new ArrayList<>();
         site.terrain().ifPresent(place -> meshes.add(terrain(place).mesh()));
-        site.town().ifPresent(town -> meshes.add(buildings(town).mesh()));
+        site.town().ifPresent(town -> {
+            meshes.add(buildings(town).mesh());
+            if (buildings(town).woods().triangleCount() > 0) {
+                meshes.add(buildings(town).woods());
+            }
+        });
         for (ModelSettings model : site.models()) {
             meshes.add(models.computeIfAbsent(model, this::load).mesh());
         }

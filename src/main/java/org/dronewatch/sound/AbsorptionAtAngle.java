@@ -7,7 +7,7 @@ import org.dronewatch.setting.Quantity;
 /**
  * What a surface absorbs of sound that arrives at an angle.
  *
- * @param angle between the sound and the surface's normal, 0 to 90 degrees, rad
+ * @param angle angle between the direction of the sound and the surface's normal, 0 to 90 degrees, rad
  * @param absorption fraction that is not reflected, 0 to 1: eight octave bands, or one number
  */
 public record AbsorptionAtAngle(

@@ -24,7 +24,7 @@ final class KeysPage {
         {"Click", "selects a sensor or drone"},
         {"Double-click", "centres on a point and zooms in"},
         {"Click on a camera", "enlarges it; another click shows all cameras"},
-        {"Click or drag on the time line", "jumps to a time"},
+        {"Click or drag on the timeline", "jumps to a time"},
     };
 
     /** One key with what it does. */

@@ -61,7 +61,7 @@ final class TimeLine extends JPanel implements Scrollable {
         this.playback = playback;
         setMinimumSize(Scaled.size(200, LOWEST));
         setToolTipText("");
-        getAccessibleContext().setAccessibleName("time line");
+        getAccessibleContext().setAccessibleName("timeline");
         MouseAdapter mouse = new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {

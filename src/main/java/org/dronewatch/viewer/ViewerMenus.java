@@ -83,8 +83,8 @@ final class ViewerMenus {
                 null,
                 () -> exports.savePicture(pane.cameras(), "cameras")));
         menu.add(item(
-                "Save time line ...",
-                "Writes the time line as a PNG image",
+                "Save timeline ...",
+                "Writes the timeline as a PNG image",
                 null,
                 () -> exports.savePicture(pane.timeLine(), "time-line")));
         menu.add(item(

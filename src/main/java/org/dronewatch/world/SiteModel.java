@@ -29,6 +29,11 @@ public record SiteModel(String file, ModelRole role) {
         return new SiteModel(settings.file().map(PackagedSite::plain).orElse(""), ModelRole.BUILDING);
     }
 
+    /** The woods of a map. */
+    public static SiteModel ofWoods(BuildingSettings settings) {
+        return new SiteModel(of(settings).file(), ModelRole.VEGETATION);
+    }
+
     /** As its settings name it. */
     public static SiteModel of(ModelSettings settings) {
         return new SiteModel(settings.shownFile(), settings.role());

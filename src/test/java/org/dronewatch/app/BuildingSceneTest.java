@@ -98,6 +98,22 @@ class BuildingSceneTest {
                 .noneMatch(line -> line.startsWith("warning"));
     }
 
+    /** What is hidden by a wood is hidden by vegetation. */
+    @Test
+    void aWoodHidesAsVegetation() throws IOException {
+        Files.writeString(
+                directory.resolve("map.osm"),
+                "<osm>" + house(10, 50.0004, "").replace("building' v='yes", "natural' v='wood") + "</osm>");
+        SceneRunner runner =
+                new SceneRunner(new SceneFile(scene(SITE.replace("map.osm", "map.osm, woodHeight: 20 m"))));
+        World world = runner.stage(runner.settings()).world();
+        Obstacle wood = new Visibility(world)
+                .obstacle(new Position(0, 0, 15), new Position(0, 70, 15))
+                .orElseThrow();
+        assertThat(wood.model().role()).isEqualTo(ModelRole.VEGETATION);
+        assertThat(wood.material()).isEqualTo("foliage_edge");
+    }
+
     /** The report names the map, its hash is in the result, and a saved scene finds it again. */
     @Test
     void aRunRecordsTheMap() throws IOException {

@@ -11,6 +11,7 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Random;
 import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Geodesy;
 import org.dronewatch.geo.Origin;
@@ -18,6 +19,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.terrain.TerrainGround;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -352,6 +355,50 @@ class BuildingLoaderTest {
         LoadedBuildings loaded = load(BuildingSettings.of("map.osm"), Optional.of(new TerrainGround(small)));
         assertThat(loaded.count()).isEqualTo(1);
         assertThat(loaded.description()).anyMatch(line -> line.contains("1 building without ground under it"));
+    }
+
+    /** A wood of 40 m x 30 m with a clearing of 10 m x 10 m, across a ridge: its top lies 15 m over the ground everywhere. */
+    @Test
+    void aWoodIsACanopyThatFollowsTheGround() throws IOException {
+        int outer = way(box(-20, -15, 20, 15), "");
+        int inner = way(box(-5, -5, 5, 5), "");
+        relation("outer=" + outer + " inner=" + inner, "type=multipolygon natural=wood");
+        way(box(60, 0, 70, 10), "landuse=forest building=yes height=4");
+        float[] corners = {-100, -100, -30, 3, -100, 0, 100, -100, -40, -100, 100, -30, 3, 100, 5, 100, 100, -40};
+        TerrainGround ridge =
+                new TerrainGround(TriangleMesh.of(corners, new int[] {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4}));
+        BuildingSettings settings = BuildingSettings.of("map.osm");
+        LoadedBuildings without = load(settings, Optional.of(ridge));
+        assertThat(without.woods().triangleCount()).isZero();
+        assertThat(without.description()).anyMatch(line -> line.contains("left out: 1 wood"));
+
+        LoadedBuildings loaded = load(settings.withWoodHeight(15), Optional.of(ridge));
+        assertThat(loaded.count()).isEqualTo(1);
+        assertThat(loaded.description()).contains("woods: 1 wood, 1,100 m2, 15 m high");
+        assertThat(loaded.woods().materialNames()).containsExactly("foliage_edge");
+        World wood = World.of(loaded.woods());
+        long seed = 5L;
+        Random random = new Random(seed);
+        for (int i = 0; i < 500; i++) {
+            double x = -22 + 44 * random.nextDouble();
+            double y = -17 + 34 * random.nextDouble();
+            boolean isInside = Math.abs(x) < 20 && Math.abs(y) < 15 && !(Math.abs(x) < 5 && Math.abs(y) < 5);
+            assertThat(wood.surfaceHeight(x, y).isPresent())
+                    .as("seed %d: %s %s", seed, x, y)
+                    .isEqualTo(isInside);
+            if (isInside) {
+                assertThat(wood.surfaceHeight(x, y).orElseThrow())
+                        .as("seed %d: %s %s", seed, x, y)
+                        .isCloseTo(ridge.heightAt(x, y) + 15.0, within(1e-3));
+            }
+        }
+        Visibility visibility = new Visibility(wood);
+        assertThat(visibility.isFree(-40, 10, 0, -21, 10, 0)).isTrue();
+        assertThat(visibility.isFree(-40, 10, 0, -10, 10, 0)).isFalse();
+        assertThat(visibility.isFree(0, 0, 10, 0, 12, 10)).isFalse();
+        // Just above the ground and a little below it, walls reach.
+        assertThat(visibility.isFree(-40, 0, ridge.heightAt(-20, 0) - 0.9, -10, 0, ridge.heightAt(-20, 0) - 0.9))
+                .isFalse();
     }
 
     @Test

@@ -12,7 +12,8 @@ import tools.jackson.databind.JsonNode;
 
 /**
  * Reads outlines from GeoJSON (RFC 7946): polygons and multipolygons, whose properties are taken as tags of OpenStreetMap
- * ({@code height}, {@code building:levels}, {@code levels}, ...). Every area is a building, unless {@code building} is {@code no}.
+ * ({@code height}, {@code building:levels}, {@code levels}, ...). Every area is a building, unless {@code building} is
+ * {@code no}.
  */
 final class GeoJsonFile {
     private static final int MOST_DEPTH = 64;
@@ -90,7 +91,8 @@ final class GeoJsonFile {
     }
 
     private void polygon(JsonNode rings, String id, Map<String, String> tags) {
-        if ("no".equals(tags.get("building"))) {
+        MapFeature plain = new MapFeature(id, List.of(), List.of(), tags);
+        if ("no".equals(tags.get("building")) && !plain.isWood()) {
             return;
         }
         List<double[]> read = new ArrayList<>();

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * A building, or a part of one, as a map has it. The arrays are not copied: whoever is given one must not change it.
+ * A building, a part of one, or a wood, as a map has it. The arrays are not copied: whoever is given one must not change it.
  *
  * @param id what the map calls it, such as {@code way/4713}
  * @param outers closed outlines: x and y of each corner in turn, in the map's coordinates, without the first one again
@@ -18,6 +18,12 @@ public record MapFeature(String id, List<double[]> outers, List<double[]> inners
         outers = List.copyOf(outers);
         inners = List.copyOf(inners);
         tags = Map.copyOf(tags);
+    }
+
+    /** Whether it is a wood, not a building. */
+    public boolean isWood() {
+        String building = tags.getOrDefault("building", "no");
+        return building.equals("no") && ("wood".equals(tags.get("natural")) || "forest".equals(tags.get("landuse")));
     }
 
     /** All outlines, courtyards among them. */

@@ -22,8 +22,18 @@ final class OsmFeatures implements OsmElements {
     private static final long MOST_CORNERS = 100_000_000;
 
     /** Elements that are sensible tags of buildings: anything else about a feature is not needed. */
-    private static final List<String> TAGS =
-            List.of("building", "roof", "height", "min_height", "location", "material", "levels", "level", "type");
+    private static final List<String> TAGS = List.of(
+            "building",
+            "roof",
+            "height",
+            "min_height",
+            "location",
+            "material",
+            "levels",
+            "level",
+            "type",
+            "natural",
+            "landuse");
 
     private final String file;
     private final MapArea area;
@@ -103,19 +113,28 @@ final class OsmFeatures implements OsmElements {
             throw new InputException(file + ": ways with more than " + MOST_CORNERS
                     + " corners: cut out the site with 'osmium extract'");
         }
-        ways.putIfAbsent(id, new Way(id, refs, isBuilding(tags) ? sensible(tags) : Map.of()));
+        ways.putIfAbsent(id, new Way(id, refs, isWanted(tags) ? sensible(tags) : Map.of()));
     }
 
     @Override
     public void relation(long id, List<Member> members, Map<String, String> tags) {
         boolean isArea = "multipolygon".equals(tags.get("type")) || "building".equals(tags.get("type"));
-        if (isArea && isBuilding(tags) && !members.isEmpty()) {
+        if (isArea && isWanted(tags) && !members.isEmpty()) {
             relations.add(new Relation(id, members, sensible(tags)));
         }
     }
 
     private static boolean isBuilding(Map<String, String> tags) {
         return isYes(tags.get("building")) || isYes(tags.get("building:part"));
+    }
+
+    private static boolean isWood(Map<String, String> tags) {
+        return "wood".equals(tags.get("natural")) || "forest".equals(tags.get("landuse"));
+    }
+
+    /** Whether something becomes a feature. */
+    private static boolean isWanted(Map<String, String> tags) {
+        return isBuilding(tags) || isWood(tags);
     }
 
     private static boolean isYes(String value) {
@@ -144,7 +163,7 @@ final class OsmFeatures implements OsmElements {
             feature(relation, built).ifPresent(features::add);
         }
         for (Way way : ways.values()) {
-            if (!isBuilding(way.tags)) {
+            if (!isWanted(way.tags)) {
                 continue;
             }
             if (!way.isClosed()) {

@@ -38,7 +38,7 @@ final class TimelineSvg {
         int height = ROW * sensors.size() + AXIS;
         StringBuilder svg = new StringBuilder();
         svg.append(format(
-                "<div class=\"wide\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"time line of"
+                "<div class=\"wide\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"timeline of"
                         + " detections\">%n",
                 WIDTH, height));
         for (int row = 0; row < sensors.size(); row++) {

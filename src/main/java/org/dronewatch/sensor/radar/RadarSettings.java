@@ -42,8 +42,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param budget what determines the signal-to-noise ratio of an echo
  * @param detection at which signal-to-noise ratio an echo is detected
  * @param accuracy how accurately it measures positions
- * @param groundReflection ground whose reflection interferes with the direct wave, both ways, as far as it leaves the radar
- *     within its field of view; none unless set. The polarisation must then be horizontal or vertical
+ * @param groundReflection ground whose reflection interferes with the direct wave, both ways, if the reflected path lies
+ *     within the field of view of the radar; none by default. The polarisation must then be horizontal or vertical
  */
 public record RadarSettings(
         Position position,

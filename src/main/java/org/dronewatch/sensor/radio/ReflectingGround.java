@@ -7,7 +7,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Ground that reflects radio waves: what comes directly and what comes by the ground interfere.
+ * Ground that reflects radio waves: the direct wave and the wave reflected by the ground interfere.
  *
  * @param permittivity relative permittivity, 1 to 100: 3 for very dry, 15 for medium dry, 30 for wet ground, 80 for water
  *     (ITU-R P.527)

@@ -29,7 +29,8 @@ import org.dronewatch.world.World;
  *     and below 1
  * @param maxOrder how many surfaces a ray may hit before it is dropped, 0 to 10,000
  * @param imageSourceOrder order up to which paths of specular reflections alone are computed exactly, 1 to 50:
- *     those off any one surface, and those off several in turn that rays from the microphone or from the drone find
+ *     all paths off one surface, and paths off several surfaces in turn if rays from the microphone or from the drone find
+ *     those surfaces
  * @param diffraction how diffraction round edges is computed
  * @param criterion which level is compared with the background
  * @param ground whether direct and ground-reflected sound interfere
