@@ -73,7 +73,7 @@ public final class RandomScenes {
             Map.entry("LowApproach.distance", 2000.0));
 
     /** What would need files of its own. */
-    private static final Set<String> LEFT_OUT = Set.of("WorldSettings.terrain");
+    private static final Set<String> LEFT_OUT = Set.of("WorldSettings.terrain", "WorldSettings.buildings");
 
     private final SplittableRandom random;
     private final Kinds kinds = SensorKinds.kinds(Catalog.packaged());
