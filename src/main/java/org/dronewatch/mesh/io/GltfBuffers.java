@@ -86,13 +86,28 @@ final class GltfBuffers {
     }
 
     /**
-     * The values of an accessor.
+     * Values in a buffer, read one at a time: what a file states about their number allocates nothing.
+     *
+     * @param count of values
+     * @param start of the first one in the buffer
+     * @param stride from one to the next, bytes
+     */
+    record Accessor(
+            ByteBuffer buffer, int count, long start, long stride, int component, int size, boolean isNormalized) {
+        /** A component of a value. */
+        double at(int value, int axis) {
+            return value(buffer, (int) (start + value * stride + (long) size * axis), component, isNormalized);
+        }
+    }
+
+    /**
+     * An accessor, all of whose values lie within their buffer.
      *
      * @param number of the accessor
      * @param type that it must have, such as {@code VEC3}
      * @param components of that type
      */
-    double[] values(int number, String type, int components) {
+    Accessor accessor(int number, String type, int components) {
         JsonNode accessor = root.path("accessors").path(number);
         String name = "accessor " + number;
         if (!accessor.path("type").asString("").equals(type)) {
@@ -126,12 +141,7 @@ final class GltfBuffers {
             throw wrong(name + " of " + count + " values does not lie within its buffer");
         }
         boolean isNormalized = accessor.path("normalized").asBoolean(false);
-        double[] values = new double[(int) (count * components)];
-        for (int i = 0; i < values.length; i++) {
-            long at = start + i / components * stride + (long) size * (i % components);
-            values[i] = value(buffers.get(inBuffer), (int) at, component, isNormalized);
-        }
-        return values;
+        return new Accessor(buffers.get(inBuffer), (int) count, start, stride, component, size, isNormalized);
     }
 
     private int size(int component, String name) {

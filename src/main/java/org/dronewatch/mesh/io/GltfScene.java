@@ -2,11 +2,14 @@ package org.dronewatch.mesh.io;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
+import java.util.regex.Pattern;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.FileHash;
@@ -19,7 +22,14 @@ final class GltfScene {
     private static final int STRIP = 5;
     private static final int FAN = 6;
     private static final String UNNAMED = "default";
-    private static final Set<String> PACKED = Set.of("KHR_draco_mesh_compression", "EXT_meshopt_compression");
+    private static final Set<String> PACKED =
+            Set.of("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression");
+
+    /** Extensions that change nothing but the looks of a surface, or are read as the format itself is. */
+    private static final Pattern HARMLESS =
+            Pattern.compile("KHR_mesh_quantization|KHR_materials_.*|(KHR|EXT)_texture_.*|KHR_lights_.*|KHR_xmp.*");
+
+    private static final String INSTANCES = "EXT_mesh_gpu_instancing";
 
     private static final double[] IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
@@ -28,6 +38,7 @@ final class GltfScene {
     private final ModelCollector collector;
     private final GltfBuffers buffers;
     private final Map<String, Integer> skipped = new TreeMap<>();
+    private final BitSet reached = new BitSet();
 
     GltfScene(ModelFile file, JsonNode root, byte[] binary, ModelCollector collector) throws IOException {
         this.file = file;
@@ -43,6 +54,10 @@ final class GltfScene {
                 throw new InputException(file.name() + ": is packed by " + extension.asString()
                         + ": 'gltf-transform copy' writes a file without");
             }
+            if (!HARMLESS.matcher(extension.asString("")).matches()) {
+                throw new InputException(file.name() + ": requires the extension '"
+                        + PlainText.value(extension.asString("")) + "', which is not read");
+            }
         }
         this.buffers = new GltfBuffers(file, root, binary);
     }
@@ -51,16 +66,24 @@ final class GltfScene {
     LoadedModel read() {
         JsonNode nodes = root.path("nodes");
         JsonNode scene = root.path("scenes").path(root.path("scene").asInt(0));
-        if (scene.isMissingNode()) {
-            for (int i = 0; i < nodes.size(); i++) {
-                mesh(nodes.get(i), matrix(nodes.get(i), IDENTITY));
-            }
+        if (!scene.isMissingNode()) {
+            scene.path("nodes").forEach(node -> node(node.asInt(-1), IDENTITY, 0));
+        } else if (root.has("scene")) {
+            throw new InputException(
+                    file.name() + ": scene " + root.path("scene").asInt(-1) + " does not exist");
         } else {
-            for (JsonNode node : scene.path("nodes")) {
-                node(node.asInt(-1), IDENTITY, 0);
+            BitSet children = new BitSet();
+            nodes.forEach(node -> node.path("children").forEach(child -> {
+                int number = child.asInt(-1);
+                if (number >= 0 && number < nodes.size()) {
+                    children.set(number);
+                }
+            }));
+            for (int i = children.nextClearBit(0); i < nodes.size(); i = children.nextClearBit(i + 1)) {
+                node(i, IDENTITY, 0);
             }
         }
-        skipped.forEach((what, count) -> collector.warn(file.name() + ": skipped " + count + " " + what));
+        skipped.forEach((what, count) -> collector.warn(file.name() + ": skipped " + what + " (" + count + ")"));
         LoadedModel model = collector.toModel();
         List<FileHash> files = new ArrayList<>(model.files());
         files.addAll(buffers.files());
@@ -75,6 +98,18 @@ final class GltfScene {
                     + (node.isMissingNode()
                             ? ": node " + number + " does not exist"
                             : ": nodes are nested more than " + MOST_DEPTH + " deep"));
+        }
+        // Nodes are trees (glTF 2.0, section 3.5.2). Forty nodes, each twice the child of the one before, would be
+        // 2^40.
+        if (reached.get(number)) {
+            throw new InputException(file.name() + ": node " + number + " is a child twice, or its own ancestor");
+        }
+        reached.set(number);
+        if (node.has("skin")) {
+            skipped.merge("skins", 1, Integer::sum);
+        }
+        if (node.path("extensions").has(INSTANCES)) {
+            skipped.merge("lists of further instances of a mesh", 1, Integer::sum);
         }
         double[] matrix = matrix(node, parent);
         mesh(node, matrix);
@@ -160,15 +195,13 @@ final class GltfScene {
         if (!primitive.path("attributes").has("POSITION")) {
             throw new InputException(file.name() + ": a primitive has no POSITION");
         }
-        double[] positions =
-                buffers.values(primitive.path("attributes").path("POSITION").asInt(-1), "VEC3", 3);
-        int base = 0;
-        for (int i = 0; i < positions.length; i += 3) {
-            int added = collector.addVertex(
-                    along(matrix, 0, positions, i), along(matrix, 1, positions, i), along(matrix, 2, positions, i));
-            base = i == 0 ? added : base;
+        GltfBuffers.Accessor positions =
+                buffers.accessor(primitive.path("attributes").path("POSITION").asInt(-1), "VEC3", 3);
+        int[] corners = corners(primitive, positions, matrix);
+        if (mode == TRIANGLES && corners.length % 3 != 0) {
+            throw new InputException(
+                    file.name() + ": a primitive of " + corners.length + " corners, which are not whole triangles");
         }
-        int[] corners = corners(primitive, positions.length / 3);
         String material = material(primitive);
         // A transform that mirrors turns triangles inside out.
         boolean isMirrored = determinant(matrix) < 0.0;
@@ -181,15 +214,12 @@ final class GltfScene {
             boolean isTurned = isMirrored ^ (mode == STRIP && i % 2 != 0);
             int b = isTurned ? i + 2 : i + 1;
             int c = isTurned ? i + 1 : i + 2;
-            collector.addFace(material, base + corners[a], base + corners[b], base + corners[c]);
+            collector.addFace(material, corners[a], corners[b], corners[c]);
         }
     }
 
-    private static double along(double[] matrix, int row, double[] positions, int at) {
-        return matrix[row] * positions[at]
-                + matrix[4 + row] * positions[at + 1]
-                + matrix[8 + row] * positions[at + 2]
-                + matrix[12 + row];
+    private static double along(double[] matrix, int row, double x, double y, double z) {
+        return matrix[row] * x + matrix[4 + row] * y + matrix[8 + row] * z + matrix[12 + row];
     }
 
     private static double determinant(double[] m) {
@@ -198,24 +228,38 @@ final class GltfScene {
                 + m[8] * (m[1] * m[6] - m[5] * m[2]);
     }
 
-    private int[] corners(JsonNode primitive, int vertices) {
+    /**
+     * The vertices of the corners of a primitive, added to the model. Many primitives may take a few each from the same
+     * positions: the effort goes with the corners, not with the positions that there are.
+     */
+    private int[] corners(JsonNode primitive, GltfBuffers.Accessor positions, double[] matrix) {
         if (!primitive.has("indices")) {
-            int[] corners = new int[vertices];
-            for (int i = 0; i < vertices; i++) {
-                corners[i] = i;
+            int[] corners = new int[positions.count()];
+            for (int i = 0; i < corners.length; i++) {
+                corners[i] = vertex(positions, i, matrix);
             }
             return corners;
         }
-        double[] indices = buffers.values(primitive.path("indices").asInt(-1), "SCALAR", 1);
-        int[] corners = new int[indices.length];
+        int number = primitive.path("indices").asInt(-1);
+        GltfBuffers.Accessor indices = buffers.accessor(number, "SCALAR", 1);
+        int[] corners = new int[indices.count()];
+        Map<Integer, Integer> added = new HashMap<>();
         for (int i = 0; i < corners.length; i++) {
-            if (!(indices[i] >= 0.0 && indices[i] < vertices)) {
-                throw new InputException(
-                        file.name() + ": vertex index " + (long) indices[i] + " must be 0 to " + (vertices - 1));
+            double index = indices.at(i, 0);
+            if (!(index >= 0.0 && index < positions.count())) {
+                throw new InputException(file.name() + ": accessor " + number + ": vertex index " + (long) index
+                        + " must be 0 to " + (positions.count() - 1));
             }
-            corners[i] = (int) indices[i];
+            corners[i] = added.computeIfAbsent((int) index, at -> vertex(positions, at, matrix));
         }
         return corners;
+    }
+
+    private int vertex(GltfBuffers.Accessor positions, int number, double[] matrix) {
+        double x = positions.at(number, 0);
+        double y = positions.at(number, 1);
+        double z = positions.at(number, 2);
+        return collector.addVertex(along(matrix, 0, x, y, z), along(matrix, 1, x, y, z), along(matrix, 2, x, y, z));
     }
 
     private String material(JsonNode primitive) {
@@ -224,6 +268,9 @@ final class GltfScene {
         }
         int number = primitive.path("material").asInt(-1);
         JsonNode material = root.path("materials").path(number);
+        if (material.isMissingNode()) {
+            throw new InputException(file.name() + ": material " + number + " does not exist");
+        }
         String name = material.path("name").asString("");
         String used = name.isBlank() ? "material" + number : name;
         JsonNode colour = material.path("pbrMetallicRoughness").path("baseColorFactor");

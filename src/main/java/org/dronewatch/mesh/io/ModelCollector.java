@@ -24,6 +24,7 @@ public final class ModelCollector {
     private final Map<String, Integer> colours = new LinkedHashMap<>();
     private final List<String> warnings = new ArrayList<>();
     private long stated;
+    private long faces;
 
     /** Collects what one file has. */
     public ModelCollector(ModelFile file, ModelSettings settings) {
@@ -33,7 +34,7 @@ public final class ModelCollector {
 
     /**
      * Adds a vertex in the file's own coordinates, which are rounded to single precision only after it has been placed: those of a
-     * national grid lose nothing if the model's position takes them back to the origin.
+     * national grid lose nothing if the model's {@linkplain ModelSettings#origin() origin} lies on the site.
      *
      * @return its index, from 0 on
      * @throws InputException when it is not finite, or placed too far from the origin
@@ -42,8 +43,9 @@ public final class ModelCollector {
         placement.place(x, y, z, vertices);
         for (int i = vertices.size() - 3; i < vertices.size(); i++) {
             if (!(Math.abs(vertices.get(i)) <= TriangleMesh.MAX_COORDINATE)) {
-                throw new InputException(file.name() + ": vertex (" + x + ", " + y + ", " + z
-                        + ") must be finite and at most " + TriangleMesh.MAX_COORDINATE + " m from the origin");
+                throw new InputException(
+                        file.name() + ": vertex " + (vertices.size() / 3 - 1) + " (" + x + ", " + y + ", " + z
+                                + ") must be finite and at most " + TriangleMesh.MAX_COORDINATE + " m from the origin");
             }
         }
         return vertices.size() / 3 - 1;
@@ -58,14 +60,16 @@ public final class ModelCollector {
      */
     public void addFace(String material, int... corners) {
         if (corners.length < 3) {
-            throw new InputException(file.name() + ": face has " + corners.length + " corners, needs 3 or more");
+            throw new InputException(
+                    file.name() + ": face " + faces + " has " + corners.length + " corners, needs 3 or more");
         }
         for (int corner : corners) {
             if (corner < 0 || corner >= vertices.size() / 3) {
-                throw new InputException(
-                        file.name() + ": vertex index " + corner + " must be 0 to " + (vertices.size() / 3 - 1));
+                throw new InputException(file.name() + ": face " + faces + ": vertex index " + corner + " must be 0 to "
+                        + (vertices.size() / 3 - 1));
             }
         }
+        faces++;
         stated += corners.length - 2;
         if (stated > MAX_TRIANGLES) {
             throw new InputException(file.name() + ": more than " + MAX_TRIANGLES + " triangles");

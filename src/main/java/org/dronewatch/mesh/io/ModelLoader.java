@@ -1,8 +1,12 @@
 package org.dronewatch.mesh.io;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 
 /** Reads triangle meshes from model files, in whatever formats the class path has a {@link MeshReader} for. */
@@ -33,7 +37,7 @@ public final class ModelLoader {
                             + " IfcOpenShell converts them");
         }
         try {
-            return readers.of(file.name()).read(file, settings);
+            return doubtIfFar(readers.of(file.name()).read(file, settings));
         } catch (InputException e) {
             if (readers.knows(file.name())) {
                 throw e;
@@ -43,6 +47,27 @@ public final class ModelLoader {
                             + "; it was read as OBJ, because no reader for files of this name is on the class path",
                     e);
         }
+    }
+
+    /** Nothing else may lie so far away: it is in coordinates of a map, and its floats have lost what they say. */
+    private static LoadedModel doubtIfFar(LoadedModel model) {
+        AABB box = model.mesh().bounds();
+        double far = Math.max(
+                Math.max(Math.abs(box.minX()), Math.abs(box.maxX())),
+                Math.max(Math.abs(box.minY()), Math.abs(box.maxY())));
+        if (far <= In.FARTHEST) {
+            return model;
+        }
+        List<String> warnings = new ArrayList<>(model.warnings());
+        warnings.add(String.format(
+                Locale.ROOT,
+                "%s: lies %.0f km from the scene's origin, where coordinates are rounded to %.2g m: if they are those of a"
+                        + " national grid, set the model's origin to a point of the file, as in origin: [155000, 463000, 0]",
+                model.name(),
+                far / 1000.0,
+                Math.ulp((float) far)));
+        return new LoadedModel(
+                model.name(), model.mesh(), model.dropped(), model.skipped(), model.colours(), model.files(), warnings);
     }
 
     /**

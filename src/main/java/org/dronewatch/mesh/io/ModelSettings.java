@@ -6,17 +6,20 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Which model file to load and how to place it. The model is first turned upright, then scaled, then turned to its
- * heading, then moved.
+ * Which model file to load and how to place it. The model is first moved so that the file's {@code origin} is at zero, then
+ * turned upright, then scaled, then turned to its heading, then moved to its position, all in double precision.
  *
  * @param file path of a model file, such as an .obj file, or {@code packaged:NAME} for a model that comes with the
  *     library
  * @param upAxis which axis of the file points up
  * @param scale length of the file's unit, 1e-6 to 1e6 m
+ * @param origin which point of the file goes to {@code position}, in the file's unit and along its axes; for a file in
+ *     coordinates of a national grid a point on the site, so that nothing is lost when coordinates are stored as floats
  * @param position where the model's origin goes, m
  * @param heading rotation about the vertical, clockwise as seen from above, rad
  * @param role what kind of object it is on the site, so that reports can say what hides a drone; it has no meaning for a drone's model
@@ -25,6 +28,7 @@ public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,
         UpAxis upAxis,
         @In(value = Quantity.NUMBER, from = 1e-6, to = 1e6) double scale,
+        @Minor FilePoint origin,
         @AsNumbers Position position,
         @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading,
         ModelRole role) {
@@ -39,7 +43,7 @@ public record ModelSettings(
      * @throws IllegalArgumentException if a value is out of range
      */
     public ModelSettings {
-        Limits.check(ModelSettings.class, file, upAxis, scale, position, heading, role);
+        Limits.check(ModelSettings.class, file, upAxis, scale, origin, position, heading, role);
         if (file.isBlank()) {
             throw new IllegalArgumentException("file is empty: it must name a model file");
         }
@@ -52,7 +56,7 @@ public record ModelSettings(
     @Defaults("file")
     public static ModelSettings of(String file) {
         ModelRole role = file.equals(HILL) ? ModelRole.TERRAIN : ModelRole.BUILDING;
-        return new ModelSettings(file, UpAxis.Y, 1.0, new Position(0, 0, 0), 0.0, role);
+        return new ModelSettings(file, UpAxis.Y, 1.0, FilePoint.ZERO, new Position(0, 0, 0), 0.0, role);
     }
 
     /** A model that comes with the library, such as {@code hill.obj}. */
@@ -68,6 +72,11 @@ public record ModelSettings(
     /** These settings with another scale, metres for each unit of the file. */
     public ModelSettings withScale(double factor) {
         return SettingsForm.with(this, "scale", factor);
+    }
+
+    /** These settings with another point of the file at the position, in the file's unit and along its axes. */
+    public ModelSettings withOrigin(FilePoint point) {
+        return SettingsForm.with(this, "origin", point);
     }
 
     /** These settings with another position, m. */

@@ -9,6 +9,7 @@ final class Placement {
     private final double scale;
     private final double cos;
     private final double sin;
+    private final FilePoint origin;
     private final Position position;
 
     Placement(ModelSettings settings) {
@@ -17,14 +18,18 @@ final class Placement {
         // Compass bearings turn clockwise, mathematical angles counter-clockwise.
         this.cos = Math.cos(-settings.heading());
         this.sin = Math.sin(-settings.heading());
+        this.origin = settings.origin();
         this.position = settings.position();
     }
 
     /** Appends the placed vertex. */
     void place(double fileX, double fileY, double fileZ, Floats target) {
-        double x = scale * fileX;
-        double y = scale * (yUp ? -fileZ : fileY);
-        double z = scale * (yUp ? fileY : fileZ);
+        double modelX = fileX - origin.x();
+        double modelY = fileY - origin.y();
+        double modelZ = fileZ - origin.z();
+        double x = scale * modelX;
+        double y = scale * (yUp ? -modelZ : modelY);
+        double z = scale * (yUp ? modelY : modelZ);
         target.add((float) (cos * x - sin * y + position.x()));
         target.add((float) (sin * x + cos * y + position.y()));
         target.add((float) (z + position.z()));

@@ -197,6 +197,10 @@ public final class PlyReader implements MeshReader {
             if (word.isEmpty()) {
                 throw new EOFException();
             }
+            if (one >= 0 && !Character.isWhitespace(one)) {
+                throw new InputException(file + ": a number of more than " + LONGEST_WORD + " characters: '"
+                        + PlainText.value(word.toString()) + "'");
+            }
             try {
                 return Double.parseDouble(word.toString());
             } catch (NumberFormatException e) {

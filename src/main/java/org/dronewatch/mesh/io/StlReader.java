@@ -22,8 +22,7 @@ public final class StlReader implements MeshReader {
     private static final int FACET = 50;
     private static final int COORDINATES = 9;
     private static final String MATERIAL = "default";
-    private static final Set<String> KEYWORDS =
-            Set.of("solid", "facet", "outer", "endloop", "endfacet", "endsolid", "color");
+    private static final Set<String> KEYWORDS = Set.of("solid", "facet", "outer", "endfacet", "color");
 
     /** Creates a reader; it has no state. */
     public StlReader() {
@@ -74,6 +73,9 @@ public final class StlReader implements MeshReader {
                 return true;
             }
             byte[] count = in.readNBytes(Integer.BYTES);
+            if (new String(start, StandardCharsets.ISO_8859_1).indexOf('\0') >= 0) {
+                return true;
+            }
             return count.length == Integer.BYTES
                     && file.size()
                             == HEADER
@@ -129,6 +131,7 @@ public final class StlReader implements MeshReader {
     private static void readText(ModelFile file, ModelCollector collector) throws IOException {
         double[] corners = new double[COORDINATES];
         int count = 0;
+        boolean hasEnded = false;
         try (ObjLines lines = new ObjLines(file.text())) {
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 String[] words = line.strip().split("\\s+");
@@ -154,17 +157,27 @@ public final class StlReader implements MeshReader {
                     }
                     collector.addFace(MATERIAL, last - 2, last - 1, last);
                     count = 0;
+                } else if (word.equals("endsolid")) {
+                    hasEnded = true;
                 } else if (!word.isEmpty() && !KEYWORDS.contains(word)) {
                     throw new InputException(lines.at(file.name()) + "unknown keyword '" + PlainText.value(words[0])
                             + "': no statement of STL begins with it");
                 }
             }
         }
+        if (count != 0 || !hasEnded) {
+            throw new InputException(file.name() + ": ends without 'endsolid': it is cut off or damaged");
+        }
     }
 
     private static double number(String text, ObjLines lines, ModelFile file) {
         try {
-            return Double.parseDouble(text);
+            double number = Double.parseDouble(text);
+            if (!Double.isFinite(number)) {
+                throw new InputException(
+                        lines.at(file.name()) + "a coordinate must be finite, is " + PlainText.value(text));
+            }
+            return number;
         } catch (NumberFormatException e) {
             throw new InputException(lines.at(file.name()) + "not a number: '" + PlainText.value(text) + "'", e);
         }

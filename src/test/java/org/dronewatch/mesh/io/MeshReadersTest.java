@@ -112,16 +112,16 @@ class MeshReadersTest {
         ModelCollector far = new ModelCollector(file("a.sq", "x"), ModelSettings.of("a.sq"));
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> far.addVertex(Float.NaN, 0, 0))
-                .withMessageContaining("a.sq: vertex (NaN");
+                .withMessageContaining("a.sq: vertex 0 (NaN");
         ModelCollector collector = new ModelCollector(file("a.sq", "x"), ModelSettings.of("a.sq"));
         collector.addVertex(0, 0, 0);
         collector.addVertex(0, 1, 0);
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> collector.addFace("m", 0, 1))
-                .withMessageContaining("face has 2 corners");
+                .withMessageContaining("face 0 has 2 corners");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> collector.addFace("m", 0, 1, 7))
-                .withMessageContaining("vertex index 7");
+                .withMessageContaining("face 0: vertex index 7 must be 0 to 1");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(collector::toModel)
                 .withMessageContaining("not a mesh");

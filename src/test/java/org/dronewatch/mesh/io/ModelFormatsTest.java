@@ -303,15 +303,50 @@ class ModelFormatsTest {
             }
         }
         Files.writeString(directory.resolve("grid." + format), text);
-        Position first = new ModelLoader(directory)
-                .load(ModelSettings.of("grid." + format)
-                        .withUpAxis(UpAxis.Z)
-                        .withPosition(new Position(-155000, -463000, 0)))
+        ModelSettings onSite = ModelSettings.of("grid." + format)
+                .withUpAxis(UpAxis.Z)
+                .withOrigin(new FilePoint(155000, 463000, 0))
+                .withPosition(new Position(2, 3, 0));
+        LoadedModel model = new ModelLoader(directory).load(onSite);
+        Position first = model.mesh().triangle(0).a();
+        assertThat(first.x()).isCloseTo(2.12345, within(1e-6));
+        assertThat(first.y()).isCloseTo(3.45678, within(1e-6));
+        // A quarter turn clockwise about that point: east becomes south, north becomes east.
+        Position turned = new ModelLoader(directory)
+                .load(onSite.withHeading(Math.PI / 2.0))
                 .mesh()
                 .triangle(0)
                 .a();
-        assertThat(first.x()).isCloseTo(0.12345, within(1e-5));
-        assertThat(first.y()).isCloseTo(0.45678, within(1e-5));
+        assertThat(turned.x()).isCloseTo(2.45678, within(1e-6));
+        assertThat(turned.y()).isCloseTo(2.87655, within(1e-6));
+        // In units of the file: had the grid been in millimetres, the point would lie within a millimetre of the
+        // position.
+        Position small = new ModelLoader(directory)
+                .load(onSite.withScale(0.001))
+                .mesh()
+                .triangle(0)
+                .a();
+        assertThat(small.x()).isCloseTo(2.00012345, within(1e-6));
+        assertThat(model.warnings()).noneMatch(line -> line.contains("national grid"));
+        assertThat(new ModelLoader(directory)
+                        .load(onSite.withOrigin(new FilePoint(0, 0, 0)))
+                        .warnings())
+                .anyMatch(line ->
+                        line.contains("lies 463 km from the scene's origin, where coordinates are rounded to 0.031 m"));
+    }
+
+    /** With y up, the file's own axes count: north is -z there. */
+    @Test
+    void theOriginOfAFileWithYUp() throws IOException {
+        Files.writeString(
+                directory.resolve("up.obj"),
+                "v 155000.25 7 -463000.5\nv 155010 7 -463000\nv 155000 7 -463010\nf 1 2 3\n");
+        Position first = new ModelLoader(directory)
+                .load(ModelSettings.of("up.obj").withOrigin(new FilePoint(155000, 5, -463000)))
+                .mesh()
+                .triangle(0)
+                .a();
+        assertThat(first).isEqualTo(new Position(0.25, 0.5, 2));
     }
 
     @ParameterizedTest
@@ -323,7 +358,10 @@ class ModelFormatsTest {
                 "a.stl | solid a%nvertex 1 2 x%n | a.stl:2: not a number: 'x'",
                 "a.stl | solid a%nendloop%n | a.stl:2: a facet with 0 corners, needs 3",
                 "a.stl | solid a%nblob%n | a.stl:2: unknown keyword 'blob'",
+                "a.stl | solid a%nvertex 1 2 NaN%n | a.stl:2: a coordinate must be finite, is NaN",
+                "a.stl | solid a%nfacet normal 0 0 1%nvertex 1 2 3%n | ends without 'endsolid': it is cut off",
                 "a.stl | abc | ends too early",
+                "a.ply | ply%nformat ascii 1.0%nelement vertex 1%nproperty float x%nproperty float y%nproperty float z%nend_header%n0 1 0.00000000000000000000000000000000000000000000000000000000000000000000001%n | a number of more than 64 characters",
                 "a.ply | ply%nformat binary 1.0%n | a.ply:2: format must be ascii, binary_little_endian",
                 "a.ply | ply%nelement vertex 99999999999%n | 99999999999 elements 'vertex' in a file of 31 bytes",
                 "a.ply | ply%nformat ascii 1.0%nelement vertex 1%nproperty float x%nend_header%n1%n | its vertices have no 'y'",
@@ -353,7 +391,13 @@ class ModelFormatsTest {
                 "\"byteLength\":120 | \"byteLength\":121 | buffer 0 states 121 bytes, has 120",
                 "\"componentType\":5126 | \"componentType\":1 | has components of type 1",
                 "\"nodes\":[{\"mesh\":0}] | \"nodes\":[{\"mesh\":4}] | mesh 4 does not exist",
-                "\"nodes\":[{\"mesh\":0}] | \"nodes\":[{\"children\":[0]}] | nodes are nested more than 256 deep",
+                "\"nodes\":[{\"mesh\":0}] | \"nodes\":[{\"children\":[0]}] | node 0 is a child twice, or its own ancestor",
+                "\"nodes\":[{\"mesh\":0}] | \"nodes\":[{\"children\":[1,1]},{\"mesh\":0}] | node 1 is a child twice",
+                "\"scene\":0 | \"scene\":3 | scene 3 does not exist",
+                "\"material\":0 | \"material\":7 | material 7 does not exist",
+                "\"count\":24 | \"count\":23 | a primitive of 23 corners, which are not whole triangles",
+                "\"count\":6 | \"count\":5 | accessor 1: vertex index 5 must be 0 to 4",
+                "\"version\":\"2.0\"} | \"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"] | requires the extension 'EXT_mesh_gpu_instancing', which is not read",
                 "\"nodes\":[0] | \"nodes\":[5] | node 5 does not exist",
                 "\"version\":\"2.0\"} | \"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"] | is packed by",
                 "\"count\":6 | \"sparse\":{},\"count\":6 | accessor 0 is sparse",
@@ -364,6 +408,47 @@ class ModelFormatsTest {
         assertThatThrownBy(() -> load("a.gltf", ascii(honest.replace(part, lie))))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining(message);
+    }
+
+    /** Without scenes the roots are the nodes that are nobody's children; a child is still moved by its parent. */
+    @Test
+    void nodesWithoutAScene() throws IOException {
+        String nodes = "{\"mesh\":0,\"translation\":[0,1,0]},{\"children\":[0],\"translation\":[100,0,0]}";
+        String text = gltf(inline(), nodes).replace("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],", "");
+        LoadedModel model = load("wedge.gltf", ascii(text));
+        assertWedge(model, 12.0, 4, 3, 2);
+        assertThat(model.mesh().bounds().minX()).isEqualTo(100.0);
+        assertThat(model.mesh().bounds().minY()).isEqualTo(1.0);
+    }
+
+    /** What would change the shape and is not read is said. */
+    @Test
+    void skinsAndInstancesWarn() throws IOException {
+        String node = "{\"mesh\":0,\"skin\":0,\"extensions\":{\"EXT_mesh_gpu_instancing\":{}}}";
+        assertThat(load("wedge.gltf", ascii(gltf(inline(), node))).warnings())
+                .hasSize(2)
+                .anyMatch(line -> line.endsWith("skipped skins (1)"))
+                .anyMatch(line -> line.endsWith("skipped lists of further instances of a mesh (1)"));
+    }
+
+    /** Many primitives take one triangle each from the same 100,000 positions: the model has the vertices of its corners only. */
+    @Test
+    void primitivesThatShareManyPositions() throws IOException {
+        int many = 100_000;
+        byte[] buffer = Arrays.copyOf(gltfBuffer(), 120 + 12 * many);
+        System.arraycopy(gltfBuffer(), 72, buffer, 12 * many, 48);
+        Files.write(directory.resolve("many.bin"), buffer);
+        String one = "{\"attributes\":{\"POSITION\":0},\"indices\":1,\"material\":0}";
+        String text = gltf("\"uri\":\"many.bin\",", "{\"mesh\":0}")
+                .replace(one, one + ("," + one).repeat(4999))
+                .replace("\"count\":6", "\"count\":" + many)
+                .replace("\"count\":24", "\"count\":3")
+                .replace("\"byteLength\":72}", "\"byteLength\":" + 12 * many + "}")
+                .replace("\"byteOffset\":72", "\"byteOffset\":" + 12 * many)
+                .replace("\"byteLength\":120", "\"byteLength\":" + (12 * many + 48));
+        LoadedModel model = load("many.gltf", ascii(text));
+        assertThat(model.mesh().triangleCount()).isEqualTo(5000);
+        assertThat(model.mesh().vertexCount()).isEqualTo(15_000);
     }
 
     /** A buffer is read from the model's own directory only. */

@@ -1,0 +1,32 @@
+package org.dronewatch.mesh.io;
+
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.InOrder;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * A point in the coordinates of a model file, in its unit and along its axes. Unlike a position it may lie as far away as the
+ * origin of a national grid, also in millimetres.
+ *
+ * @param x first coordinate of the file, -1e10 to 1e10 of its units
+ * @param y second coordinate of the file, -1e10 to 1e10 of its units
+ * @param z third coordinate of the file, -1e10 to 1e10 of its units
+ */
+@InOrder
+public record FilePoint(
+        @In(value = Quantity.NUMBER, from = -1e10, to = 1e10) double x,
+        @In(value = Quantity.NUMBER, from = -1e10, to = 1e10) double y,
+        @In(value = Quantity.NUMBER, from = -1e10, to = 1e10) double z) {
+    /** The file's own origin. */
+    static final FilePoint ZERO = new FilePoint(0, 0, 0);
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public FilePoint {
+        Limits.check(FilePoint.class, x, y, z);
+    }
+}
