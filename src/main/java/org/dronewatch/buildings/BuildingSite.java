@@ -19,6 +19,9 @@ final class BuildingSite {
     /** Of what has no walls, the thickness of the roof, m. */
     private static final double SLAB = 0.3;
 
+    /** Corners of an outline that are nearer to each other are one, m. */
+    private static final double NEAR = 1e-3;
+
     /** Less is no building, m2. */
     private static final double SMALLEST = 0.1;
 
@@ -113,7 +116,7 @@ final class BuildingSite {
             flat[i] = corner.x();
             flat[i + 1] = corner.y();
         }
-        return Rings.cleaned(flat);
+        return Rings.cleaned(flat, NEAR);
     }
 
     private boolean isNear(double[] ring) {
@@ -236,7 +239,7 @@ final class BuildingSite {
             if (ring.length >= 6 && Rings.signedArea(ring) > 1e-9) {
                 Footprint piece = new Footprint(ring, List.of());
                 pieces.add(piece);
-                covered += piece.cut().isWhole() ? piece.area() : Double.NaN;
+                covered += piece.cut().area();
             }
         }
         return Math.abs(covered - footprint.area()) <= PRECISION * footprint.area() ? pieces : List.of();

@@ -47,9 +47,10 @@ record Footprint(double[] outer, List<double[]> courts) {
      * Triangles between the corners.
      *
      * @param corners three numbers for each, counter-clockwise, of the corners of {@link #rings} in turn
+     * @param area that they cover together, m2
      * @param isWhole whether they cover the outline; not if it crosses itself
      */
-    record Cut(int[] corners, boolean isWhole) {}
+    record Cut(int[] corners, double area, boolean isWhole) {}
 
     /** Cuts the area between outline and courtyards into triangles. */
     Cut cut() {
@@ -83,7 +84,7 @@ record Footprint(double[] outer, List<double[]> courts) {
             triangles[i + 1] = twice > 0.0 ? b : c;
             triangles[i + 2] = twice > 0.0 ? c : b;
         }
-        return new Cut(triangles, Math.abs(covered - area()) <= PRECISION * area());
+        return new Cut(triangles, covered, Math.abs(covered - area()) <= PRECISION * area());
     }
 
     /** A point inside, x and y: the middle of the largest triangle. */

@@ -33,9 +33,8 @@ final class Rings {
         return reversed;
     }
 
-    /** Without corners that lie less than a millimetre from the one before. */
-    static double[] cleaned(double[] ring) {
-        double near = 1e-3;
+    /** Without corners that lie nearer to the one before than this, m. */
+    static double[] cleaned(double[] ring, double near) {
         double[] kept = new double[ring.length];
         int count = 0;
         for (int i = 0; i < ring.length; i += 2) {

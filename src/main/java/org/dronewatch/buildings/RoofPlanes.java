@@ -188,7 +188,7 @@ record RoofPlanes(List<Slope> planes) {
                     piece = Rings.clipped(piece, own.east - other.east, own.north - other.north, other.base - own.base);
                 }
             }
-            pieces.add(Rings.cleaned(piece));
+            pieces.add(Rings.cleaned(piece, SAME));
         }
         return pieces;
     }

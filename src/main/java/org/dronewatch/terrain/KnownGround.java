@@ -1,7 +1,6 @@
 package org.dronewatch.terrain;
 
-import java.util.HashMap;
-import java.util.Map;
+import java.util.Arrays;
 import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
 
@@ -20,23 +19,22 @@ public final class KnownGround {
     }
 
     private static double[] rim(TriangleMesh mesh) {
-        Map<Long, Integer> sides = new HashMap<>();
+        // Each side with its lower end first; those of two triangles are then next to each other.
+        long[] sides = new long[3 * mesh.triangleCount()];
         for (int i = 0; i < mesh.triangleCount(); i++) {
             for (int k = 0; k < 3; k++) {
                 long from = mesh.vertexIndex(i, k);
                 long to = mesh.vertexIndex(i, (k + 1) % 3);
-                sides.merge(Math.min(from, to) << 32 | Math.max(from, to), 1, Integer::sum);
+                sides[3 * i + k] = Math.min(from, to) << 32 | Math.max(from, to);
             }
         }
+        Arrays.sort(sides);
         Ints ends = new Ints();
-        for (int i = 0; i < mesh.triangleCount(); i++) {
-            for (int k = 0; k < 3; k++) {
-                int from = mesh.vertexIndex(i, k);
-                int to = mesh.vertexIndex(i, (k + 1) % 3);
-                if (sides.get((long) Math.min(from, to) << 32 | Math.max(from, to)) == 1) {
-                    ends.add(from);
-                    ends.add(to);
-                }
+        for (int i = 0; i < sides.length; i++) {
+            boolean isShared = i > 0 && sides[i - 1] == sides[i] || i + 1 < sides.length && sides[i + 1] == sides[i];
+            if (!isShared) {
+                ends.add((int) (sides[i] >>> 32));
+                ends.add((int) sides[i]);
             }
         }
         double[] rim = new double[2 * ends.size()];

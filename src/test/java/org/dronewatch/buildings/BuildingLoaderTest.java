@@ -167,6 +167,38 @@ class BuildingLoaderTest {
         assertThat(loaded.warnings()).isEmpty();
     }
 
+    /** Corners that are rounded as maps round them: where slopes meet the eaves lies less than a millimetre beside a corner. */
+    @Test
+    void almostRectanglesHaveTheirRoofs() throws IOException {
+        long seed = 11L;
+        Random random = new Random(seed);
+        double expected = 0.0;
+        for (int i = 0; i < 200; i++) {
+            double angle = random.nextDouble() * Math.PI;
+            double width = 6 + 6 * random.nextDouble();
+            double length = width + 10 * random.nextDouble();
+            double x = 60.0 * (i % 15) - 450;
+            double y = 60.0 * (i / 15) - 450;
+            double[] ring = box(0, 0, length, width);
+            for (int k = 0; k < 8; k += 2) {
+                double u = ring[k];
+                double v = ring[k + 1];
+                ring[k] = x + u * Math.cos(angle) - v * Math.sin(angle) + 0.01 * random.nextDouble();
+                ring[k + 1] = y + u * Math.sin(angle) + v * Math.cos(angle) + 0.01 * random.nextDouble();
+            }
+            String shape = new String[] {"hipped", "gabled", "pyramidal", "skillion"}[i % 4];
+            way(ring, "building=yes height=10 roof:height=3 roof:shape=" + shape);
+            double over = i % 4 == 0
+                    ? 3.0 * (length * width / 2 - width * width / 6)
+                    : length * width * (i % 4 == 2 ? 1.0 : 1.5);
+            expected += 8.0 * length * width + over;
+        }
+        LoadedBuildings loaded = load();
+        assertThat(loaded.warnings()).as("seed %d", seed).isEmpty();
+        assertClosed(loaded.mesh());
+        assertThat(volume(loaded.mesh())).isCloseTo(expected, within(0.005 * expected));
+    }
+
     /** Over an octagon a dome of half its width: six frustums, whose sides are chords of a quarter circle. */
     @Test
     void aDomeIsMadeOfRings() throws IOException {

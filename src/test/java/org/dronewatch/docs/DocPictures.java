@@ -38,8 +38,9 @@ final class DocPictures {
             file("terrain-monaco", "render scenes/monaco.yaml --view orbit --bearing 150deg --time 30 --out OUT"),
             file(
                     "coverage-unknown",
-                    "coverage scenes/monaco.yaml --side 5000 --height 40 --cells 150 --drone from-the-sea"
-                            + " --set sensors.microphone.enabled=false --out OUT"),
+                    "coverage scenes/monaco.yaml --side 5000 --height 40 --cells 100 --drone from-the-sea"
+                            + " --set sensors.microphone.enabled=false --set sensors.thermal.enabled=false"
+                            + " --set sensors.camera.enabled=false --out OUT"),
             file("site-closed-space", "render closed-space --view orbit --rays --max-order 1 --heard-only --out OUT"),
             file("glider", "render scenes/glider.yaml --view side --time 30 --out OUT"),
             file("multi-sensor-coverage", "coverage multi-sensor --side 400 --height 10 --cells 200 --out OUT"),
