@@ -193,6 +193,16 @@ class ModelFormatsTest {
         assertThat(new ModelLoader(directory).load(millimetres).warnings()).isEmpty();
     }
 
+    /** Its first word is that of text, and its length is not what it states; the zero bytes of its title tell. */
+    @Test
+    void stlAsBytesThatBeginsLikeText() throws IOException {
+        byte[] whole = binaryStl("solid wedge");
+        assertWedge(load("wedge.stl", Arrays.copyOf(whole, whole.length + 7)), 12.0, 4, 3, 2);
+        assertThatThrownBy(() -> load("wedge.stl", Arrays.copyOf(whole, whole.length - 1)))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("states 8 facets, which need 484 bytes, but has 483: not STL, or cut off");
+    }
+
     @Test
     void stlAsText() throws IOException {
         assertWedge(load("wedge.stl", ascii(textStl())), 12.0, 4, 3, 2);
