@@ -1,9 +1,11 @@
 package org.dronewatch.drone;
 
 import java.util.List;
+import java.util.Optional;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
@@ -14,14 +16,22 @@ import org.dronewatch.setting.SettingsForm;
  * @param fluctuation how the cross-section changes from look to look
  * @param aspects cross-section by aspect relative to the mean, dB: values at equal steps of azimuth, clockwise from the
  *     nose as seen from above; 1 to 360 of them, one if it is the same from all sides
+ * @param spread standard deviation in decibels of a cross-section that is log-normally distributed from look to look, above 0
+ *     and at most 20 dB; omit it for a {@code fluctuation}
+ * @param droneClass a class of drones that gives {@code crossSection} and {@code spread}; omit it for your own
  */
 public record RadarSignature(
         @In(value = Quantity.AREA, from = 1e-9, to = 1e6) double crossSection,
         Fluctuation fluctuation,
-        @In(value = Quantity.LEVEL, from = -100, to = 100) List<Double> aspects) {
+        @In(value = Quantity.LEVEL, from = -100, to = 100) List<Double> aspects,
+        @Minor @In(value = Quantity.LEVEL, above = 0, to = 20) Optional<Double> spread,
+        @Minor Optional<DroneClass> droneClass) {
+    private static final double USUAL_AREA = 0.01;
+
     /** A small quadrotor: 0.01 m2, steady, the same from all sides. */
     @Defaults
-    public static final RadarSignature DEFAULT = new RadarSignature(0.01, Fluctuation.STEADY, List.of(0.0));
+    public static final RadarSignature DEFAULT =
+            new RadarSignature(USUAL_AREA, Fluctuation.STEADY, List.of(0.0), Optional.empty(), Optional.empty());
 
     private static final int MAX_ASPECTS = 360;
 
@@ -49,12 +59,31 @@ public record RadarSignature(
      * @throws IllegalArgumentException if a value is out of range
      */
     public RadarSignature {
-        Limits.check(RadarSignature.class, crossSection, fluctuation, aspects);
+        Limits.check(RadarSignature.class, crossSection, fluctuation, aspects, spread, droneClass);
         aspects = List.copyOf(aspects);
         if (aspects.isEmpty() || aspects.size() > MAX_ASPECTS) {
             throw new IllegalArgumentException(
                     "aspects has " + aspects.size() + " values, must have 1 to " + MAX_ASPECTS);
         }
+        if (spread.isPresent() && fluctuation != Fluctuation.STEADY) {
+            throw twoAnswers("spread", "fluctuation");
+        }
+        if (droneClass.isPresent()) {
+            checkApart(crossSection != USUAL_AREA, "crossSection");
+            checkApart(fluctuation != Fluctuation.STEADY, "fluctuation");
+            checkApart(spread.isPresent(), "spread");
+        }
+    }
+
+    private static void checkApart(boolean isSet, String setting) {
+        if (isSet) {
+            throw twoAnswers("droneClass", setting);
+        }
+    }
+
+    private static IllegalArgumentException twoAnswers(String one, String other) {
+        return new IllegalArgumentException(
+                one + " and " + other + " are two answers to one question: leave one of them out");
     }
 
     /** This signature with another mean cross-section, m2. */
@@ -72,6 +101,26 @@ public record RadarSignature(
         return SettingsForm.with(this, "aspects", gains);
     }
 
+    /** This signature with a log-normal distribution, standard deviation in dB. */
+    public RadarSignature withSpread(double decibels) {
+        return SettingsForm.with(this, "spread", Optional.of(decibels));
+    }
+
+    /** The signature of a class of drones, the same from all sides. */
+    public static RadarSignature of(DroneClass drones) {
+        return SettingsForm.with(DEFAULT, "droneClass", Optional.of(drones));
+    }
+
+    /** The mean cross-section, m2: its own, or that of its class. */
+    public double mean() {
+        return droneClass.map(DroneClass::crossSection).orElse(crossSection);
+    }
+
+    /** The standard deviation in dB of a log-normal distribution, its own or that of its class; 0 without one. */
+    public double deviation() {
+        return droneClass.map(DroneClass::spread).or(() -> spread).orElse(0.0);
+    }
+
     /**
      * The cross-section at one aspect, m2: interpolated linearly in decibels between two aspects.
      *
@@ -84,6 +133,6 @@ public record RadarSignature(
         int after = (before + 1) % aspects.size();
         double share = index - Math.floor(index);
         double gain = (1.0 - share) * aspects.get(before) + share * aspects.get(after);
-        return crossSection * Math.pow(10.0, 0.1 * gain);
+        return mean() * Math.pow(10.0, 0.1 * gain);
     }
 }

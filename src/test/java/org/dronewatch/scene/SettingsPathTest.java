@@ -165,6 +165,9 @@ class SettingsPathTest {
     }
 
     private static String textOf(Object value) {
+        if (value instanceof Optional<?> optional) {
+            return textOf(optional.orElseThrow());
+        }
         return value instanceof List<?> list
                 ? list.stream().map(Object::toString).collect(Collectors.joining(", "))
                 : value.toString();

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.scenario.SceneSettings;
 
 /** The table of all drones and swarms. */
@@ -26,12 +27,22 @@ final class DroneRows {
                     drone.model().file(),
                     ReadableNumbers.number(drone.speed()) + " m/s",
                     sound(drone),
-                    drone.radar().crossSection() + " m\u00b2",
+                    crossSection(drone.radar()),
                     ReadableNumbers.number(drone.heat().excess()) + " K",
                     drone.radio().control().toString().toLowerCase(Locale.ROOT),
                     drone.label().inWords()));
         }
         return Html.table(HEAD, rows);
+    }
+
+    private static String crossSection(RadarSignature radar) {
+        return radar.droneClass()
+                .map(one -> ReadableNumbers.number(one.crossSection()) + " m\u00b2, spread "
+                        + ReadableNumbers.number(one.spread()) + " dB")
+                .orElseGet(() -> radar.crossSection() + " m\u00b2"
+                        + radar.spread()
+                                .map(one -> ", spread " + ReadableNumbers.number(one) + " dB")
+                                .orElse(""));
     }
 
     private static String sound(DroneSettings drone) {

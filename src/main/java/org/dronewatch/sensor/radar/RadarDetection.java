@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.radar;
 
 import java.util.random.RandomGenerator;
+import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -15,6 +16,19 @@ public sealed interface RadarDetection {
      * @param fluctuation of the target
      */
     Decision on(Fluctuation fluctuation);
+
+    /**
+     * How echoes of targets are decided on whose cross-section is log-normally distributed from look to look.
+     *
+     * @param spread standard deviation of the cross-section in decibels, above 0 and at most 20 dB
+     */
+    Decision on(double spread);
+
+    /** How echoes of targets with a signature are decided on. */
+    default Decision on(RadarSignature signature) {
+        double deviation = signature.deviation();
+        return deviation > 0.0 ? on(deviation) : on(signature.fluctuation());
+    }
 
     /** How many pulses per look are integrated non-coherently, 1 to 1000. */
     default int pulses() {
@@ -67,7 +81,18 @@ public sealed interface RadarDetection {
 
         @Override
         public Decision on(Fluctuation fluctuation) {
-            double least = fluctuation == Fluctuation.STEADY ? signalToNoise : signalToNoise + loss(fluctuation);
+            return from(fluctuation == Fluctuation.STEADY ? signalToNoise : signalToNoise + loss(fluctuation));
+        }
+
+        @Override
+        public Decision on(double spread) {
+            SquareLawDetector detector = new SquareLawDetector(USUAL_FALSE_ALARM, 1);
+            double loss = new LogNormalEcho(detector, spread).required(USUAL_PROBABILITY)
+                    - detector.required(USUAL_PROBABILITY, Fluctuation.STEADY);
+            return from(signalToNoise + loss);
+        }
+
+        private static Decision from(double least) {
             return new Decision() {
                 @Override
                 public double threshold(RandomGenerator random) {
@@ -141,6 +166,32 @@ public sealed interface RadarDetection {
                 @Override
                 public double probability(double ratio) {
                     return ratio < FAINTEST ? 0.0 : detector.probability(ratio, fluctuation);
+                }
+            };
+        }
+
+        /** In each look, noise and cross-section are drawn apart from one another. */
+        @Override
+        public Decision on(double spread) {
+            SquareLawDetector detector = new SquareLawDetector(falseAlarm, pulses);
+            LogNormalEcho echo = new LogNormalEcho(detector, spread);
+            Decision steady = on(Fluctuation.STEADY);
+            double even = Math.max(FAINTEST, echo.required(EVEN_CHANCE));
+            return new Decision() {
+                @Override
+                public double threshold(RandomGenerator random) {
+                    double ofSteady = steady.threshold(random);
+                    return Math.max(FAINTEST, ofSteady - echo.excess(random.nextGaussian()));
+                }
+
+                @Override
+                public double evenThreshold() {
+                    return even;
+                }
+
+                @Override
+                public double probability(double ratio) {
+                    return ratio < FAINTEST ? 0.0 : echo.probability(ratio);
                 }
             };
         }

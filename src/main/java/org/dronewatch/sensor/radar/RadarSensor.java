@@ -1,6 +1,6 @@
 package org.dronewatch.sensor.radar;
 
-import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.function.DoubleBinaryOperator;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.drone.RadarSignature.Fluctuation;
+import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Sighting;
@@ -40,7 +40,7 @@ public final class RadarSensor implements AssessableSensor {
     private Cover cover;
     private Optional<TwoRays> rays = Optional.empty();
     private final DoubleBinaryOperator budget;
-    private final Map<Fluctuation, Decision> decisions = new EnumMap<>(Fluctuation.class);
+    private final Map<RadarSignature, Decision> decisions = new HashMap<>();
 
     /** A radar with these settings. */
     public RadarSensor(RadarSettings settings) {
@@ -91,7 +91,7 @@ public final class RadarSensor implements AssessableSensor {
 
     /** How echoes of a drone are decided on; kept, as it takes long to prepare where chance decides. */
     private Decision decision(Drone drone) {
-        return decisions.computeIfAbsent(drone.settings().radar().fluctuation(), settings.detection()::on);
+        return decisions.computeIfAbsent(drone.settings().radar(), settings.detection()::on);
     }
 
     /** The visible fraction of a drone, 0 to 1; 0 for one that the radar does not look for. */
