@@ -121,7 +121,9 @@ public final class Positioner {
     private void zoom(ZoomSettings lens, boolean holds, double since) {
         double wanted = track.isEmpty() ? widest : holds ? lens.tracked() : lens.cued();
         double narrowest = Math.min(widest, Math.min(lens.cued(), lens.tracked()));
-        double most = lens.time() > 0.0 ? since / lens.time() * Math.log(widest / narrowest) : Double.POSITIVE_INFINITY;
+        double span = Math.log(widest / narrowest);
+        // Without a span there is nothing to limit, and a very short time would make it infinite times 0.
+        double most = lens.time() > 0.0 && span > 0.0 ? since / lens.time() * span : Double.POSITIVE_INFINITY;
         fov *= Math.exp(limited(Math.log(wanted / fov), most));
     }
 

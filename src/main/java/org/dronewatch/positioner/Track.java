@@ -7,7 +7,8 @@ import org.dronewatch.geometry.Position;
  * What a positioner knows of the contact that it follows. Positions are smoothed and predicted by an alpha-beta filter:
  * the position is corrected by {@code alpha} times the difference between a sighting and its prediction, the velocity
  * by {@code beta} times that difference over the time between, with {@code beta = alpha^2 / (2 - alpha)} (Benedict and
- * Bordner 1962). Directions without a range are taken as they are.
+ * Bordner 1962). Directions without a range are taken as they are. A sighting without a measured elevation keeps the height
+ * that other sightings gave.
  */
 final class Track {
     private static final double ALPHA = 0.5;
@@ -17,6 +18,7 @@ final class Track {
     private final int contact;
     private Optional<Position> position = Optional.empty();
     private Position velocity = REST;
+    private boolean hasHeight;
     private double positionTime;
     private Direction direction;
     private double received;
@@ -43,8 +45,12 @@ final class Track {
      */
     void add(Sighting sighting, double time, double now) {
         received = now;
-        direction = sighting.direction();
-        sighting.position().ifPresent(found -> add(found, time));
+        Sighting placed = hasHeight && !sighting.hasElevation() && position.isPresent()
+                ? sighting.atHeightOf(position.get().plus(velocity.times(time - positionTime)))
+                : sighting;
+        hasHeight |= sighting.hasElevation() && sighting.range().isPresent();
+        direction = placed.direction();
+        placed.position().ifPresent(found -> add(found, time));
     }
 
     private void add(Position found, double time) {

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.Test;
 
 class PositionerTest {
@@ -51,6 +52,41 @@ class PositionerTest {
         Pointing there = mount.moveTo(4.0);
         assertThat(Direction.turn(there.direction().azimuth(), rad(-150))).isCloseTo(0.0, within(1e-9));
         assertThat(there.direction().elevation()).isCloseTo(rad(30), within(1e-9));
+    }
+
+    /** A lens that cannot change its field of view, in the shortest time there is. */
+    @Test
+    void aLensWithoutAnyZoomKeepsItsField() {
+        ZoomSettings lens = SettingsForm.with(ZoomSettings.of(WIDEST, WIDEST), "time", Double.MIN_VALUE);
+        Positioner mount = positioner(SETTINGS.withZoom(lens));
+        mount.cue(1, at(fromPlace(0, 10, 400)), 0.0);
+        mount.moveTo(1.0);
+        assertThat(mount.moveTo(2.0).fov()).isEqualTo(WIDEST);
+    }
+
+    /** A radar with a fan beam believes the drone at the middle of its field until another sensor tells the height. */
+    @Test
+    void aFanBeamKeepsTheHeightThatOthersMeasured() {
+        Position place = fromPlace(40, 10, 400);
+        Position radar = new Position(-500, 0, 0);
+        Position way = place.minus(radar);
+        Direction flat = new Direction(Direction.of(way).azimuth(), 0.0);
+        Sighting fan = new Sighting(radar, flat, OptionalDouble.of(way.length()), false);
+
+        Positioner mount = positioner(SETTINGS);
+        mount.cue(1, fan, 0.0);
+        mount.moveTo(0.5);
+        double unknown = mount.moveTo(2.0).direction().elevation();
+        assertThat(unknown).isNegative();
+
+        Positioner informed = positioner(SETTINGS);
+        informed.cue(1, at(place), 0.0);
+        informed.cue(1, fan, 1.0);
+        informed.cue(1, fan, 2.0);
+        informed.moveTo(0.5);
+        Pointing there = informed.moveTo(3.0);
+        assertThat(there.direction().elevation()).isCloseTo(rad(10), within(1e-9));
+        assertThat(there.direction().azimuth()).isCloseTo(rad(40), within(1e-9));
     }
 
     @Test

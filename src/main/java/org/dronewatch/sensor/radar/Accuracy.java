@@ -8,7 +8,9 @@ import org.dronewatch.positioner.Sighting;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * How accurately a radar measures a drone's position: standard deviations of normally distributed errors, independent
@@ -17,26 +19,39 @@ import org.dronewatch.setting.Quantity;
  * @param range standard deviation of the range, 0 to 1000 m
  * @param azimuth standard deviation of the bearing, 0 to pi/6, rad
  * @param elevation standard deviation of the elevation, 0 to pi/6, rad
+ * @param measuresElevation whether it measures elevations at all; a radar whose beam is a fan does not, and takes a drone to be at the
+ *     elevation of its aim
  */
 public record Accuracy(
         @In(value = Quantity.LENGTH, from = 0, to = 1000) double range,
         @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 6) double azimuth,
-        @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 6) double elevation) {
+        @In(value = Quantity.ANGLE, from = 0, to = Math.PI / 6) double elevation,
+        @Minor boolean measuresElevation) {
     /** 5 m and one degree. */
     @Defaults
-    public static final Accuracy DEFAULT = new Accuracy(5.0, Math.toRadians(1.0), Math.toRadians(1.0));
+    public static final Accuracy DEFAULT = new Accuracy(5.0, Math.toRadians(1.0), Math.toRadians(1.0), true);
 
     /** Checks the limits. */
     public Accuracy {
-        Limits.check(Accuracy.class, range, azimuth, elevation);
+        Limits.check(Accuracy.class, range, azimuth, elevation, measuresElevation);
     }
 
-    /** Where a radar believes something to be. */
-    Sighting sighting(Position radar, Position position, RandomGenerator random) {
+    /** This accuracy without any measurement of elevations. */
+    public Accuracy withoutElevation() {
+        return SettingsForm.with(this, "measuresElevation", false);
+    }
+
+    /**
+     * Where a radar believes something to be.
+     *
+     * @param middle elevation of its aim, rad
+     */
+    Sighting sighting(Position radar, Position position, double middle, RandomGenerator random) {
         Position vector = position.minus(radar);
-        Direction believed =
+        Direction found =
                 Direction.of(vector).turned(azimuth * random.nextGaussian(), elevation * random.nextGaussian());
+        Direction believed = measuresElevation ? found : new Direction(found.azimuth(), middle);
         double distance = Math.max(0.0, vector.length() + range * random.nextGaussian());
-        return new Sighting(radar, believed, OptionalDouble.of(distance));
+        return new Sighting(radar, believed, OptionalDouble.of(distance), measuresElevation);
     }
 }

@@ -10,6 +10,7 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.AssessableSensor;
@@ -34,6 +35,7 @@ public final class RadarSensor implements AssessableSensor {
 
     private final RadarSettings settings;
     private final FieldOfRegard field;
+    private final Direction axis;
 
     private World world;
     private VisibleFraction visible;
@@ -46,6 +48,7 @@ public final class RadarSensor implements AssessableSensor {
     public RadarSensor(RadarSettings settings) {
         this.settings = settings;
         this.field = new FieldOfRegard(settings);
+        this.axis = Direction.of(settings.aim().from(settings.position()));
         this.budget = settings.budget()
                 .echo(settings.frequency(), settings.detection().pulses());
     }
@@ -116,13 +119,17 @@ public final class RadarSensor implements AssessableSensor {
         figures.put("visible_share", fraction);
         figures.put("cross_section_m2", area);
         figures.put(Observation.PROBABILITY, decision.probability(echo));
+        settings.beam().ifPresent(beam -> {
+            Direction target = Direction.of(position.minus(settings.position()));
+            figures.put("beam_gain_db", beam.gain(axis, target, target));
+        });
         if (rays.isPresent()) {
             figures.put("ground_reflection_db", area == 0.0 ? 0.0 : groundReflection(drone));
         }
         double threshold = decision.threshold(look.random(drone.id(), Look.DETECTION));
         Optional<Sighting> sighting = echo >= threshold
                 ? Optional.of(settings.accuracy()
-                        .sighting(settings.position(), position, look.random(drone.id(), Look.ERROR)))
+                        .sighting(settings.position(), position, axis.elevation(), look.random(drone.id(), Look.ERROR)))
                 : Optional.empty();
         return new Observation(
                 look.id(settings.kind()),
@@ -145,19 +152,38 @@ public final class RadarSensor implements AssessableSensor {
         double range = range(drone);
         double elevation = Math.asin(Math.max(-1.0, Math.min(1.0, vector.z() / range)));
         double rain = Rain.attenuation(settings.frequency(), world.rain(), elevation, settings.polarisation());
-        return budget.applyAsDouble(area, range) - 2.0 * rain * range + groundReflection(drone);
+        double clear = budget.applyAsDouble(area, range) - 2.0 * rain * range + groundReflection(drone);
+        if (settings.beam().isEmpty()) {
+            return clear;
+        }
+        Direction target = Direction.of(vector);
+        return clear + 2.0 * settings.beam().get().gain(axis, target, target);
     }
 
     /** What the reflection from the ground adds to the echo, both ways, dB; 0 unless it is set. */
     private double groundReflection(Drone drone) {
         return rays.map(two -> 2.0
-                        * two.factor(
+                        * two.weighted(
                                 settings.position(),
                                 drone.origin(),
                                 settings.frequency(),
                                 settings.polarisation() == Rain.Polarisation.VERTICAL,
-                                field::contains))
+                                way -> amplitude(drone, way)))
                 .orElse(0.0);
+    }
+
+    /** Amplitude of the antenna in the direction of a vector relative to that towards a drone; 0 outside the field of view. */
+    private double amplitude(Drone drone, Position way) {
+        if (!field.contains(way)) {
+            return 0.0;
+        }
+        if (settings.beam().isEmpty()) {
+            return 1.0;
+        }
+        BeamPattern beam = settings.beam().get();
+        Direction target = Direction.of(drone.origin().minus(settings.position()));
+        double less = beam.gain(axis, target, Direction.of(way)) - beam.gain(axis, target, target);
+        return Math.pow(10.0, less / 20.0);
     }
 
     /** Where the radar is, clockwise from the drone's nose as seen from above. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
@@ -24,8 +25,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A radar on a fixed mount with the same gain throughout its field of view, like one with an electronically steered
- * beam.
+ * A radar on a fixed mount. Without a {@code beam} it has the same gain throughout its field of view.
  *
  * @param position where its antenna is, m
  * @param aim the centre of its field of view; the elevation is its tilt
@@ -44,6 +44,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param accuracy how accurately it measures positions
  * @param groundReflection ground whose reflection interferes with the direct wave, both ways, if the reflected path lies
  *     within the field of view of the radar; none by default. The polarisation must then be horizontal or vertical
+ * @param beam shape of its beam; without one the gain is the same throughout its field of view
  */
 public record RadarSettings(
         Position position,
@@ -61,7 +62,8 @@ public record RadarSettings(
         LinkBudget budget,
         RadarDetection detection,
         Accuracy accuracy,
-        @Minor Optional<ReflectingGround> groundReflection)
+        @Minor Optional<ReflectingGround> groundReflection,
+        @Minor Optional<BeamPattern> beam)
         implements SensorSettings<RadarSensor>, Aimed, Outlined, DirectionFinding {
 
     /**
@@ -87,7 +89,8 @@ public record RadarSettings(
                 budget,
                 detection,
                 accuracy,
-                groundReflection);
+                groundReflection,
+                beam);
         if (groundReflection.isPresent() && polarisation == Rain.Polarisation.CIRCULAR) {
             throw new IllegalArgumentException(
                     "groundReflection needs the polarisation horizontal or vertical, not circular");
@@ -141,6 +144,7 @@ public record RadarSettings(
                 budget,
                 RadarDetection.FixedThreshold.DEFAULT,
                 Accuracy.DEFAULT,
+                Optional.empty(),
                 Optional.empty());
     }
 
@@ -204,6 +208,11 @@ public record RadarSettings(
         return SettingsForm.with(this, "groundReflection", Optional.of(ground));
     }
 
+    /** These settings with a beam. */
+    public RadarSettings withBeam(BeamPattern pattern) {
+        return SettingsForm.with(this, "beam", Optional.of(pattern));
+    }
+
     /** Its field of view. */
     @Override
     public Outline.Sector outline() {
@@ -212,20 +221,35 @@ public record RadarSettings(
                 Math.atan2(axis.x(), axis.y()), tilt(axis), azimuthWidth, elevationWidth, minRange, maxRange);
     }
 
-    /** A scan in which the beams of a hardware budget do not have the time that they need. */
+    /** A gain that the beam cannot have, and a scan in which the beams of a hardware budget lack the time that they need. */
     @Override
     public List<String> advice() {
         if (!(budget instanceof LinkBudget.Hardware hardware)) {
             return List.of();
         }
+        return Stream.concat(gainAdvice(hardware).stream(), scanAdvice(hardware).stream())
+                .toList();
+    }
+
+    private Optional<String> gainAdvice(LinkBudget.Hardware hardware) {
+        return beam.filter(one -> hardware.gain() > one.largestGain())
+                .map(one -> String.format(
+                        "an antenna of %s dBi cannot have a beam of %s x %s deg: its gain is at most %s dBi",
+                        rounded(hardware.gain()),
+                        rounded(Math.toDegrees(one.azimuthBeamwidth())),
+                        rounded(Math.toDegrees(one.elevationBeamwidth())),
+                        rounded(one.largestGain())));
+    }
+
+    private Optional<String> scanAdvice(LinkBudget.Hardware hardware) {
         // One wide antenna may serve several narrow beams of the other at once.
         double gain = Math.min(hardware.gain(), hardware.receiveGain().orElse(hardware.gain()));
         long beams = ScanTime.beams(azimuthWidth, elevationWidth, gain);
         double scan = beams * hardware.integrationTime();
         if (scan * rate <= 1.0 + 1e-9) {
-            return List.of();
+            return Optional.empty();
         }
-        return List.of(String.format(
+        return Optional.of(String.format(
                 "an antenna of %s dBi needs at least %d beams for %s x %s deg: at an integrationTime of %s s each, a scan"
                         + " takes %s s, not %s s; lower the rate to %s Hz, or the integrationTime to %s s",
                 rounded(gain),

@@ -51,9 +51,17 @@ public record ReflectingGround(
      * @param uneven standard deviation of the heights that the mesh shows, m
      * @param frequency Hz
      * @param isVertical whether the wave is polarised vertically, not horizontally
-     * @return dB, one way; at most 6
+     * @param share amplitude of the antenna towards the point of reflection relative to that towards the other end, 0 or more
+     * @return dB, one way; at most 6 where the share is at most 1
      */
-    double factor(double direct, double longer, double grazing, double uneven, double frequency, boolean isVertical) {
+    double factor(
+            double direct,
+            double longer,
+            double grazing,
+            double uneven,
+            double frequency,
+            boolean isVertical,
+            double share) {
         double wavelength = LIGHT / frequency;
         double sine = Math.sin(grazing);
         double cosine = Math.cos(grazing);
@@ -74,7 +82,7 @@ public record ReflectingGround(
         double gammaIm = (upIm * downRe - upRe * downIm) / down;
         double heights = Math.PI * sine / wavelength;
         double rough = Math.exp(-ROUGHNESS_FACTOR * heights * heights * (roughness * roughness + uneven * uneven));
-        double amplitude = rough * direct / (direct + longer);
+        double amplitude = share * rough * direct / (direct + longer);
         double phase = -2.0 * Math.PI * longer / wavelength;
         double c = amplitude * Math.cos(phase);
         double s = amplitude * Math.sin(phase);

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.radio;
 
 import java.util.OptionalDouble;
 import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Ground;
 import org.dronewatch.world.Visibility;
@@ -52,14 +53,25 @@ public final class TwoRays {
     /**
      * How the field at one end differs from that in free space, dB, one way; 0 without a reflection.
      *
-     * @param from the sensor, m
-     * @param to the drone or the pilot, m
-     * @param frequency Hz
-     * @param isVertical whether the wave is polarised vertically, not horizontally
      * @param isWithinBeam whether the sensor's antenna looks in the direction of a vector
      */
     public double factor(
             Position from, Position to, double frequency, boolean isVertical, Predicate<Position> isWithinBeam) {
+        return weighted(from, to, frequency, isVertical, way -> isWithinBeam.test(way) ? 1.0 : 0.0);
+    }
+
+    /**
+     * How the field at one end differs from that in free space, dB, one way; 0 without a reflection.
+     *
+     * @param from the sensor, m
+     * @param to the drone or the pilot, m
+     * @param frequency Hz
+     * @param isVertical whether the wave is polarised vertically, not horizontally
+     * @param amplitude of the sensor's antenna in the direction of a vector, relative to that towards the drone or pilot; 0
+     *     where it does not look
+     */
+    public double weighted(
+            Position from, Position to, double frequency, boolean isVertical, ToDoubleFunction<Position> amplitude) {
         double width = Math.hypot(to.x() - from.x(), to.y() - from.y());
         double direct = from.distance(to);
         if (!(width > 0.0) || !visibility.isFree(from, to)) {
@@ -93,16 +105,15 @@ public final class TwoRays {
         double height = base + slope * at;
         Position point = on(from, to, at / width, height + CLEAR + DEVIATIONS * uneven);
         Position towards = on(from, to, at / width, height).minus(from);
-        boolean isSeen = isWithinBeam.test(towards.times(direct / towards.length()))
-                && visibility.isFree(from, point)
-                && visibility.isFree(to, point);
+        double share = amplitude.applyAsDouble(towards.times(direct / towards.length()));
+        boolean isSeen = share > 0.0 && visibility.isFree(from, point) && visibility.isFree(to, point);
         if (!isSeen) {
             return 0.0;
         }
         // The difference of two nearly equal lengths, without cancellation.
         double longer = 4.0 * one * other / (reflected + direct);
         double grazing = Math.asin(Math.min(1.0, (one + other) / reflected));
-        return surface.factor(direct, longer, grazing, uneven, frequency, isVertical);
+        return surface.factor(direct, longer, grazing, uneven, frequency, isVertical, share);
     }
 
     /** Fits the surface to the heights about a place on the path; false without ground there. */

@@ -61,13 +61,13 @@ class TwoRaysTest {
         double wavelength = 0.3;
         double frequency = 299_792_458.0 / wavelength;
         // Half a wavelength more turns the sign of the reflected wave.
-        assertThat(smooth.factor(1e9, 0.15, Math.PI / 2, 0, frequency, false))
+        assertThat(smooth.factor(1e9, 0.15, Math.PI / 2, 0, frequency, false, 1))
                 .isCloseTo(20 * Math.log10(1 + upright), within(1e-6));
-        assertThat(smooth.factor(1e9, 0, Math.PI / 2, 0, frequency, true))
+        assertThat(smooth.factor(1e9, 0, Math.PI / 2, 0, frequency, true, 1))
                 .isCloseTo(20 * Math.log10(1 + upright), within(1e-6));
         double brewster = Math.atan(1 / Math.sqrt(15));
-        assertThat(smooth.factor(1e9, 0.1, brewster, 0, frequency, true)).isCloseTo(0, within(1e-9));
-        assertThat(smooth.factor(1e9, 0.15, 1e-6, 0, frequency, false)).isCloseTo(6.0206, within(1e-4));
+        assertThat(smooth.factor(1e9, 0.1, brewster, 0, frequency, true, 1)).isCloseTo(0, within(1e-9));
+        assertThat(smooth.factor(1e9, 0.15, 1e-6, 0, frequency, false, 1)).isCloseTo(6.0206, within(1e-4));
     }
 
     /** At {@code pi h sin(psi) / lambda} of one eighth's root the reflected field falls by the factor e. */
@@ -77,11 +77,11 @@ class TwoRaysTest {
         double grazing = 0.05;
         double height = wavelength / (Math.PI * Math.sin(grazing) * Math.sqrt(8));
         ReflectingGround smooth = new ReflectingGround(15, 0, 0);
-        double coherent = Math.pow(10, smooth.factor(1e9, wavelength / 2, grazing, 0, 10e9, false) / 20) - 1;
+        double coherent = Math.pow(10, smooth.factor(1e9, wavelength / 2, grazing, 0, 10e9, false, 1) / 20) - 1;
         double expected = 20 * Math.log10(1 + coherent / Math.E);
-        assertThat(smooth.factor(1e9, wavelength / 2, grazing, height, 10e9, false))
+        assertThat(smooth.factor(1e9, wavelength / 2, grazing, height, 10e9, false, 1))
                 .isCloseTo(expected, within(1e-6));
-        assertThat(smooth.withRoughness(height).factor(1e9, wavelength / 2, grazing, 0, 10e9, false))
+        assertThat(smooth.withRoughness(height).factor(1e9, wavelength / 2, grazing, 0, 10e9, false, 1))
                 .isCloseTo(expected, within(1e-6));
     }
 

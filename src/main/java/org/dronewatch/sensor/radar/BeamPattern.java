@@ -1,0 +1,102 @@
+package org.dronewatch.sensor.radar;
+
+import org.dronewatch.positioner.Direction;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * The beam of an antenna, in transmission and in reception: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the angles a
+ * and e from its centre, with the beam widths A and E at half power (3GPP TR 38.901, table 7.3-1). An array that steers its
+ * beam away from its axis by the angle s has less gain, by the factor {@code cos(s)^scanLoss} (R. J. Mailloux, Phased Array
+ * Antenna Handbook).
+ *
+ * @param azimuthBeamwidth width of the beam at half power in azimuth, 0.01 to 360 degrees, rad
+ * @param elevationBeamwidth width of the beam at half power in elevation, 0.01 to 180 degrees, rad
+ * @param sideLobes level of the side lobes below that of the main lobe, 0 to 100 dB one way
+ * @param steering in which angles the beam is steered to what it looks at; otherwise it stays on the axis of the radar
+ * @param scanLoss exponent of the scan loss one way, 0 to 5; 0 for an antenna that is turned mechanically
+ */
+public record BeamPattern(
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = 2 * Math.PI) double azimuthBeamwidth,
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = Math.PI) double elevationBeamwidth,
+        @In(value = Quantity.LEVEL, from = 0, to = 100) double sideLobes,
+        Steering steering,
+        @In(value = Quantity.NUMBER, from = 0, to = 5) double scanLoss) {
+    private static final double HALF_POWER = 12.0;
+
+    /** Where an array does not radiate any more, its gain is not minus infinity either. */
+    private static final double LEAST_COSINE = 1e-3;
+
+    /** In which angles a beam is steered. */
+    public enum Steering {
+        /** In none: it stays on the axis. */
+        NONE,
+        /** In azimuth: a fan beam that covers all elevations at once. */
+        AZIMUTH,
+        /** In azimuth and elevation: a pencil beam. */
+        BOTH
+    }
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public BeamPattern {
+        Limits.check(BeamPattern.class, azimuthBeamwidth, elevationBeamwidth, sideLobes, steering, scanLoss);
+    }
+
+    /**
+     * A beam steered in both angles, with side lobes of -30 dB (3GPP TR 38.901, table 7.3-1) and a scan loss with the exponent
+     * 1.5, which is assumed.
+     */
+    @Defaults({"azimuthBeamwidth", "elevationBeamwidth"})
+    public static BeamPattern of(double azimuthBeamwidth, double elevationBeamwidth) {
+        return new BeamPattern(azimuthBeamwidth, elevationBeamwidth, 30.0, Steering.BOTH, 1.5);
+    }
+
+    /** This beam with other side lobes, dB below the main lobe. */
+    public BeamPattern withSideLobes(double decibels) {
+        return SettingsForm.with(this, "sideLobes", decibels);
+    }
+
+    /** This beam, steered in other angles. */
+    public BeamPattern withSteering(Steering other) {
+        return SettingsForm.with(this, "steering", other);
+    }
+
+    /** This beam with another exponent of the scan loss. */
+    public BeamPattern withScanLoss(double exponent) {
+        return SettingsForm.with(this, "scanLoss", exponent);
+    }
+
+    /**
+     * The largest gain that so narrow a beam can have: {@code 4 pi / (A E)}, without losses and side lobes (Skolnik, Radar
+     * Handbook), dBi.
+     */
+    public double largestGain() {
+        double wide = Math.min(azimuthBeamwidth, 2.0 * Math.PI);
+        return 10.0 * Math.log10(4.0 * Math.PI / (wide * elevationBeamwidth));
+    }
+
+    /**
+     * The gain in a direction relative to that on the axis, one way, dB; 0 or less.
+     *
+     * @param axis of the radar
+     * @param target what the beam is steered to, as far as it can be
+     * @param seen the direction
+     */
+    double gain(Direction axis, Direction target, Direction seen) {
+        double azimuth = steering == Steering.NONE ? axis.azimuth() : target.azimuth();
+        double elevation = steering == Steering.BOTH ? target.elevation() : axis.elevation();
+        double aside = Math.IEEEremainder(seen.azimuth() - azimuth, 2.0 * Math.PI) / azimuthBeamwidth;
+        double above = (seen.elevation() - elevation) / elevationBeamwidth;
+        double shape = Math.min(sideLobes, HALF_POWER * (aside * aside + above * above));
+        double cosine = Math.cos(elevation) * Math.cos(axis.elevation()) * Math.cos(azimuth - axis.azimuth())
+                + Math.sin(elevation) * Math.sin(axis.elevation());
+        return 10.0 * scanLoss * Math.log10(Math.min(1.0, Math.max(LEAST_COSINE, cosine))) - shape;
+    }
+}
