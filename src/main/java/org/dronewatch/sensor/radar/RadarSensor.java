@@ -14,6 +14,7 @@ import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.AssessableSensor;
+import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Cover;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.GroundTruth;
@@ -22,13 +23,15 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.radar.RadarDetection.Decision;
+import org.dronewatch.sensor.radio.RadioPath;
 import org.dronewatch.sensor.radio.TwoRays;
 import org.dronewatch.world.World;
 
 /**
  * A radar. Its value is the signal-to-noise ratio of the drone's echo; minus infinity for a drone that it does not look
  * for, because of the drone's position or radial speed, and for one that is wholly hidden. Of a partly hidden drone,
- * the visible fraction of the cross-section counts.
+ * the visible fraction of the cross-section counts, or, where the settings ask for it, the wave that is diffracted round the
+ * edges of the site on both ways.
  */
 public final class RadarSensor implements AssessableSensor {
     private static final String UNIT = "dB";
@@ -41,6 +44,7 @@ public final class RadarSensor implements AssessableSensor {
     private VisibleFraction visible;
     private Cover cover;
     private Optional<TwoRays> rays = Optional.empty();
+    private Optional<RadioPath> edges = Optional.empty();
     private final DoubleBinaryOperator budget;
     private final Map<RadarSignature, Decision> decisions = new HashMap<>();
 
@@ -65,6 +69,7 @@ public final class RadarSensor implements AssessableSensor {
             visible = new VisibleFraction(site, settings.position());
             cover = new Cover(site, settings.position());
             rays = settings.groundReflection().map(ground -> new TwoRays(site, ground));
+            edges = settings.diffraction() ? Optional.of(new RadioPath(site)) : Optional.empty();
         }
     }
 
@@ -77,17 +82,35 @@ public final class RadarSensor implements AssessableSensor {
     @Override
     public Explanation explainMiss(World site, Drone drone, Optional<Pointing> pointing) {
         enter(site);
-        return field.miss(drone)
-                .orElseGet(() -> cover.explain(
-                        drone,
-                        () -> visible.of(drone) == 0.0,
-                        () -> echo(drone, crossSection(drone, 1.0))
-                                >= decision(drone).evenThreshold()));
+        return field.miss(drone).orElseGet(() -> edges.map(path -> explainShadow(drone, path))
+                .orElseGet(
+                        () -> cover.explain(drone, () -> visible.of(drone) == 0.0, () -> isDetectedInTheOpen(drone))));
+    }
+
+    /** Where waves go round edges, a drone is hidden only if it would be detected without their loss. */
+    private Explanation explainShadow(Drone drone, RadioPath path) {
+        if (!isDetectedInTheOpen(drone)) {
+            return Explanation.of(Cause.TOO_WEAK);
+        }
+        return cover.ofOrigin(drone)
+                .or(() -> path.obstacle(drone.origin(), settings.position(), settings.frequency()))
+                .map(Explanation::hiddenBy)
+                .orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
+    }
+
+    private boolean isDetectedInTheOpen(Drone drone) {
+        return echo(drone, crossSection(drone, 1.0)) >= decision(drone).evenThreshold();
+    }
+
+    /** What the edges of the site take of the wave, both ways, dB; 0 where the visible fraction counts instead. */
+    private double edgeLoss(Drone drone) {
+        return edges.map(path -> 2.0 * path.obstacleLoss(drone.origin(), settings.position(), settings.frequency()))
+                .orElse(0.0);
     }
 
     /** The signal of a drone that the radar looks for, with its visible cross-section, m2. */
     private Signal signal(Drone drone, double area) {
-        double echo = echo(drone, area);
+        double echo = area == 0.0 ? Double.NEGATIVE_INFINITY : echo(drone, area) - edgeLoss(drone);
         Decision decision = decision(drone);
         return Signal.of(decision.probability(echo), echo, UNIT, decision.evenThreshold());
     }
@@ -97,9 +120,12 @@ public final class RadarSensor implements AssessableSensor {
         return decisions.computeIfAbsent(drone.settings().radar(), settings.detection()::on);
     }
 
-    /** The visible fraction of a drone, 0 to 1; 0 for one that the radar does not look for. */
+    /** The fraction of a drone that counts, 0 to 1; 0 for one that the radar does not look for. */
     private double visibleFraction(Drone drone) {
-        return field.miss(drone).isPresent() ? 0.0 : visible.of(drone);
+        if (field.miss(drone).isPresent()) {
+            return 0.0;
+        }
+        return edges.isPresent() ? 1.0 : visible.of(drone);
     }
 
     private double crossSection(Drone drone, double fraction) {
@@ -110,19 +136,23 @@ public final class RadarSensor implements AssessableSensor {
         Position position = drone.origin();
         double fraction = visibleFraction(drone);
         double area = crossSection(drone, fraction);
-        double echo = echo(drone, area);
+        double loss = area == 0.0 ? 0.0 : edgeLoss(drone);
+        double echo = echo(drone, area) - loss;
 
         Decision decision = decision(drone);
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("radial_speed_m_per_s", field.radialSpeed(drone));
         figures.put("in_field", field.contains(position.minus(settings.position())) ? 1.0 : 0.0);
-        figures.put("visible_share", fraction);
+        figures.put("visible_share", edges.isPresent() && area > 0.0 ? visible.of(drone) : fraction);
         figures.put("cross_section_m2", area);
         figures.put(Observation.PROBABILITY, decision.probability(echo));
         settings.beam().ifPresent(beam -> {
             Direction target = Direction.of(position.minus(settings.position()));
             figures.put("beam_gain_db", beam.gain(axis, target, target));
         });
+        if (edges.isPresent()) {
+            figures.put("diffraction_loss_db", loss);
+        }
         if (rays.isPresent()) {
             figures.put("ground_reflection_db", area == 0.0 ? 0.0 : groundReflection(drone));
         }

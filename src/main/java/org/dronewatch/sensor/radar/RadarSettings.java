@@ -45,6 +45,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param groundReflection ground whose reflection interferes with the direct wave, both ways, if the reflected path lies
  *     within the field of view of the radar; none by default. The polarisation must then be horizontal or vertical
  * @param beam shape of its beam; without one the gain is the same throughout its field of view
+ * @param diffraction whether the wave goes round the edges of the site, both ways, as a radio receiver's does; otherwise the
+ *     fraction of a drone counts that is in line of sight
  */
 public record RadarSettings(
         Position position,
@@ -63,7 +65,8 @@ public record RadarSettings(
         RadarDetection detection,
         Accuracy accuracy,
         @Minor Optional<ReflectingGround> groundReflection,
-        @Minor Optional<BeamPattern> beam)
+        @Minor Optional<BeamPattern> beam,
+        @Minor boolean diffraction)
         implements SensorSettings<RadarSensor>, Aimed, Outlined, DirectionFinding {
 
     /**
@@ -90,7 +93,8 @@ public record RadarSettings(
                 detection,
                 accuracy,
                 groundReflection,
-                beam);
+                beam,
+                diffraction);
         if (groundReflection.isPresent() && polarisation == Rain.Polarisation.CIRCULAR) {
             throw new IllegalArgumentException(
                     "groundReflection needs the polarisation horizontal or vertical, not circular");
@@ -145,7 +149,8 @@ public record RadarSettings(
                 RadarDetection.FixedThreshold.DEFAULT,
                 Accuracy.DEFAULT,
                 Optional.empty(),
-                Optional.empty());
+                Optional.empty(),
+                false);
     }
 
     @Override
@@ -211,6 +216,11 @@ public record RadarSettings(
     /** These settings with a beam. */
     public RadarSettings withBeam(BeamPattern pattern) {
         return SettingsForm.with(this, "beam", Optional.of(pattern));
+    }
+
+    /** These settings with a wave that goes round edges, or one that needs a line of sight. */
+    public RadarSettings withDiffraction(boolean roundEdges) {
+        return SettingsForm.with(this, "diffraction", roundEdges);
     }
 
     /** Its field of view. */

@@ -85,7 +85,8 @@ public final class RadioPath {
         if (upright.isBlocked()) {
             power += Math.pow(10.0, -0.1 * over.loss());
         }
-        return Math.max(0.0, -10.0 * Math.log10(power));
+        double round = Math.max(0.0, -10.0 * Math.log10(power));
+        return !upright.isBlocked() && over.loss() > 0.0 ? Math.min(over.loss(), round) : round;
     }
 
     /** Perpendicular to a direction, of length 1, as upright as possible. */

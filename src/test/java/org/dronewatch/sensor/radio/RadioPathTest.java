@@ -11,6 +11,7 @@ import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Losses at the edges of blocks and walls, against ITU-R P.526 computed by hand. */
 class RadioPathTest {
@@ -69,6 +70,13 @@ class RadioPathTest {
         assertThat(loss(drone, sheet(501, 60))).isCloseTo(34.0, within(0.05));
         assertThat(loss(drone, box(-900, 900, 500.9, 501.1, 0, 60))).isCloseTo(34.0, within(0.05));
         assertThat(loss(drone)).isZero();
+    }
+
+    /** A line that just touches the top of a wall loses half the field, like one a hair above or below it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-1e-3, 0, 1e-3})
+    void anEdgeOnTheLineTakesHalfTheField(double above) {
+        assertThat(loss(new Position(0, 1000, 20 + 2 * above), sheet(500, 20))).isCloseTo(6.03, within(0.02));
     }
 
     /** A block of 60 m from 400 to 600 m: by Deygout without correction. */
