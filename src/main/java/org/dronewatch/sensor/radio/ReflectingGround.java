@@ -3,6 +3,7 @@ package org.dronewatch.sensor.radio;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
@@ -13,14 +14,17 @@ import org.dronewatch.setting.SettingsForm;
  *     (ITU-R P.527)
  * @param conductivity conductivity, 0 to 100 S/m: 0.001 for medium dry, 0.01 for wet ground, 5 for sea water
  * @param roughness standard deviation of the heights beyond what the mesh shows, 0 to 100 m
+ * @param roundEarth whether the surface is curved as the earth with 4/3 of its radius, which spreads the reflected wave; the site
+ *     itself stays flat
  */
 public record ReflectingGround(
         @In(value = Quantity.NUMBER, from = 1, to = 100) double permittivity,
         @In(value = Quantity.NUMBER, from = 0, to = 100) double conductivity,
-        @In(value = Quantity.LENGTH, from = 0, to = 100) double roughness) {
+        @In(value = Quantity.LENGTH, from = 0, to = 100) double roughness,
+        @Minor boolean roundEarth) {
     /** Medium dry ground with a roughness of 5 cm, such as short grass. */
     @Defaults
-    public static final ReflectingGround DEFAULT = new ReflectingGround(15.0, 0.001, 0.05);
+    public static final ReflectingGround DEFAULT = new ReflectingGround(15.0, 0.001, 0.05, false);
 
     private static final double LIGHT = 299_792_458.0;
     private static final double ROUGHNESS_FACTOR = 8.0;
@@ -31,7 +35,17 @@ public record ReflectingGround(
      * @throws IllegalArgumentException if a value is out of range
      */
     public ReflectingGround {
-        Limits.check(ReflectingGround.class, permittivity, conductivity, roughness);
+        Limits.check(ReflectingGround.class, permittivity, conductivity, roughness, roundEarth);
+    }
+
+    /** Ground of a flat earth. */
+    public ReflectingGround(double permittivity, double conductivity, double roughness) {
+        this(permittivity, conductivity, roughness, false);
+    }
+
+    /** This ground on a round earth or a flat one. */
+    public ReflectingGround withRoundEarth(boolean isRound) {
+        return SettingsForm.with(this, "roundEarth", isRound);
     }
 
     /** This ground with another roughness, m. */

@@ -12,7 +12,8 @@ import org.dronewatch.world.World;
  * The interference of the direct wave with the one that the ground of a site reflects. The reflecting surface is the line
  * that fits best, along the path, the heights of the site within the first Fresnel zone about the point of reflection; the
  * deviations from it count as roughness. No reflection is counted where the direct line is blocked, where there is no
- * ground, or where the ground hides the point of reflection from either end. One per thread.
+ * ground, or where the ground hides the point of reflection from either end. On a round earth, the heights above that line are
+ * those above a sphere. One per thread.
  */
 public final class TwoRays {
     private static final double LIGHT = 299_792_458.0;
@@ -80,6 +81,8 @@ public final class TwoRays {
         double wavelength = LIGHT / frequency;
         double at = 0.5 * width;
         double reach = FIRST_REACH * width;
+        double span = width;
+        double before = at;
         for (int i = 0; i < STEPS; i++) {
             if (!fit(from, to, width, at, reach)) {
                 return 0.0;
@@ -93,14 +96,21 @@ public final class TwoRays {
             // The feet of both ends on the surface, and the point between them where the angles are equal.
             double foot = one * slope / tilt;
             double far = width + other * slope / tilt;
-            at = Math.max(0.0, Math.min(width, foot + (far - foot) * one / (one + other)));
-            double sine = (one + other) / Math.hypot(far - foot, one + other);
+            span = far - foot;
+            before = surface.roundEarth() ? RoundEarth.reflection(one, other, span) : span * one / (one + other);
+            at = Math.max(0.0, Math.min(width, foot + before));
+            one -= drop(before);
+            other -= drop(span - before);
+            if (!(one > 0.0 && other > 0.0)) {
+                return 0.0;
+            }
+            double sine = (one + other) / Math.hypot(span, one + other);
             double zone = Math.sqrt(wavelength * direct * one * other / ((one + other) * (one + other)));
             reach = Math.min(zone / sine, 0.9 * Math.min(at, width - at));
         }
         double tilt = Math.sqrt(1.0 + slope * slope);
-        double one = (from.z() - base) / tilt;
-        double other = (to.z() - base - slope * width) / tilt;
+        double one = (from.z() - base) / tilt - drop(before);
+        double other = (to.z() - base - slope * width) / tilt - drop(span - before);
         double reflected = Math.sqrt(direct * direct + 4.0 * one * other);
         double height = base + slope * at;
         Position point = on(from, to, at / width, height + CLEAR + DEVIATIONS * uneven);
@@ -113,7 +123,14 @@ public final class TwoRays {
         // The difference of two nearly equal lengths, without cancellation.
         double longer = 4.0 * one * other / (reflected + direct);
         double grazing = Math.asin(Math.min(1.0, (one + other) / reflected));
-        return surface.factor(direct, longer, grazing, uneven, frequency, isVertical, share);
+        double spread =
+                surface.roundEarth() ? RoundEarth.divergence(before, span - before, (one + other) / reflected) : 1.0;
+        return surface.factor(direct, longer, grazing, uneven, frequency, isVertical, share * spread);
+    }
+
+    /** How far a round earth drops below the plane that the surface is otherwise, m. */
+    private double drop(double distance) {
+        return surface.roundEarth() ? RoundEarth.drop(distance) : 0.0;
     }
 
     /** Fits the surface to the heights about a place on the path; false without ground there. */
