@@ -67,6 +67,8 @@ public final class BuildingLoader {
                 mesh,
                 woods,
                 colours,
+                report.outlines(),
+                BuildingReport.attribution(map),
                 report.count(),
                 report.area(),
                 report.assumed(),

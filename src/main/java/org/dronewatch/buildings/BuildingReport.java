@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.buildings.io.MapFeatures;
 import org.dronewatch.setting.PlainText;
@@ -18,11 +19,16 @@ final class BuildingReport {
     /** Further above or below the ground than most foundations, m. */
     private static final double FLOATING = 3.0;
 
+    private static final String OPEN_STREET_MAP =
+            "map data from OpenStreetMap, (c) OpenStreetMap contributors, Open Database License:"
+                    + " openstreetmap.org/copyright";
+
     private final String file;
     private final BuildingSettings settings;
     private final Map<String, Integer> leftOut = new LinkedHashMap<>();
     private final Map<String, List<String>> doubts = new LinkedHashMap<>();
     private final List<Double> floors = new ArrayList<>();
+    private final List<BuildingOutline> outlines = new ArrayList<>();
     private int added;
     private int buildings;
     private int parts;
@@ -57,10 +63,12 @@ final class BuildingReport {
         assumed += dimensions.isAssumed() ? 1 : 0;
         fromLevels += !dimensions.isAssumed() && !isHeightStated(building) ? 1 : 0;
         area += squareMetres;
+        outlines.add(BuildingOutline.of(building, dimensions));
     }
 
     /** A solid of a city model that was built. */
-    void add(CitySolid solid, double squareMetres) {
+    void add(CitySolid solid, double squareMetres, List<BuildingOutline> itsOutlines) {
+        outlines.addAll(itsOutlines);
         buildings++;
         added += solid.floor() > 0 ? 1 : 0;
         area += squareMetres;
@@ -94,6 +102,16 @@ final class BuildingReport {
         return area;
     }
 
+    /** Of all that was built, in its order. */
+    List<BuildingOutline> outlines() {
+        return outlines;
+    }
+
+    /** What a map of this format asks to be said wherever it is used. */
+    static Optional<String> attribution(MapFeatures map) {
+        return map.format().startsWith("OpenStreetMap") ? Optional.of(OPEN_STREET_MAP) : Optional.empty();
+    }
+
     List<String> lines(MapFeatures map, int triangles) {
         List<String> lines = new ArrayList<>();
         lines.add(String.format(
@@ -120,10 +138,7 @@ final class BuildingReport {
                             .map(entry -> counted(entry.getValue(), entry.getKey()))
                             .collect(Collectors.joining(", ")));
         }
-        if (map.format().startsWith("OpenStreetMap")) {
-            lines.add("map data from OpenStreetMap, (c) OpenStreetMap contributors, Open Database License:"
-                    + " openstreetmap.org/copyright");
-        }
+        attribution(map).ifPresent(lines::add);
         return lines;
     }
 

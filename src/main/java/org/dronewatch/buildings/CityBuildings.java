@@ -55,7 +55,7 @@ final class CityBuildings {
                 int[] more = Arrays.copyOf(corners, corners.length + cut.corners().length);
                 System.arraycopy(cut.corners(), 0, more, corners.length, cut.corners().length);
                 corners = more;
-                report.add(cut, upwardArea(cut.corners()));
+                report.add(cut, upwardArea(cut.corners()), CityOutlines.of(solid.id(), cut.corners(), vertices));
                 if (!cut.isClosed()) {
                     report.doubt("the solid is not closed", solid.id());
                 }

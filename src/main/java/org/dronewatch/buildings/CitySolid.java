@@ -119,7 +119,7 @@ record CitySolid(int[] corners, int floor, boolean isClosed, boolean isWhole) {
     }
 
     /** The sides that no other triangle has the other way round, and how often. */
-    private static Map<Long, Integer> open(int[] corners) {
+    static Map<Long, Integer> open(int[] corners) {
         Map<Long, Integer> sides = new LinkedHashMap<>();
         for (int i = 0; i < corners.length; i += 3) {
             for (int k = 0; k < 3; k++) {
@@ -178,7 +178,8 @@ record CitySolid(int[] corners, int floor, boolean isClosed, boolean isWhole) {
         return isWhole;
     }
 
-    private static double[] flat(int[] ring, double[] vertices) {
+    /** The corners of a ring as a plan shows them: x and y of each in turn. */
+    static double[] flat(int[] ring, double[] vertices) {
         double[] flat = new double[2 * ring.length];
         for (int i = 0; i < ring.length; i++) {
             flat[2 * i] = vertices[3 * ring[i]];
@@ -188,7 +189,7 @@ record CitySolid(int[] corners, int floor, boolean isClosed, boolean isWhole) {
     }
 
     /** Sides chained into rings; those that do not close are left out. */
-    private static List<int[]> rings(Map<Integer, Integer> sides) {
+    static List<int[]> rings(Map<Integer, Integer> sides) {
         List<int[]> rings = new ArrayList<>();
         Map<Integer, Integer> left = new LinkedHashMap<>(sides);
         while (!left.isEmpty()) {

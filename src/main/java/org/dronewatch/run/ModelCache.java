@@ -180,6 +180,11 @@ public final class ModelCache {
         return lines;
     }
 
+    /** The buildings of a world's map, if it has one. */
+    synchronized Optional<LoadedBuildings> buildings(WorldSettings world) {
+        return Town.of(world).map(this::buildings);
+    }
+
     /** The ray-tracing index over a world's terrain, buildings and models, merged into one mesh. */
     synchronized TracingIndex index(WorldSettings world) {
         return indexes.computeIfAbsent(Site.of(world), this::build);

@@ -5,9 +5,11 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
+import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.SteeringClock;
@@ -36,6 +38,7 @@ import org.dronewatch.world.WorldSettings;
 public final class Stage {
     private final World world;
     private final List<String> siteNotes;
+    private final Optional<LoadedBuildings> buildings;
     private final Map<String, Integer> colours;
     private final Map<String, Map<String, Integer>> droneColours = new LinkedHashMap<>();
     private final List<Airborne> airborne = new ArrayList<>();
@@ -53,6 +56,7 @@ public final class Stage {
         WorldSettings site = settings.world();
         this.world = worldOf(site, models);
         this.siteNotes = models.siteNotes(site);
+        this.buildings = models.buildings(site);
         this.colours = Map.copyOf(models.colours(site));
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
@@ -98,6 +102,11 @@ public final class Stage {
     /** What was read of a real place, a line for each thing, with the attribution that a map asks for; none for models. */
     public List<String> siteNotes() {
         return siteNotes;
+    }
+
+    /** The buildings of the site's map, if it has one. */
+    public Optional<LoadedBuildings> buildings() {
+        return buildings;
     }
 
     /** The world. */

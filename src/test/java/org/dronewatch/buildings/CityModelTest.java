@@ -90,6 +90,15 @@ class CityModelTest {
         LoadedBuildings loaded = load(city(BOX + court, solid(surfaces)));
         BuildingLoaderTest.assertClosed(loaded.mesh());
         assertThat(BuildingLoaderTest.volume(loaded.mesh())).isCloseTo(76.0 * 6.0 / (SCALE * SCALE), within(0.01));
+
+        // Its rim as a plan shows it.
+        assertThat(loaded.outlines()).hasSize(1);
+        BuildingOutline outline = loaded.outlines().get(0);
+        assertThat(Rings.signedArea(outline.outer())).isCloseTo(80.0 / (SCALE * SCALE), within(0.001));
+        assertThat(outline.courts()).hasSize(1);
+        assertThat(Rings.signedArea(outline.courts().get(0))).isCloseTo(-4.0 / (SCALE * SCALE), within(0.001));
+        assertThat(outline.top()).isCloseTo(6.0, within(0.001));
+        assertThat(outline.isAssumed()).isFalse();
     }
 
     /** The second level is taken, not the first nor the third; the outline of a building with parts has none. */

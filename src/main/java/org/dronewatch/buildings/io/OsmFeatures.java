@@ -30,6 +30,7 @@ final class OsmFeatures implements OsmElements {
             "location",
             "material",
             "levels",
+            "name",
             "level",
             "type",
             "natural",

@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import javax.xml.stream.XMLStreamException;
@@ -18,7 +19,7 @@ import org.dronewatch.geo.GeoPoint;
 
 /**
  * A map as KML 2.2 (OGC 07-147r2). KML only knows heights above the sea and above its own ground: where that of the scene's
- * origin is not known, everything is drawn on the ground, else sensors, drones and flights are where they are in the air.
+ * origin is not known, everything but buildings is drawn on the ground, else sensors, drones and flights are where they are in the air.
  */
 final class Kml {
     private static final String NAMESPACE = "http://www.opengis.net/kml/2.2";
@@ -44,8 +45,13 @@ final class Kml {
         kml.text("open", "1");
         kml.text("description", content.description());
         List<MapFeature> features = content.features();
-        for (String folder :
-                Arrays.stream(Role.values()).map(Role::folder).distinct().toList()) {
+        List<String> folders = Arrays.stream(Role.values())
+                .filter(role ->
+                        role != Role.BUILDING || features.stream().anyMatch(feature -> feature.role() == Role.BUILDING))
+                .map(Role::folder)
+                .distinct()
+                .toList();
+        for (String folder : folders) {
             kml.open("Folder");
             kml.text("name", folder);
             for (MapFeature feature : features) {
@@ -148,16 +154,27 @@ final class Kml {
 
     private static void writeArea(Elements kml, Shape.Area area) throws XMLStreamException {
         kml.open("Polygon");
-        kml.text("tessellate", "1");
-        kml.text("altitudeMode", "clampToGround");
+        if (area.top().isPresent()) {
+            kml.text("extrude", "1");
+            kml.text("altitudeMode", "relativeToGround");
+        } else {
+            kml.text("tessellate", "1");
+            kml.text("altitudeMode", "clampToGround");
+        }
         for (int ring = 0; ring < area.rings().size(); ring++) {
             kml.open(ring == 0 ? "outerBoundaryIs" : "innerBoundaryIs");
             kml.open("LinearRing");
-            kml.text("coordinates", coordinates(area.rings().get(ring), GeoPoint::onPlan));
+            kml.text("coordinates", coordinates(area.rings().get(ring), corner -> raised(corner, area.top())));
             kml.close();
             kml.close();
         }
         kml.close();
+    }
+
+    private static List<BigDecimal> raised(GeoPoint corner, OptionalDouble top) {
+        return top.isPresent()
+                ? new GeoPoint(corner.longitude(), corner.latitude(), top.getAsDouble()).inSpace()
+                : corner.onPlan();
     }
 
     private static String coordinates(List<GeoPoint> positions, Function<GeoPoint, List<BigDecimal>> form) {

@@ -34,6 +34,7 @@ final class MapContent {
     private final SceneSettings settings;
     private final Origin origin;
     private final Geodesy geodesy;
+    private final BuildingFeatures outlines;
     private final KindColours colours;
     private final Stage stage;
 
@@ -44,6 +45,7 @@ final class MapContent {
         this.settings = run.settings();
         this.origin = origin;
         this.geodesy = new Geodesy(origin);
+        this.outlines = new BuildingFeatures(geodesy, origin);
         this.colours = KindColours.of(settings.enabledSensors().values());
     }
 
@@ -59,7 +61,18 @@ final class MapContent {
         return "Where each sensor detects each drone" + which + ". " + heights() + " Fields of view are"
                 + " drawn in plan, as if nothing obstructed them; that of a camera extends to the range at"
                 + " which it first detects a drone, or " + Math.round(Footprint.UNKNOWN_REACH)
-                + " m if it detects none.";
+                + " m if it detects none." + buildings();
+    }
+
+    /** What the heights of buildings count from, and the attribution that their map asks for. */
+    private String buildings() {
+        return stage.buildings()
+                .map(town -> " Heights of buildings are those above the lowest ground below them; 'assumed' marks those"
+                        + " that their map does not state."
+                        + town.attribution()
+                                .map(text -> " Buildings: " + text + ".")
+                                .orElse(""))
+                .orElse("");
     }
 
     private String heights() {
@@ -78,6 +91,11 @@ final class MapContent {
     /** All features, in the order of their folders and of the scene. */
     List<MapFeature> features() {
         List<MapFeature> features = new ArrayList<>();
+        // Below everything else.
+        stage.buildings().stream()
+                .flatMap(town -> town.outlines().stream())
+                .map(outlines::feature)
+                .forEach(features::add);
         settings.enabledSensors().forEach((id, sensor) -> features.add(sensor(id, sensor)));
         settings.enabledSensors().forEach((id, sensor) -> Outlined.outline(sensor)
                 .map(outline -> Footprint.of(sensor.position(), outline, run.firstDetectionRange(id)))
@@ -170,9 +188,11 @@ final class MapContent {
     }
 
     private Shape area(List<List<Position>> rings) {
-        return new Shape.Area(rings.stream()
-                .map(ring -> ring.stream().map(geodesy::at).toList())
-                .toList());
+        return new Shape.Area(
+                rings.stream()
+                        .map(ring -> ring.stream().map(geodesy::at).toList())
+                        .toList(),
+                OptionalDouble.empty());
     }
 
     private Shape point(Position position) {

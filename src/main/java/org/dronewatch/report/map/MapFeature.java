@@ -10,7 +10,7 @@ import java.util.Map;
  * @param name displayed name
  * @param shape where it is
  * @param colour its colour
- * @param properties its properties, by name: text, BigDecimal or null, as {@link Properties} gives them
+ * @param properties its properties, by name: text, BigDecimal, Boolean or null, as {@link Properties} gives them
  */
 record MapFeature(Role role, String name, Shape shape, Color colour, Map<String, Object> properties) {
     MapFeature(Role role, String name, Shape shape, Color colour, Properties properties) {

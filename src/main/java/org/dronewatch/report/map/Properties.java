@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
 import org.dronewatch.geo.GeoPoint;
 
 /**
- * The properties of a feature, by name, in the order in which it was put: texts, numbers, and null for missing values.
+ * The properties of a feature, by name, in the order in which it was put: texts, numbers, truth values, and null for missing values.
  */
 final class Properties {
     private static final int DECIMALS = 6;
@@ -25,12 +25,17 @@ final class Properties {
         return this;
     }
 
+    Properties put(String name, boolean value) {
+        values.put(name, value);
+        return this;
+    }
+
     /** A number if there is one. */
     Properties put(String name, OptionalDouble number) {
         return put(name, number.orElse(Double.NaN));
     }
 
-    /** By name: text, BigDecimal or null. */
+    /** By name: text, BigDecimal, Boolean or null. */
     Map<String, Object> values() {
         return Collections.unmodifiableMap(values);
     }

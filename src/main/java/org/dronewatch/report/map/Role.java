@@ -17,7 +17,9 @@ enum Role {
     /** Where a drone was when a sensor detected it. */
     GAINED("Detections", Size.MEDIUM),
     /** Where a drone was when a sensor lost it. */
-    LOST("Detections", Size.SMALL);
+    LOST("Detections", Size.SMALL),
+    /** The outline of a building. */
+    BUILDING("Buildings", Size.SMALL);
 
     /** Width of lines in pixels. */
     static final double STROKE = 2.0;
@@ -45,7 +47,7 @@ enum Role {
 
     /** Whether its name is written on the map: those of a hundred detections would cover one another. */
     boolean isNamed() {
-        return this != GAINED && this != LOST;
+        return this != GAINED && this != LOST && this != BUILDING;
     }
 
     /** Sizes of markers. */

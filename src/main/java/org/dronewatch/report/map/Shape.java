@@ -1,6 +1,7 @@
 package org.dronewatch.report.map;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import org.dronewatch.geo.GeoPoint;
 
 /** The geometry of a map feature. */
@@ -25,8 +26,9 @@ sealed interface Shape {
      * An area on the ground plan.
      *
      * @param rings its edge, counterclockwise, and then its holes, clockwise; each ends where it begins
+     * @param top how high what covers it reaches above the ground, m; empty for a mark on the ground
      */
-    record Area(List<List<GeoPoint>> rings) implements Shape {
+    record Area(List<List<GeoPoint>> rings, OptionalDouble top) implements Shape {
         /** Copies the lists: later changes by the caller have no effect. */
         public Area {
             rings = rings.stream().map(List::copyOf).toList();

@@ -1,0 +1,61 @@
+package org.dronewatch.buildings;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Where a building stands, and how high it is, for maps and plans.
+ *
+ * @param id what the map calls it
+ * @param name its name, if the map states one
+ * @param isPart whether it is a part of a building with heights of its own
+ * @param outer the outline, counterclockwise: x and y in the world frame of each corner in turn, m, at the level of the origin
+ * @param courts courtyards, clockwise, as the outline
+ * @param bottom height of its lowest point above the lowest ground below it, 0 for what stands on the ground, m
+ * @param top height of its highest point above the same ground, m
+ * @param isAssumed whether the map does not state how high it is
+ */
+public record BuildingOutline(
+        String id,
+        Optional<String> name,
+        boolean isPart,
+        double[] outer,
+        List<double[]> courts,
+        double bottom,
+        double top,
+        boolean isAssumed) {
+    /** Copies the list and the corners: later changes by the caller have no effect. */
+    public BuildingOutline {
+        outer = outer.clone();
+        courts = courts.stream().map(double[]::clone).toList();
+    }
+
+    /** A copy of the outline's corners. */
+    @Override
+    public double[] outer() {
+        return outer.clone();
+    }
+
+    /** Copies of the courtyards' corners. */
+    @Override
+    public List<double[]> courts() {
+        return courts.stream().map(double[]::clone).toList();
+    }
+
+    static BuildingOutline of(Building building, Dimensions dimensions) {
+        return new BuildingOutline(
+                building.id(),
+                named(building.tags()),
+                building.isPart(),
+                building.footprint().outer(),
+                building.footprint().courts(),
+                dimensions.bottom(),
+                dimensions.top(),
+                dimensions.isAssumed());
+    }
+
+    private static Optional<String> named(Map<String, String> tags) {
+        return Optional.ofNullable(tags.get("name")).map(String::strip).filter(text -> !text.isEmpty());
+    }
+}

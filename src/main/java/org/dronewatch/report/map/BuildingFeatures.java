@@ -1,0 +1,65 @@
+package org.dronewatch.report.map;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.buildings.BuildingOutline;
+import org.dronewatch.geo.GeoPoint;
+import org.dronewatch.geo.Geodesy;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.geometry.Position;
+
+/** Buildings as features of a map. */
+final class BuildingFeatures {
+    private static final Color KNOWN = new Color(0x7f7768);
+
+    /** That of buildings with assumed heights in pictures, darker. */
+    private static final Color ASSUMED = new Color(0xb5783a);
+
+    private final Geodesy geodesy;
+    private final double level;
+
+    BuildingFeatures(Geodesy geodesy, Origin origin) {
+        this.geodesy = geodesy;
+        this.level = origin.height().orElse(0.0);
+    }
+
+    MapFeature feature(BuildingOutline building) {
+        List<List<GeoPoint>> rings = new ArrayList<>();
+        rings.add(ring(building.outer()));
+        building.courts().forEach(court -> rings.add(ring(court)));
+        Properties properties = new Properties()
+                .put("id", building.id())
+                .put("part", building.isPart())
+                .put("height_above_ground_m", building.top())
+                .put("bottom_above_ground_m", building.bottom())
+                .put("assumed", building.isAssumed());
+        return new MapFeature(
+                Role.BUILDING,
+                building.name().orElse(building.isPart() ? "part of a building" : "building"),
+                new Shape.Area(rings, OptionalDouble.of(building.top())),
+                building.isAssumed() ? ASSUMED : KNOWN,
+                properties);
+    }
+
+    private List<GeoPoint> ring(double[] corners) {
+        List<GeoPoint> ring = new ArrayList<>();
+        for (int i = 0; i < corners.length; i += 2) {
+            ring.add(onLevel(corners[i], corners[i + 1]));
+        }
+        ring.add(ring.get(0));
+        return ring;
+    }
+
+    /** The world frame is a plane, and the level of the origin is not: far away it lies lower, and is reached along the vertical. */
+    private GeoPoint onLevel(double x, double y) {
+        double z = 0.0;
+        GeoPoint corner = geodesy.at(new Position(x, y, z));
+        for (int i = 0; i < 2; i++) {
+            z += level - geodesy.onEarth(new Position(x, y, z)).height();
+            corner = geodesy.at(new Position(x, y, z));
+        }
+        return corner;
+    }
+}
