@@ -3,6 +3,7 @@ package org.dronewatch.jmh;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.DroneClass;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
@@ -18,6 +19,7 @@ import org.dronewatch.sensor.radar.RadarDetection;
 import org.dronewatch.sensor.radar.RadarSensor;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.radio.ReflectingGround;
+import org.dronewatch.world.Ground;
 import org.dronewatch.world.World;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -31,8 +33,10 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Time of a look of a radar at one drone over the hill; the goals are 20 us with one pulse, 100 us with
- * reflecting ground. */
+/**
+ * Time of a look of a radar at one drone over the hill; the goals are 20 us with one pulse, 100 us with reflecting ground. In all
+ * cases the two stand where the ground does reflect.
+ */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -52,24 +56,55 @@ public class RadarLook {
     @Param({"false", "true"})
     public boolean ground;
 
+    /** Whether the drone has the log-normal cross-section of its class instead of a fluctuation. */
+    @Param({"false", "true"})
+    public boolean ofClass;
+
+    /** Whether the wave goes round edges instead of a fraction of the drone being visible. */
+    @Param({"false", "true"})
+    public boolean edges;
+
     private World world;
     private RadarSensor radar;
     private List<Drone> drones;
     private int index;
 
-    /** Loads the hill, and places radar and drone above it. */
+    /** Loads the hill, and places radar and drone above its ground. */
     @Setup
     public void load() {
-        world = World.of(Bench.mesh("hill"));
-        double top = world.bounds().maxZ();
-        RadarSettings settings = RadarSettings.at(
-                        new Position(0.0, 0.0, top + 10.0), LinkBudget.Hardware.of(4.0, 33.0, 0.02))
-                .withDetection(new RadarDetection.Chance(1e-6, pulses));
-        radar = (ground ? settings.withGroundReflection(ReflectingGround.DEFAULT) : settings).create();
+        world = World.of(Bench.worldMesh("hill"));
         DroneSettings drone = DroneSettings.of(ModelSettings.of("quadrotor.obj"), Hover.at(new Position(0, 0, 0)))
-                .withRadar(RadarSignature.DEFAULT.withFluctuation(fluctuation));
-        drones = List.of(new Drone("drone", drone, KDTree.of(Bench.mesh("quadrotor")))
-                .at(new FlightState(new Position(0.0, 800.0, top + 30.0), new Position(0.0, -10.0, 0.0), 0.0)));
+                .withRadar(
+                        ofClass
+                                ? RadarSignature.of(DroneClass.SMALL_UAV)
+                                : RadarSignature.DEFAULT.withFluctuation(fluctuation));
+        Drone model = new Drone("drone", drone, KDTree.of(Bench.worldMesh("quadrotor")));
+        Ground heights = world.newGround();
+        // Where the ground reflects: elsewhere a look is over before that is computed.
+        for (double east = -600.0; east <= 600.0 && drones == null; east += 50.0) {
+            RadarSettings settings = RadarSettings.at(
+                            new Position(
+                                    east, -600.0, heights.height(east, -600.0).orElseThrow() + 10.0),
+                            LinkBudget.Hardware.of(4.0, 33.0, 0.02))
+                    .withFieldOfView(2.0 * Math.PI, Math.PI)
+                    .withDetection(new RadarDetection.Chance(1e-6, pulses))
+                    .withDiffraction(edges);
+            RadarSettings reflected = settings.withGroundReflection(ReflectingGround.DEFAULT);
+            Position place = new Position(east, 0.0, heights.height(east, 0.0).orElseThrow() + 60.0);
+            drones = List.of(model.at(new FlightState(place, new Position(0.0, -10.0, 0.0), 0.0)));
+            Observation seen = reflected
+                    .create()
+                    .observe(world, drones, Look.of(1L, "radar", 0, 0))
+                    .get(0);
+            if (seen.figures().get("ground_reflection_db") == 0.0) {
+                drones = null;
+            } else {
+                radar = (ground ? reflected : settings).create();
+            }
+        }
+        if (drones == null) {
+            throw new IllegalStateException("the ground reflects nowhere");
+        }
     }
 
     /** One look. */
