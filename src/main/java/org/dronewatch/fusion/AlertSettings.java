@@ -1,5 +1,7 @@
 package org.dronewatch.fusion;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.setting.Defaults;
@@ -14,21 +16,25 @@ import org.dronewatch.setting.SettingsForm;
  * @param rule when the sensors' observations amount to an alert
  * @param confirm how often a sensor must detect a drone before it counts
  * @param protect the zone that must not be reached; omit it for none
+ * @param zones areas that must not be reached either, by name; the first that a drone enters counts
  * @param response how much time is needed between the alert and the drone's arrival, 0 to 86400 s; 0 if not required
  */
 public record AlertSettings(
         AlertRule rule,
         Confirmation confirm,
         Optional<ProtectedZone> protect,
+        Map<String, ProtectedArea> zones,
         @In(value = Quantity.DURATION, from = 0, to = 86_400) double response) {
     /** The first detection of any sensor is an alert; nothing is protected. */
     @Defaults
     public static final AlertSettings DEFAULT =
-            new AlertSettings(new AlertRule.AnySensor(), Confirmation.DEFAULT, Optional.empty(), 0.0);
+            new AlertSettings(new AlertRule.AnySensor(), Confirmation.DEFAULT, Optional.empty(), Map.of(), 0.0);
 
     /** Checks the limits. */
     public AlertSettings {
-        Limits.check(AlertSettings.class, rule, confirm, protect, response);
+        Limits.check(AlertSettings.class, rule, confirm, protect, zones, response);
+        zones = Collections.unmodifiableMap(new LinkedHashMap<>(zones));
+        zones.forEach((name, area) -> area.checkOutline("zones." + name));
         if (rule instanceof AlertRule.UnionOfProbabilities && !confirm.equals(Confirmation.DEFAULT)) {
             throw new IllegalArgumentException(
                     "confirm " + confirm.hits() + " of " + confirm.looks()
@@ -44,6 +50,18 @@ public record AlertSettings(
     /** These settings with a number of detections required out of a number of looks of a sensor. */
     public AlertSettings withConfirmation(int hits, int looks) {
         return SettingsForm.with(this, "confirm", new Confirmation(hits, looks));
+    }
+
+    /** Whether there is anything that must not be reached. */
+    public boolean isProtecting() {
+        return protect.isPresent() || !zones.isEmpty();
+    }
+
+    /** These settings with one more protected area, or another of that name. */
+    public AlertSettings withZone(String name, ProtectedArea area) {
+        Map<String, ProtectedArea> more = new LinkedHashMap<>(zones);
+        more.put(name, area);
+        return SettingsForm.with(this, "zones", more);
     }
 
     /** These settings with a protected zone and the time that the response to an alert takes, s. */

@@ -1,8 +1,10 @@
 package org.dronewatch.render;
 
 import java.util.List;
+import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
+import org.dronewatch.world.GroundPoint;
 
 /** Draws the sensors' fields of view as lines in the world: frustums, sectors and spheres. */
 final class OutlinePainter {
@@ -30,6 +32,23 @@ final class OutlinePainter {
             drawSector(at, sector, width, colour, share);
         } else if (outline instanceof Outline.Ball ball) {
             drawBall(at, ball.radius(), width, colour, share);
+        }
+    }
+
+    /** Draws the edges of a protected area. */
+    void draw(AreaZone area, double width, int colour, double share) {
+        List<GroundPoint> outline = area.outline();
+        int stride = Math.max(1, outline.size() / 12);
+        for (int i = 0; i < outline.size(); i++) {
+            GroundPoint a = outline.get(i);
+            GroundPoint b = outline.get((i + 1) % outline.size());
+            Position low = new Position(a.x(), a.y(), area.bottom());
+            Position high = new Position(a.x(), a.y(), area.top());
+            lines.line(low, new Position(b.x(), b.y(), area.bottom()), width, colour, share);
+            lines.line(high, new Position(b.x(), b.y(), area.top()), width, colour, share);
+            if (i % stride == 0) {
+                lines.line(low, high, width, colour, share);
+            }
         }
     }
 

@@ -13,6 +13,7 @@ import java.util.function.BiPredicate;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.Ray;
@@ -49,6 +50,7 @@ public final class SitePicture {
     private final Stage stage;
     private final World world;
     private final Flights flights;
+    private final Protection protection;
     private volatile Rayed rayed;
 
     /** For one run of a scene. */
@@ -57,6 +59,7 @@ public final class SitePicture {
         this.stage = stage;
         this.drones = settings.individualDrones().keySet();
         this.world = stage.world();
+        this.protection = stage.protection();
         this.painter = new SitePainter(world.tree(), stage.colours());
         this.colours = KindColours.of(settings.enabledSensors().values());
         this.flights = new Flights(settings, stage);
@@ -118,7 +121,16 @@ public final class SitePicture {
             corners.add(zone.centre().plus(reach));
             corners.add(zone.centre().minus(reach));
         });
+        protection.areas().forEach(area -> area.outline().forEach(corner -> {
+            corners.add(new Position(corner.x(), corner.y(), area.bottom()));
+            corners.add(new Position(corner.x(), corner.y(), area.top()));
+        }));
         return AABB.around(corners);
+    }
+
+    /** What is protected, where it is on the site. */
+    public Protection protection() {
+        return protection;
     }
 
     /** The colours of the kinds of sensors. */
@@ -189,10 +201,7 @@ public final class SitePicture {
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         Furniture furniture = new Furniture(g, image.getWidth(), image.getHeight(), style.scale());
         furniture.legend(
-                state,
-                colours,
-                view(backdrop.orbit()),
-                settings.alert().protect().isPresent());
+                state, colours, view(backdrop.orbit()), settings.alert().isProtecting());
         furniture.scaleBar(backdrop.orbit().metresPerPixel(backdrop.height()), isFlat(backdrop.orbit()));
         furniture.northArrow(backdrop.orbit());
         state.rays().ifPresent(rays -> furniture.levels(rays, style.filter(), state.time()));
@@ -279,6 +288,8 @@ public final class SitePicture {
     private void drawZone(LinePainter lines, double pixel) {
         settings.alert().protect().ifPresent(zone -> new OutlinePainter(lines, zone.radius())
                 .draw(zone.centre(), new Outline.Ball(zone.radius()), 1.6 * pixel, ZONE.getRGB() & 0xffffff, 0.85));
+        protection.areas().forEach(area -> new OutlinePainter(lines, 0.0)
+                .draw(area, 1.6 * pixel, ZONE.getRGB() & 0xffffff, 0.85));
     }
 
     private void drawOutlines(LinePainter lines, SiteState state, double pixel) {

@@ -82,6 +82,7 @@ final class ResultFile {
         put(node, "zone_distance_m", alert.zoneDistance());
         put(node, "warning_s", alert.warning());
         put(node, "entered_s", alert.entered());
+        alert.zone().ifPresent(zone -> node.put("zone", zone));
         alert.inTime().ifPresentOrElse(enough -> node.put("in_time", enough), () -> node.putNull("in_time"));
     }
 

@@ -78,11 +78,16 @@ final class SitePictures {
         figures.add(figure(Orbit.top(picture.frame(), aspect()), state, "The same seen from above, north up."));
         AABB near = near();
         if (near.diagonal() < CLOSE * picture.frame().diagonal()) {
-            boolean zone = run.settings().alert().protect().isPresent();
+            boolean zone = run.settings().alert().isProtecting();
             figures.add(figure(
                     Orbit.about(near, aspect()),
                     state,
-                    (zone ? "The protected zone" : "The sensors") + " in close-up."));
+                    (zone
+                                    ? picture.protection().areas().isEmpty()
+                                            ? "The protected zone"
+                                            : "The protected zones"
+                                    : "The sensors")
+                            + " in close-up."));
         }
         return figures;
     }
@@ -100,6 +105,10 @@ final class SitePictures {
                     .filter(at -> zone.distance(at) <= 2.0 * margin)
                     .forEach(corners::add);
         });
+        picture.protection().areas().forEach(area -> area.outline().forEach(corner -> {
+            corners.add(new Position(corner.x() - LEAST_MARGIN, corner.y() - LEAST_MARGIN, area.bottom()));
+            corners.add(new Position(corner.x() + LEAST_MARGIN, corner.y() + LEAST_MARGIN, area.top()));
+        }));
         if (corners.isEmpty()) {
             Position margin = new Position(LEAST_MARGIN, LEAST_MARGIN, LEAST_MARGIN);
             run.settings().enabledSensors().values().forEach(sensor -> {

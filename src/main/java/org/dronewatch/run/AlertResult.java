@@ -18,6 +18,8 @@ import org.dronewatch.fusion.Alert;
  * @param warning warning time: straight-line flight time from there to the zone at cruise speed, s; 0 if it had already
  *     reached the zone; empty without zone or alert
  * @param entered when its flight reached the zone, s; empty when it did not in the run's time
+ * @param zone name of the protected zone that it enters first, or is nearest to at its alert if it enters none; empty without
+ *     named zones, or without both
  * @param inTime whether the warning time covers the response time and the alert preceded the drone's arrival; empty if no
  *     time is required or nothing is protected
  */
@@ -29,6 +31,7 @@ public record AlertResult(
         OptionalDouble zoneDistance,
         OptionalDouble warning,
         OptionalDouble entered,
+        Optional<String> zone,
         Optional<Boolean> inTime) {
 
     /** When the alert was raised, s; empty if never. */

@@ -11,7 +11,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.fusion.Alert;
 import org.dronewatch.fusion.AlertLog;
 import org.dronewatch.fusion.AlertSettings;
-import org.dronewatch.fusion.ProtectedZone;
+import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
@@ -30,14 +30,16 @@ public final class AlertWatch {
     private final int run;
     private final SceneSettings settings;
     private final Sightline sightline;
+    private final Protection protection;
     private final AlertLog log;
     private final Map<String, Double> firstSights = new HashMap<>();
     private final Map<String, Position> placesAtAlert = new HashMap<>();
 
-    public AlertWatch(int run, SceneSettings settings, World world) {
+    public AlertWatch(int run, SceneSettings settings, World world, Protection protection) {
         this.run = run;
         this.settings = settings;
         this.sightline = new Sightline(world);
+        this.protection = protection;
         this.log = new AlertLog(settings.alert());
     }
 
@@ -95,16 +97,15 @@ public final class AlertWatch {
         OptionalDouble warning = OptionalDouble.empty();
         OptionalDouble entered = OptionalDouble.empty();
         Optional<Boolean> inTime = Optional.empty();
-        if (wanted.protect().isPresent()) {
-            ProtectedZone zone = wanted.protect().get();
-            entered = entered(drone.id(), zone, stage, simulated);
+        Optional<String> zone = Optional.empty();
+        if (wanted.isProtecting()) {
+            entered = entered(drone.id(), protection, stage, simulated);
+            zone = zone(drone.id(), entered, position, stage);
             if (position.isPresent()) {
-                distance = OptionalDouble.of(zone.distance(position.get()));
+                distance = OptionalDouble.of(protection.distance(position.get()));
                 boolean late = alert.orElseThrow().time() >= entered.orElse(Double.POSITIVE_INFINITY);
                 warning = OptionalDouble.of(
-                        late
-                                ? 0.0
-                                : zone.timeLeft(position.get(), drone.settings().speed()));
+                        late ? 0.0 : distance.getAsDouble() / drone.settings().speed());
             }
             if (wanted.response() > 0.0) {
                 boolean before = alert.isPresent() && alert.get().time() <= entered.orElse(Double.POSITIVE_INFINITY);
@@ -113,11 +114,21 @@ public final class AlertWatch {
         }
         Double sight = firstSights.get(drone.id());
         OptionalDouble firstSight = sight == null ? OptionalDouble.empty() : OptionalDouble.of(sight);
-        return new AlertResult(run, drone.id(), firstSight, alert, distance, warning, entered, inTime);
+        return new AlertResult(run, drone.id(), firstSight, alert, distance, warning, entered, zone, inTime);
+    }
+
+    /** Which zone it enters first, or else is nearest to at its alert; only zones that have names are told apart. */
+    private Optional<String> zone(String drone, OptionalDouble entered, Optional<Position> atAlert, Stage stage) {
+        if (protection.areas().isEmpty()) {
+            return Optional.empty();
+        }
+        return entered.isPresent()
+                ? protection.nearest(stage.positionOf(drone, entered.getAsDouble()))
+                : atAlert.flatMap(protection::nearest);
     }
 
     /** Tests straight segments of its flight, so that no drone is too fast to be noticed. */
-    private static OptionalDouble entered(String drone, ProtectedZone zone, Stage stage, double simulated) {
+    private static OptionalDouble entered(String drone, Protection zone, Stage stage, double simulated) {
         Position before = stage.positionOf(drone, 0.0);
         double step = simulated / MOMENTS;
         for (int i = 1; i <= MOMENTS; i++) {

@@ -67,7 +67,7 @@ public final class RunSession implements AutoCloseable {
         this.stage = new Stage(info.settings(), models, seed);
         this.log = new DetectionLog(
                 info.run(), info.settings(), event -> listeners.forEach(listener -> listener.detectionChanged(event)));
-        this.alerts = new AlertWatch(info.run(), info.settings(), stage.world());
+        this.alerts = new AlertWatch(info.run(), info.settings(), stage.world(), stage.protection());
     }
 
     /**

@@ -13,6 +13,7 @@ import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.SteeringClock;
+import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.positioner.Pointing;
@@ -39,6 +40,7 @@ public final class Stage {
     private final World world;
     private final List<String> siteNotes;
     private final Optional<LoadedBuildings> buildings;
+    private final Protection protection;
     private final Map<String, Integer> colours;
     private final Map<String, Map<String, Integer>> droneColours = new LinkedHashMap<>();
     private final List<Airborne> airborne = new ArrayList<>();
@@ -58,6 +60,7 @@ public final class Stage {
         this.siteNotes = models.siteNotes(site);
         this.buildings = models.buildings(site);
         this.colours = Map.copyOf(models.colours(site));
+        this.protection = Protection.of(settings.alert(), world);
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
         FlightPaths paths = new FlightPaths(
@@ -107,6 +110,11 @@ public final class Stage {
     /** The buildings of the site's map, if it has one. */
     public Optional<LoadedBuildings> buildings() {
         return buildings;
+    }
+
+    /** What is protected, where it is on the site. */
+    public Protection protection() {
+        return protection;
     }
 
     /** The world. */

@@ -61,9 +61,9 @@ public record SceneSettings(
         SwarmExpansion.of(drones);
         sensors.keySet().forEach(SceneSettings::checkId);
         Map<String, SensorSettings<?>> all = sensors;
-        if (alert.response() > 0.0 && alert.protect().isEmpty()) {
+        if (alert.response() > 0.0 && !alert.isProtecting()) {
             throw new IllegalArgumentException("alert.response " + alert.response()
-                    + " s needs an alert.protect, the zone that the drone must not reach");
+                    + " s needs an alert.protect or alert.zones, what the drone must not reach");
         }
         if (!sensors.isEmpty()) {
             // Without sensors it may be a scene that is still being read.

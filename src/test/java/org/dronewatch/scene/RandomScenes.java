@@ -13,6 +13,7 @@ import java.util.SplittableRandom;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.fusion.ProtectedArea;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.scenario.SceneSettings;
@@ -175,6 +176,7 @@ public final class RandomScenes {
             case "DroneSettings.model" -> Optional.of(model(BOX));
             case "DroneSettings.sound" -> Optional.of(oneOf(List.copyOf(DroneSounds.names())));
             case "SurfaceSettings.materials" -> Optional.of(Map.of("grass", surface()));
+            case "AlertSettings.zones" -> Optional.of(zones());
             case "WorldSettings.noiseSources" -> Optional.of(noiseSources());
             case "OwnSurface.absorption" ->
                 Optional.of(Optional.of(BandFractions.flat(0.1 + 0.9 * random.nextDouble())));
@@ -193,6 +195,31 @@ public final class RandomScenes {
                 : Map.of(
                         "road",
                         NoiseSource.along(road, 100 * random.nextDouble()).withSoundLevel(40));
+    }
+
+    /** Areas on the square, whose outlines cannot cross themselves. */
+    private Map<String, ProtectedArea> zones() {
+        Map<String, ProtectedArea> zones = new LinkedHashMap<>();
+        if (random.nextBoolean()) {
+            List<GroundPoint> corners = List.of(
+                    new GroundPoint(number(FAR), -1 - FAR * random.nextDouble()),
+                    new GroundPoint(1 + FAR * random.nextDouble(), number(FAR)),
+                    new GroundPoint(-1 - FAR * random.nextDouble(), FAR + 1));
+            zones.put("field", ProtectedArea.polygon(corners, 1e-9 + 100 * random.nextDouble()));
+        }
+        if (random.nextInt(3) == 0) {
+            GroundPoint centre = new GroundPoint(number(FAR), number(FAR));
+            double floor = FAR * random.nextDouble();
+            zones.put(
+                    "round",
+                    new ProtectedArea(
+                            List.of(),
+                            Optional.of(centre),
+                            Optional.of(0.1 + FAR * random.nextDouble()),
+                            floor,
+                            2 * FAR));
+        }
+        return zones;
     }
 
     private String surface() {

@@ -19,10 +19,12 @@ final class AlertTable {
 
     private final RunResult run;
     private final boolean zone;
+    private final boolean named;
 
     AlertTable(RunResult run) {
         this.run = run;
-        this.zone = run.settings().alert().protect().isPresent();
+        this.named = !run.settings().alert().zones().isEmpty();
+        this.zone = run.settings().alert().isProtecting();
     }
 
     /** The table, and a collapsible section with each swarm's drones. */
@@ -68,7 +70,12 @@ final class AlertTable {
             row.addAll(List.of(
                     orElse(alert.zoneDistance(), NONE),
                     orElse(alert.warning(), "none"),
-                    orElse(alert.entered(), "not in this run"),
+                    orElse(alert.entered(), "not in this run")
+                            + (named
+                                    ? alert.zone()
+                                            .map(name -> " (" + name + ")")
+                                            .orElse("")
+                                    : ""),
                     alert.inTime().map(enough -> enough ? "yes" : "NO").orElse("not required")));
         }
         return row;

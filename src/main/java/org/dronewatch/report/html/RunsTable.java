@@ -22,8 +22,7 @@ final class RunsTable {
 
     RunsTable(List<RunResult> runs) {
         this.runs = List.copyOf(runs);
-        this.zone =
-                runs.stream().anyMatch(run -> run.settings().alert().protect().isPresent());
+        this.zone = runs.stream().anyMatch(run -> run.settings().alert().isProtecting());
     }
 
     String html() {

@@ -16,6 +16,7 @@ import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.ProtectedArea;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.run.SceneResult;
@@ -163,13 +164,36 @@ final class SettingTables {
                 ? ""
                 : ", each in at least " + alert.confirm().hits() + " of its last "
                         + alert.confirm().looks() + " looks";
-        String zone = alert.protect()
-                .map(ball -> " Protected zone: everything within " + number(ball.radius()) + " m of ("
-                        + coordinates(ball.centre())
-                        + ") m. Warning time is the straight-line flight time to the zone at the drone's cruise speed."
-                        + needs)
-                .orElse("");
+        StringBuilder zone = new StringBuilder();
+        alert.protect().ifPresent(ball -> zone.append(" Protected zone: everything within ")
+                .append(number(ball.radius()))
+                .append(" m of (")
+                .append(coordinates(ball.centre()))
+                .append(") m."));
+        alert.zones().forEach((name, area) -> zone.append(" Protected area '")
+                .append(name)
+                .append("': ")
+                .append(outline(area))
+                .append(", from ")
+                .append(number(area.floor()))
+                .append(" to ")
+                .append(number(area.height()))
+                .append(" m above the ground."));
+        if (alert.isProtecting()) {
+            zone.append(" Warning time is the straight-line flight time to the "
+                            + (alert.zones().isEmpty() ? "zone" : "nearest zone")
+                            + " at the drone's cruise speed.")
+                    .append(needs);
+        }
         return Html.plain("p", "Alert rule: " + rule(alert.rule(), confirmed) + "." + zone);
+    }
+
+    private static String outline(ProtectedArea area) {
+        return area.area().isEmpty()
+                ? "a circle of radius " + number(area.radius().orElseThrow()) + " m about ("
+                        + number(area.centre().orElseThrow().x()) + ", "
+                        + number(area.centre().orElseThrow().y()) + ") m"
+                : "a polygon of " + area.area().size() + " corners";
     }
 
     private static String rule(AlertRule rule, String confirmed) {

@@ -2,6 +2,7 @@ package org.dronewatch.report.map;
 
 import java.awt.Color;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.dronewatch.buildings.BuildingOutline;
@@ -41,6 +42,21 @@ final class BuildingFeatures {
                 new Shape.Area(rings, OptionalDouble.of(building.top())),
                 building.isAssumed() ? ASSUMED : KNOWN,
                 properties);
+    }
+
+    /** An area up to a height above the ground, whose corners may run in either direction. */
+    Shape area(double[] corners, double height) {
+        List<GeoPoint> ring = ring(corners);
+        double twice = 0.0;
+        for (int i = 0; i < corners.length; i += 2) {
+            int next = (i + 2) % corners.length;
+            twice += (corners[i] - corners[0]) * (corners[next + 1] - corners[1])
+                    - (corners[next] - corners[0]) * (corners[i + 1] - corners[1]);
+        }
+        if (twice < 0.0) {
+            Collections.reverse(ring);
+        }
+        return new Shape.Area(List.of(ring), OptionalDouble.of(height));
     }
 
     private List<GeoPoint> ring(double[] corners) {

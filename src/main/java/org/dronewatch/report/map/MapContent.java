@@ -4,7 +4,9 @@ import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
 import org.dronewatch.fusion.Alert;
+import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Geodesy;
@@ -101,6 +103,7 @@ final class MapContent {
                 .map(outline -> Footprint.of(sensor.position(), outline, run.firstDetectionRange(id)))
                 .ifPresent(rings -> features.add(field(id, sensor, rings))));
         settings.alert().protect().ifPresent(zone -> features.add(zone(zone)));
+        stage.protection().areas().forEach(zone -> features.add(area(zone)));
         settings.individualDrones().keySet().forEach(id -> features.add(flight(id)));
         run.alerts().forEach(result -> result.alert().ifPresent(alert -> features.add(alert(result.drone(), alert))));
         run.events().forEach(event -> features.add(event(event)));
@@ -138,6 +141,20 @@ final class MapContent {
                 ? area(Footprint.of(zone.centre(), new Outline.Ball(zone.radius()), OptionalDouble.empty()))
                 : point(zone.centre());
         return new MapFeature(Role.ZONE, "protected", shape, ZONE, properties);
+    }
+
+    private MapFeature area(AreaZone zone) {
+        Properties properties = new Properties()
+                .put("floor_above_ground_m", zone.settings().floor())
+                .put("height_above_ground_m", zone.settings().height())
+                .put("bottom_m", zone.bottom())
+                .put("top_m", zone.top());
+        zone.settings().radius().ifPresent(radius -> properties.put("radius_m", radius));
+        double[] corners = zone.outline().stream()
+                .flatMapToDouble(corner -> DoubleStream.of(corner.x(), corner.y()))
+                .toArray();
+        return new MapFeature(
+                Role.ZONE, zone.name(), outlines.area(corners, zone.settings().height()), ZONE, properties);
     }
 
     /** Where the drone was at its alert. */

@@ -2,6 +2,7 @@ package org.dronewatch.report.map;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -15,6 +16,7 @@ import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.locationtech.jts.algorithm.Orientation;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.io.ParseException;
@@ -51,10 +53,15 @@ class BuildingMapTest {
             world:
               origin: {latitude: 50 deg, longitude: 15 deg, height: 300 m}
               buildings: {file: town.osm, height: 7 m}
+              models: [{file: ground.obj, upAxis: z, role: terrain}]
             drones:
               one: {model: packaged:quadrotor.obj, flight: {kind: hover, position: [0, 0, 50]}}
             sensors:
               box: {kind: rf, position: [0, 0, 2]}
+            alert:
+              zones:
+                yard: {area: [[0, 0], [0, 50], [80, 50], [80, 0]], floor: 5 m, height: 40 m}
+                hall: {centre: [1440, 1110], radius: 100 m, height: 30 m}
             run: {duration: 1 s}
             """;
 
@@ -71,6 +78,9 @@ class BuildingMapTest {
     @BeforeAll
     static void run() throws IOException {
         Files.writeString(directory.resolve("town.osm"), OSM);
+        Files.writeString(
+                directory.resolve("ground.obj"),
+                "v -3000 -3000 0\nv 3000 -3000 0\nv 3000 3000 0\nv -3000 3000 0\nf 1 2 3 4\n");
         SceneRunner runner = new SceneRunner(new SceneFile(Files.writeString(directory.resolve("town.yaml"), SCENE)));
         SceneResult result = runner.run();
         SiteMap map = SiteMap.of(result, runner.stage(result.runs().get(0).settings()))
@@ -142,6 +152,29 @@ class BuildingMapTest {
                         .asDouble())
                 .isEqualTo(6.0);
         assertThat(root.get("description").asString()).contains("(c) OpenStreetMap contributors", "'assumed'");
+    }
+
+    /** The yard's corners run clockwise in the scene. */
+    @Test
+    void protectedAreasHaveTheirFloorAndHeight() throws ParseException {
+        List<JsonNode> zones = new ArrayList<>();
+        root.get("features").forEach(feature -> {
+            if (feature.get("properties").get("folder").asString().equals("Protected")) {
+                zones.add(feature);
+            }
+        });
+        assertThat(zones).hasSize(2);
+        JsonNode yard = zones.get(0).get("properties");
+        assertThat(yard.get("name").asString()).isEqualTo("yard");
+        assertThat(yard.get("floor_above_ground_m").asDouble()).isEqualTo(5.0);
+        assertThat(yard.get("height_above_ground_m").asDouble()).isEqualTo(40.0);
+        assertThat(zones.get(1).get("properties").get("radius_m").asDouble()).isEqualTo(100.0);
+        Polygon area =
+                (Polygon) new GeoJsonReader().read(zones.get(0).get("geometry").toString());
+        assertThat(Orientation.isCCW(area.getExteriorRing().getCoordinateSequence()))
+                .isTrue();
+        // 71,696 m and 111,229 m for a degree of longitude and of latitude at 50 degrees, and 300 m above the sea.
+        assertThat(area.getArea()).isCloseTo(80 * 50 / (71_700.0 * 111_234.0), withinPercentage(0.01));
     }
 
     @Test

@@ -1,0 +1,77 @@
+package org.dronewatch.fusion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.world.World;
+
+/**
+ * All that is protected in a world: distances are those to the nearest zone, and the first that is entered counts.
+ *
+ * @param zone the sphere, if there is one
+ * @param areas on their ground, in the order of the scene
+ */
+public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
+    /** What the sphere, which has no name of its own, is called. */
+    public static final String ZONE = "protected";
+
+    /** Copies the list: later changes by the caller have no effect. */
+    public Protection {
+        areas = List.copyOf(areas);
+    }
+
+    /**
+     * What settings protect in a world.
+     *
+     * @throws org.dronewatch.setting.InputException in one line when there is no ground below an area
+     */
+    public static Protection of(AlertSettings alert, World world) {
+        List<AreaZone> areas = new ArrayList<>();
+        alert.zones().forEach((name, area) -> areas.add(AreaZone.of(name, area, world)));
+        return new Protection(alert.protect(), areas);
+    }
+
+    /** Whether there is nothing to protect. */
+    public boolean isEmpty() {
+        return zone.isEmpty() && areas.isEmpty();
+    }
+
+    /** The distance from a point to the nearest zone, 0 inside; infinite if nothing is protected, m. */
+    public double distance(Position position) {
+        double nearest = zone.map(ball -> ball.distance(position)).orElse(Double.POSITIVE_INFINITY);
+        for (AreaZone area : areas) {
+            nearest = Math.min(nearest, area.distance(position));
+        }
+        return nearest;
+    }
+
+    /** The name of the nearest zone; empty if nothing is protected. */
+    public Optional<String> nearest(Position position) {
+        double distance = distance(position);
+        if (zone.isPresent() && zone.get().distance(position) <= distance) {
+            return Optional.of(ZONE);
+        }
+        return areas.stream()
+                .filter(area -> area.distance(position) <= distance)
+                .map(AreaZone::name)
+                .findFirst();
+    }
+
+    /**
+     * How far along a straight segment a zone is first reached.
+     *
+     * @return fraction of the segment, 0 when it begins inside one; empty when it stays outside all
+     */
+    public OptionalDouble entry(Position from, Position to) {
+        OptionalDouble first = zone.map(ball -> ball.entry(from, to)).orElse(OptionalDouble.empty());
+        for (AreaZone area : areas) {
+            OptionalDouble share = area.entry(from, to);
+            if (share.isPresent() && share.getAsDouble() < first.orElse(Double.POSITIVE_INFINITY)) {
+                first = share;
+            }
+        }
+        return first;
+    }
+}
