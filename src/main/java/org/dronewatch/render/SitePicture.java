@@ -27,6 +27,7 @@ import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
+import org.dronewatch.world.WorldSettings;
 
 /**
  * Draws pictures of a run's site: first the site alone, which takes the longest and is the same at all times, then over a
@@ -42,6 +43,9 @@ public final class SitePicture {
 
     /** How far the frustums of cameras are drawn, as a fraction of the framed box. */
     private static final double OUTLINE = 0.16;
+
+    /** From where on a view from afar is one from above, rad. */
+    private static final double STEEP = 1.5;
 
     private final SitePainter painter;
     private final KindColours colours;
@@ -128,6 +132,11 @@ public final class SitePicture {
         return AABB.around(corners);
     }
 
+    /** The settings of the site. */
+    public WorldSettings site() {
+        return settings.world();
+    }
+
     /** What is protected, where it is on the site. */
     public Protection protection() {
         return protection;
@@ -199,6 +208,12 @@ public final class SitePicture {
         Graphics2D g = image.createGraphics();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        Orbit orbit = backdrop.orbit();
+        if (isFlat(orbit) && orbit.elevation() > STEEP) {
+            site().origin()
+                    .ifPresent(origin ->
+                            new Graticule(origin, orbit, image.getWidth(), image.getHeight(), style.scale()).draw(g));
+        }
         Furniture furniture = new Furniture(g, image.getWidth(), image.getHeight(), style.scale());
         furniture.legend(
                 state, colours, view(backdrop.orbit()), settings.alert().isProtecting());
@@ -222,7 +237,7 @@ public final class SitePicture {
         if (!isFlat(orbit)) {
             return "in perspective";
         }
-        return orbit.elevation() > 1.5 ? "from above" : "from the side";
+        return orbit.elevation() > STEEP ? "from above" : "from the side";
     }
 
     private static BufferedImage picture(Backdrop backdrop, Canvas canvas) {

@@ -1,7 +1,11 @@
 package org.dronewatch.viewer;
 
 import java.util.Locale;
+import org.dronewatch.geo.GeoPoint;
+import org.dronewatch.geo.Geodesy;
+import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.world.WorldSettings;
 
 /** Number formats of the viewer. */
 final class Texts {
@@ -11,6 +15,25 @@ final class Texts {
     static String place(Position position) {
         return String.format(
                 Locale.ROOT, "east %.1f m, north %.1f m, up %.1f m", position.x(), position.y(), position.z());
+    }
+
+    /** A position, m, and where it is on earth if the site has an origin there. */
+    static String place(Position position, WorldSettings site) {
+        if (site.origin().isEmpty()) {
+            return place(position);
+        }
+        Origin origin = site.origin().get();
+        GeoPoint there = new Geodesy(origin).onEarth(position);
+        boolean aboveTheSea = origin.height().isPresent() || site.terrain().isPresent();
+        return String.format(
+                Locale.ROOT,
+                "%s; %.6f\u00b0 %s, %.6f\u00b0 %s%s",
+                place(position),
+                Math.abs(there.latitude()),
+                there.latitude() < 0.0 ? "S" : "N",
+                Math.abs(there.longitude()),
+                there.longitude() < 0.0 ? "W" : "E",
+                aboveTheSea ? String.format(Locale.ROOT, ", %.1f m above the sea", there.height()) : "");
     }
 
     /** A time, s. */

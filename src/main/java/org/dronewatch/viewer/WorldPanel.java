@@ -20,6 +20,7 @@ import org.dronewatch.render.Orbit;
 import org.dronewatch.render.SitePicture;
 import org.dronewatch.render.SiteState;
 import org.dronewatch.render.SiteStyle;
+import org.dronewatch.world.WorldSettings;
 import org.jogamp.vecmath.Point2d;
 
 /**
@@ -39,6 +40,7 @@ final class WorldPanel extends JPanel {
     private final Timer rest = new Timer(REST, e -> look(false));
     private transient BufferedImage image;
     private transient Orbit orbit;
+    private transient WorldSettings site;
     private transient Optional<Cut> cut = Optional.empty();
     private transient SiteState state;
     private transient SiteStyle style = SiteStyle.DEFAULT;
@@ -90,6 +92,7 @@ final class WorldPanel extends JPanel {
     /** Shows another run's site. */
     void show(SitePicture picture, Orbit from, Optional<Cut> without) {
         renderer.show(picture);
+        site = picture.site();
         cut = without;
         move(from);
         look(false);
@@ -189,7 +192,9 @@ final class WorldPanel extends JPanel {
 
     /** Reports the object under the pointer. */
     void tell(int x, int y) {
-        hint.accept(placeAt(x, y).map(Texts::place).orElse("sky"));
+        hint.accept(placeAt(x, y)
+                .map(place -> site == null ? Texts.place(place) : Texts.place(place, site))
+                .orElse("sky"));
     }
 
     /** The displayed image, or null before the first. */

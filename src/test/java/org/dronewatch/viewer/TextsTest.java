@@ -1,0 +1,29 @@
+package org.dronewatch.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Optional;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.world.WorldSettings;
+import org.junit.jupiter.api.Test;
+
+class TextsTest {
+    private static WorldSettings at(Origin origin) {
+        return SettingsForm.with(WorldSettings.EMPTY, "origin", Optional.of(origin));
+    }
+
+    /** A degree of latitude at 45 degrees is 111,132 m, and one of longitude 78,847 m. */
+    @Test
+    void aPlaceOfARealSiteHasItsLatitudeAndLongitude() {
+        Position place = new Position(788.47, 1111.32, 60);
+        Origin known = Origin.at(Math.toRadians(45), Math.toRadians(10)).withHeight(0.0);
+        assertThat(Texts.place(place, at(known)))
+                .startsWith("east 788.5 m, north 1111.3 m, up 60.0 m; 45.0")
+                .containsPattern("45\\.0(0999|1000)\\d\u00b0 N, 10\\.01000\\d\u00b0 E, 60\\.1 m above the sea");
+        Origin south = Origin.at(Math.toRadians(-45), Math.toRadians(-10));
+        assertThat(Texts.place(place, at(south))).contains("\u00b0 S, ").endsWith("\u00b0 W");
+        assertThat(Texts.place(place, WorldSettings.EMPTY)).isEqualTo(Texts.place(place));
+    }
+}
