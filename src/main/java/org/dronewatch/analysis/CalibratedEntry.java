@@ -1,10 +1,12 @@
 package org.dronewatch.analysis;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import org.dronewatch.catalog.Catalog;
@@ -16,7 +18,9 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Node;
@@ -56,6 +60,10 @@ public record CalibratedEntry(
     private static final List<String> PLACE =
             List.of("models", "terrain", "buildings", "noiseSources", "surfaces", "origin", "tracing");
 
+    /** The settings of a drone that are its sound. */
+    private static final List<String> SOUND =
+            List.of("soundLevel", "soundPowerLevel", "glideReduction", "sound", "spectrum", "directivity", "tones");
+
     private static final String POSITIONER = "positioner";
 
     /** Ranges are stated in whole millimetres. */
@@ -72,10 +80,12 @@ public record CalibratedEntry(
         Kinds kinds = SensorKinds.kinds(Catalog.packaged());
         // One of a swarm flies a path that no file can name.
         DroneSettings flying = settings.individualDrones().get(drone).withFlight(Hover.at(new Position(0, 0, 0)));
+        List<String> deciding = new ArrayList<>(heard(flying));
+        deciding.add("speed");
         Node.Mapping drones = SettingsFile.part(flying, DroneSettings.class, kinds, from, file)
                 .without(List.of("flight", "swarm", "label"))
-                .overlaidWith(
-                        only(List.of("speed"), SettingsFile.wholePart(flying, DroneSettings.class, kinds, from, file)));
+                .without(SOUND)
+                .overlaidWith(only(deciding, SettingsFile.wholePart(flying, DroneSettings.class, kinds, from, file)));
         Node.Mapping world = SettingsFile.wholePart(settings.world(), WorldSettings.class, kinds, from, file)
                 .without(PLACE);
         Record fitted = (Record) fit.sensor();
@@ -100,6 +110,26 @@ public record CalibratedEntry(
                 List.of(stated),
                 own);
         return HEADING + SettingsFile.text(entry, kinds, file.toAbsolutePath().resolveSibling(""), file);
+    }
+
+    /** The settings of a drone's sound by which the sensor hears it; none if it does not listen. */
+    private List<String> heard(DroneSettings flying) {
+        SensorSettings<?> fitted = fit.sensor();
+        if (fitted.as(SoundTracing.class).isEmpty()) {
+            return List.of();
+        }
+        Set<Condition> ignored = fitted.description().ignoredConditions().keySet();
+        if (ignored.contains(Condition.SOUND_POWER_LEVEL)) {
+            return List.of("soundLevel", "glideReduction");
+        }
+        List<String> heard = new ArrayList<>(List.of("soundPowerLevel", "glideReduction", "sound", "directivity"));
+        if (flying.spectrum().isPresent()) {
+            heard.add("spectrum");
+        }
+        if (flying.tones().isPresent() && !ignored.contains(Condition.TONES)) {
+            heard.add("tones");
+        }
+        return heard;
     }
 
     /** A sensor without what belongs to its place: other sensors that cue it are not in every scene. */

@@ -9,8 +9,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Hover;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.world.Light;
@@ -22,9 +26,15 @@ import org.dronewatch.world.WorldSettings;
  */
 public final class ConditionAdvice {
     private static final int MOST_NAMES = 3;
+    private static final DroneSettings DEFAULT =
+            DroneSettings.of(ModelSettings.packaged("quadrotor.obj"), Hover.at(new Position(0, 0, 0)));
+
+    /** What is only ever set for a microphone to hear; the other sounds may come with a kind of drone. */
+    private static final Set<Condition> UNHEARD = Set.of(Condition.SPECTRUM, Condition.TONES);
 
     private final Map<Concern, Set<String>> sensors = new LinkedHashMap<>();
     private final Map<Condition, String> written = new LinkedHashMap<>();
+    private final Set<String> unheard = new LinkedHashSet<>();
 
     private record Concern(Condition condition, String kind, String instead) {}
 
@@ -49,8 +59,16 @@ public final class ConditionAdvice {
             setting(scene, condition).ifPresent(text -> {
                 written.putIfAbsent(condition, text);
                 scene.enabledSensors().forEach((id, sensor) -> add(condition, id, sensor));
+                if (UNHEARD.contains(condition) && !listens(scene)) {
+                    unheard.add(text);
+                }
             });
         }
+    }
+
+    private static boolean listens(SceneSettings scene) {
+        return scene.enabledSensors().values().stream()
+                .anyMatch(sensor -> sensor.as(SoundTracing.class).isPresent());
     }
 
     private void add(Condition condition, String id, SensorSettings<?> sensor) {
@@ -72,6 +90,10 @@ public final class ConditionAdvice {
         settings.forEach((subject, ignored) -> lines.add(enumerated(ignored)
                 + (ignored.size() == 1 ? " does" : " do")
                 + " not change what is detected by " + subject.sensors() + ": " + subject.instead()));
+        if (!unheard.isEmpty()) {
+            lines.add(enumerated(List.copyOf(unheard)) + (unheard.size() == 1 ? " has" : " have")
+                    + " no effect: the scene has no acoustic sensor");
+        }
         return lines;
     }
 
@@ -117,6 +139,24 @@ public final class ConditionAdvice {
                         .filter(source -> source.getValue().soundLevel().isEmpty())
                         .findFirst()
                         .map(source -> "world.noiseSources." + source.getKey());
+            case SOUND_LEVEL ->
+                ofDrone(
+                        scene,
+                        "soundLevel",
+                        drone -> drone.soundLevel() != DEFAULT.soundLevel()
+                                && drone.soundPowerLevel() == DEFAULT.soundPowerLevel());
+            case SOUND_POWER_LEVEL ->
+                ofDrone(
+                        scene,
+                        "soundPowerLevel",
+                        drone -> drone.soundPowerLevel() != DEFAULT.soundPowerLevel()
+                                && drone.soundLevel() == DEFAULT.soundLevel());
+            case SOUND ->
+                ofDrone(
+                        scene,
+                        "sound",
+                        drone -> drone.spectrum().isEmpty() && !drone.sound().equals(DEFAULT.sound()));
+            case DIRECTIVITY -> ofDrone(scene, "directivity", drone -> drone.directivity() != DEFAULT.directivity());
             case SPECTRUM ->
                 ofDrone(scene, "spectrum", drone -> drone.spectrum().isPresent());
             case TONES -> ofDrone(scene, "tones", drone -> drone.tones().isPresent());

@@ -19,6 +19,14 @@ public enum Condition {
     WIND,
     /** What makes noise on the site: {@code world.noiseSources} that state no level for the level model. */
     NOISE_SOURCES,
+    /** How loud a drone is by its calibrated level: {@code drones.ID.soundLevel}, where only that is set. */
+    SOUND_LEVEL,
+    /** How loud a drone is by its sound power: {@code drones.ID.soundPowerLevel}, where only that is set. */
+    SOUND_POWER_LEVEL,
+    /** The spectrum of a drone by its name in the library's table: {@code drones.ID.sound}. */
+    SOUND,
+    /** How a drone's sound depends on the direction: {@code drones.ID.directivity}. */
+    DIRECTIVITY,
     /** A drone's own spectrum: {@code drones.ID.spectrum}. */
     SPECTRUM,
     /** The lines in a drone's spectrum: {@code drones.ID.tones}. */

@@ -10,6 +10,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.catalog.Catalog;
@@ -404,6 +405,42 @@ class CalibrateCommandTest {
         assertThat(range.worldOf(ModelSettings.packaged("hill.obj")).rain()).isEqualTo(3.0);
         assertThat(entry.sensor().values()).doesNotContainKeys("position", "aim");
         assertThat(firstRange(250, "drones.drone.soundPowerLevel=90")).isBetween(200.0 - LOOK, 200.001);
+    }
+
+    /** Another version's default loudness would give the entry another range; what the sensor does not hear misleads. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "level  | glideReduction: 30 dB, soundLevel: 60 dB",
+                "energy | directivity: omnidirectional, glideReduction: 30 dB, sound: c1-quadrotor, soundPowerLevel: 85 dB",
+                "rf     | ''",
+                "camera | ''"
+            })
+    void ofTheDronesSoundTheEntryStatesWhatTheSensorHears(String sensor, String stated) throws IOException {
+        calibrate(sensor, "60 m", "--set", "drones.drone.soundLevel=60");
+
+        assertThat(sounds()).isEqualTo(stated);
+    }
+
+    @Test
+    void theEntryOfASoundOfItsOwnStatesTheSpectrum() throws IOException {
+        Path scene = directory.resolve("energy-scene.yaml");
+        String shape = "spectrum: [0, -1, -2, -3, -4, -5, -6, -7]";
+        Files.writeString(scene, Files.readString(scene).replace("    speed:", "    " + shape + "\n    speed:"));
+        calibrate("energy", "60 m");
+
+        assertThat(sounds()).endsWith("soundPowerLevel: 85 dB, " + shape);
+    }
+
+    /** The lines of the fitted entry that are of the drone's sound, in the order of the alphabet. */
+    private String sounds() throws IOException {
+        return Files.readAllLines(directory.resolve("fitted.yaml")).stream()
+                .map(String::strip)
+                .filter(line ->
+                        line.matches("(sound|soundLevel|soundPowerLevel|glideReduction|spectrum|directivity|tones):.*"))
+                .sorted()
+                .collect(Collectors.joining(", "));
     }
 
     @ParameterizedTest

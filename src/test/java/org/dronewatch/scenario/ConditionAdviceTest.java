@@ -19,13 +19,16 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.camera.PixelThreshold;
 import org.dronewatch.sensor.camera.TargetTask;
 import org.dronewatch.sensor.radar.LinkBudget;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.rf.RfSettings;
 import org.dronewatch.sensor.thermal.ThermalSettings;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
+import org.dronewatch.sound.DroneSounds;
 import org.dronewatch.sound.Wind;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.WorldSettings;
@@ -142,6 +145,56 @@ class ConditionAdviceTest {
         assertThat(ConditionAdvice.of(List.of(plain.withDrone("own", drone.withSpectrum(BackgroundNoise.FALLING)))))
                 .containsExactly("drones.own.spectrum does not change what is detected by acoustic sensor 's0':"
                         + " 'propagation: energy-model' takes the spectrum into account");
+    }
+
+    private static String ignored(SensorSettings<?> sensor, DroneSettings drone) {
+        return String.join("; ", ConditionAdvice.of(List.of(scene(HILL, sensor).withDrone("own", drone))));
+    }
+
+    @Test
+    void theLoudnessOfADroneMustBeStatedForTheModelThatHearsIt() {
+        AcousticSettings level = AcousticSettings.at(HERE);
+        AcousticSettings energy = level.withPropagation(EnergyModel.DEFAULT);
+        DroneSettings drone =
+                DroneSettings.of(ModelSettings.packaged("quadrotor.obj"), FlightPathSettings.Hover.at(HERE));
+        DroneSettings loud = SettingsForm.with(drone, "soundPowerLevel", 95.0);
+        DroneSettings calibrated = drone.withSoundLevel(52);
+
+        assertThat(ignored(level, loud))
+                .isEqualTo("drones.own.soundPowerLevel does not change what is detected by acoustic sensor 's0':"
+                        + " set the drone's soundLevel, by which the level model hears it");
+        assertThat(ignored(energy, loud)).isEmpty();
+        assertThat(ignored(energy, calibrated))
+                .isEqualTo("drones.own.soundLevel does not change what is detected by acoustic sensor 's0':"
+                        + " set the drone's soundPowerLevel, by which the energy model hears it");
+        assertThat(ignored(level, calibrated)).isEmpty();
+        DroneSettings forBoth = loud.withSoundLevel(52);
+        assertThat(ignored(level, forBoth)).isEmpty();
+        assertThat(ignored(energy, forBoth)).isEmpty();
+    }
+
+    @Test
+    void theLevelModelHearsNeitherTheKindOfSoundNorItsDirection() {
+        DroneSettings measured = DroneSettings.of(
+                        ModelSettings.packaged("quadrotor.obj"), FlightPathSettings.Hover.at(HERE))
+                .withSound(DroneSounds.get("m300"));
+
+        assertThat(ignored(AcousticSettings.at(HERE), measured))
+                .contains("drones.own.sound ", "drones.own.directivity", "drones.own.soundPowerLevel");
+        assertThat(ignored(AcousticSettings.at(HERE).withPropagation(EnergyModel.DEFAULT), measured))
+                .isEmpty();
+    }
+
+    @Test
+    void aSoundOfItsOwnNeedsAMicrophone() {
+        DroneSettings own = DroneSettings.of(ModelSettings.packaged("quadrotor.obj"), FlightPathSettings.Hover.at(HERE))
+                .withSpectrum(BackgroundNoise.FALLING);
+        PixelThreshold pixels = new PixelThreshold(12);
+
+        assertThat(ignored(CameraSettings.at(HERE).withDetection(pixels), own.withTones(RotorTones.of(100))))
+                .isEqualTo("drones.own.spectrum and drones.own.tones have no effect: the scene has no acoustic sensor");
+        assertThat(ignored(CameraSettings.at(HERE).withDetection(pixels), own))
+                .isEqualTo("drones.own.spectrum has no effect: the scene has no acoustic sensor");
     }
 
     @Test

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.acoustic.energy;
 
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import org.dronewatch.sensor.Condition;
@@ -208,9 +209,12 @@ public record EnergyModel(
 
     @Override
     public Map<Condition, String> ignoredConditions() {
-        return criterion == Criterion.NARROW_BAND
-                ? Map.of()
-                : Map.of(Condition.TONES, "'criterion: narrow-band' listens for tones");
+        Map<Condition, String> ignored = new EnumMap<>(Condition.class);
+        ignored.put(Condition.SOUND_LEVEL, "set the drone's soundPowerLevel, by which the energy model hears it");
+        if (criterion != Criterion.NARROW_BAND) {
+            ignored.put(Condition.TONES, "'criterion: narrow-band' listens for tones");
+        }
+        return ignored;
     }
 
     @Override

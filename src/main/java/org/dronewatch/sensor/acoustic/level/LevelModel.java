@@ -114,15 +114,23 @@ public record LevelModel(
 
     @Override
     public Map<Condition, String> ignoredConditions() {
+        String air = "'propagation: energy-model' takes the air into account";
+        String spectrum = "'propagation: energy-model' takes the spectrum into account";
         return Map.of(
                 Condition.AIR,
-                "'propagation: energy-model' takes the air into account",
+                air,
                 Condition.WIND,
-                "'propagation: energy-model' takes the air into account",
+                air,
                 Condition.NOISE_SOURCES,
                 "state its soundLevel, which the level model needs",
+                Condition.SOUND_POWER_LEVEL,
+                "set the drone's soundLevel, by which the level model hears it",
+                Condition.SOUND,
+                spectrum,
                 Condition.SPECTRUM,
-                "'propagation: energy-model' takes the spectrum into account",
+                spectrum,
+                Condition.DIRECTIVITY,
+                "'propagation: energy-model' takes the directivity into account",
                 Condition.TONES,
                 "'propagation: energy-model' with 'criterion: narrow-band' listens for tones");
     }
