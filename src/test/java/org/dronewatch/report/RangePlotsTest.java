@@ -131,7 +131,7 @@ class RangePlotsTest {
     @Test
     void aRadarMeasuresASignalToNoiseRatio() {
         XYChart chart = chart("hill-radar", "radar");
-        assertThat(names(chart)).containsExactly("quadrotor", "threshold 13.18 dB");
+        assertThat(names(chart)).containsExactly("quadrotor", "threshold 17.96 dB");
         assertThat(chart.getYAxisTitle()).isEqualTo("signal-to-noise ratio [dB]");
     }
 
