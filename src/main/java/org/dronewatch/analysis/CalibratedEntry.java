@@ -2,6 +2,7 @@ package org.dronewatch.analysis;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -9,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.catalog.CatalogEntry.Basis;
@@ -60,9 +62,8 @@ public record CalibratedEntry(
     private static final List<String> PLACE =
             List.of("models", "terrain", "buildings", "noiseSources", "surfaces", "origin", "tracing");
 
-    /** The settings of a drone that are its sound. */
-    private static final List<String> SOUND =
-            List.of("soundLevel", "soundPowerLevel", "glideReduction", "sound", "spectrum", "directivity", "tones");
+    /** What every model that listens takes into account, whatever else it ignores of a drone's sound. */
+    private static final String GLIDE_REDUCTION = "glideReduction";
 
     private static final String POSITIONER = "positioner";
 
@@ -80,11 +81,11 @@ public record CalibratedEntry(
         Kinds kinds = SensorKinds.kinds(Catalog.packaged());
         // One of a swarm flies a path that no file can name.
         DroneSettings flying = settings.individualDrones().get(drone).withFlight(Hover.at(new Position(0, 0, 0)));
-        List<String> deciding = new ArrayList<>(heard(flying));
+        List<String> deciding = new ArrayList<>(heard());
         deciding.add("speed");
         Node.Mapping drones = SettingsFile.part(flying, DroneSettings.class, kinds, from, file)
                 .without(List.of("flight", "swarm", "label"))
-                .without(SOUND)
+                .without(soundsBut(Set.of()))
                 .overlaidWith(only(deciding, SettingsFile.wholePart(flying, DroneSettings.class, kinds, from, file)));
         Node.Mapping world = SettingsFile.wholePart(settings.world(), WorldSettings.class, kinds, from, file)
                 .without(PLACE);
@@ -113,23 +114,21 @@ public record CalibratedEntry(
     }
 
     /** The settings of a drone's sound by which the sensor hears it; none if it does not listen. */
-    private List<String> heard(DroneSettings flying) {
+    private List<String> heard() {
         SensorSettings<?> fitted = fit.sensor();
-        if (fitted.as(SoundTracing.class).isEmpty()) {
-            return List.of();
-        }
-        Set<Condition> ignored = fitted.description().ignoredConditions().keySet();
-        if (ignored.contains(Condition.SOUND_POWER_LEVEL)) {
-            return List.of("soundLevel", "glideReduction");
-        }
-        List<String> heard = new ArrayList<>(List.of("soundPowerLevel", "glideReduction", "sound", "directivity"));
-        if (flying.spectrum().isPresent()) {
-            heard.add("spectrum");
-        }
-        if (flying.tones().isPresent() && !ignored.contains(Condition.TONES)) {
-            heard.add("tones");
-        }
-        return heard;
+        return fitted.as(SoundTracing.class).isEmpty()
+                ? List.of()
+                : soundsBut(fitted.description().ignoredConditions().keySet());
+    }
+
+    /** The settings of a drone's sound except those that a model ignores. */
+    private static List<String> soundsBut(Set<Condition> ignored) {
+        return Stream.concat(
+                        Stream.of(GLIDE_REDUCTION),
+                        Arrays.stream(Condition.values())
+                                .filter(condition -> !ignored.contains(condition))
+                                .flatMap(condition -> condition.droneSetting().stream()))
+                .toList();
     }
 
     /** A sensor without what belongs to its place: other sensors that cue it are not in every scene. */

@@ -139,36 +139,34 @@ public final class ConditionAdvice {
                         .filter(source -> source.getValue().soundLevel().isEmpty())
                         .findFirst()
                         .map(source -> "world.noiseSources." + source.getKey());
-            case SOUND_LEVEL ->
-                ofDrone(
-                        scene,
-                        "soundLevel",
-                        drone -> drone.soundLevel() != DEFAULT.soundLevel()
-                                && drone.soundPowerLevel() == DEFAULT.soundPowerLevel());
-            case SOUND_POWER_LEVEL ->
-                ofDrone(
-                        scene,
-                        "soundPowerLevel",
-                        drone -> drone.soundPowerLevel() != DEFAULT.soundPowerLevel()
-                                && drone.soundLevel() == DEFAULT.soundLevel());
+            case SOUND_LEVEL -> ofDrone(scene, condition, drone -> setsLevel(drone) && !setsPowerLevel(drone));
+            case SOUND_POWER_LEVEL -> ofDrone(scene, condition, drone -> setsPowerLevel(drone) && !setsLevel(drone));
             case SOUND ->
                 ofDrone(
                         scene,
-                        "sound",
+                        condition,
                         drone -> drone.spectrum().isEmpty() && !drone.sound().equals(DEFAULT.sound()));
-            case DIRECTIVITY -> ofDrone(scene, "directivity", drone -> drone.directivity() != DEFAULT.directivity());
-            case SPECTRUM ->
-                ofDrone(scene, "spectrum", drone -> drone.spectrum().isPresent());
-            case TONES -> ofDrone(scene, "tones", drone -> drone.tones().isPresent());
+            case DIRECTIVITY -> ofDrone(scene, condition, drone -> drone.directivity() != DEFAULT.directivity());
+            case SPECTRUM -> ofDrone(scene, condition, drone -> drone.spectrum().isPresent());
+            case TONES -> ofDrone(scene, condition, drone -> drone.tones().isPresent());
         };
     }
 
-    /** A setting of the first drone that has it. */
-    private static Optional<String> ofDrone(SceneSettings scene, String setting, Predicate<DroneSettings> isSet) {
+    private static boolean setsLevel(DroneSettings drone) {
+        return drone.soundLevel() != DEFAULT.soundLevel();
+    }
+
+    private static boolean setsPowerLevel(DroneSettings drone) {
+        return drone.soundPowerLevel() != DEFAULT.soundPowerLevel();
+    }
+
+    /** The setting of the first drone that has it. */
+    private static Optional<String> ofDrone(SceneSettings scene, Condition condition, Predicate<DroneSettings> isSet) {
         return scene.drones().entrySet().stream()
                 .filter(drone -> isSet.test(drone.getValue()))
                 .findFirst()
-                .map(drone -> "drones." + drone.getKey() + "." + setting);
+                .map(drone -> "drones." + drone.getKey() + "."
+                        + condition.droneSetting().orElseThrow());
     }
 
     private static String named(String kind, List<String> ids) {

@@ -1,5 +1,7 @@
 package org.dronewatch.sensor;
 
+import java.util.Optional;
+
 /**
  * A condition that a scene sets for the whole site, weather and light, or for its drones, and that a sensor's model may
  * or may not take into account.
@@ -20,15 +22,30 @@ public enum Condition {
     /** What makes noise on the site: {@code world.noiseSources} that state no level for the level model. */
     NOISE_SOURCES,
     /** How loud a drone is by its calibrated level: {@code drones.ID.soundLevel}, where only that is set. */
-    SOUND_LEVEL,
+    SOUND_LEVEL("soundLevel"),
     /** How loud a drone is by its sound power: {@code drones.ID.soundPowerLevel}, where only that is set. */
-    SOUND_POWER_LEVEL,
+    SOUND_POWER_LEVEL("soundPowerLevel"),
     /** The spectrum of a drone by its name in the library's table: {@code drones.ID.sound}. */
-    SOUND,
+    SOUND("sound"),
     /** How a drone's sound depends on the direction: {@code drones.ID.directivity}. */
-    DIRECTIVITY,
+    DIRECTIVITY("directivity"),
     /** A drone's own spectrum: {@code drones.ID.spectrum}. */
-    SPECTRUM,
+    SPECTRUM("spectrum"),
     /** The lines in a drone's spectrum: {@code drones.ID.tones}. */
-    TONES
+    TONES("tones");
+
+    private final String droneSetting;
+
+    Condition() {
+        this("");
+    }
+
+    Condition(String droneSetting) {
+        this.droneSetting = droneSetting;
+    }
+
+    /** The setting in {@code drones.ID} that is this condition; none for a condition of the whole site. */
+    public Optional<String> droneSetting() {
+        return Optional.of(droneSetting).filter(name -> !name.isEmpty());
+    }
 }
