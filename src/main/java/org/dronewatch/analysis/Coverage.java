@@ -24,14 +24,17 @@ import org.dronewatch.sensor.SensorSettings;
  */
 public final class Coverage {
     private final CoverageGrid grid;
-    private final Heights heights;
+    private final SurfaceHeights heights;
     private final boolean isKnownEverywhere;
     private final Map<String, SensorSettings<?>> sensors;
     private final Map<String, Prober.Answer[]> answers = new LinkedHashMap<>();
     private final Map<String, Prober> probers = new LinkedHashMap<>();
 
     private Coverage(
-            CoverageGrid grid, Map<String, SensorSettings<?>> sensors, Heights heights, boolean isKnownEverywhere) {
+            CoverageGrid grid,
+            Map<String, SensorSettings<?>> sensors,
+            SurfaceHeights heights,
+            boolean isKnownEverywhere) {
         this.grid = grid;
         this.heights = heights;
         this.isKnownEverywhere = isKnownEverywhere;
@@ -56,7 +59,7 @@ public final class Coverage {
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'; the scene has "
                         + String.join(", ", settings.individualDrones().keySet())));
-        Heights heights = new Heights(stage.world(), grid);
+        SurfaceHeights heights = new SurfaceHeights(stage.world(), grid);
         Coverage coverage = new Coverage(
                 grid, settings.enabledSensors(), heights, stage.world().isKnownEverywhere());
         List<Supplier<Prober.Answer[]>> tasks = new ArrayList<>();

@@ -21,7 +21,7 @@ import org.dronewatch.world.World;
 /** One sensor that looks at all points, one after the other. */
 record Prober(
         CoverageGrid grid,
-        Heights heights,
+        SurfaceHeights heights,
         World world,
         Drone drone,
         SensorSettings<?> settings,

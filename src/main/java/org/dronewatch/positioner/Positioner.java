@@ -31,7 +31,7 @@ public final class Positioner {
     private double time;
     private Direction direction;
     private double fov;
-    private Optional<Track> track = Optional.empty();
+    private Optional<FollowedContact> track = Optional.empty();
     private Direction own;
     private double ownTime = Double.NEGATIVE_INFINITY;
 
@@ -81,7 +81,7 @@ public final class Positioner {
 
     private void follow(int contact, Sighting sighting, double seen, double received) {
         if (track.isEmpty()) {
-            track = Optional.of(new Track(contact, sighting, seen, received));
+            track = Optional.of(new FollowedContact(contact, sighting, seen, received));
             ownTime = Double.NEGATIVE_INFINITY;
         } else if (track.get().contact() == contact) {
             track.get().add(sighting, seen, received);

@@ -76,6 +76,6 @@ final class DronePainter {
         double y = toWorld.m10 * u + toWorld.m11 * v + toWorld.m12 * w;
         double z = toWorld.m20 * u + toWorld.m21 * v + toWorld.m22 * w;
         double scale = 1.0 / Math.sqrt(x * x + y * y + z * z);
-        return Daylight.shade(colour, scale * x, scale * y, scale * z, d[0], d[1], d[2], 1.0);
+        return DaylightShading.shade(colour, scale * x, scale * y, scale * z, d[0], d[1], d[2], 1.0);
     }
 }

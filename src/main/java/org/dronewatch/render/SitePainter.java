@@ -200,7 +200,7 @@ final class SitePainter {
 
     private static int sky(Brush brush) {
         double[] d = brush.direction;
-        return Daylight.sky(d[2] / Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+        return DaylightShading.sky(d[2] / Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
     }
 
     private int colour(Shot shot, Brush brush, int pixel, int block) {
@@ -214,13 +214,14 @@ final class SitePainter {
         double ny = facets.normal(triangle, 1);
         double nz = facets.normal(triangle, 2);
         double sun = 1.0;
-        if (shot.shadows() && Daylight.isTurnedToSun(nx, ny, nz, d[0], d[1], d[2])) {
+        if (shot.shadows() && DaylightShading.isTurnedToSun(nx, ny, nz, d[0], d[1], d[2])) {
             if (brush.sun[block] == 0) {
                 brush.sun[block] = (byte) (seesSun(shot, brush, shot.canvas().depth[pixel]) ? 1 : 2);
             }
             sun = brush.sun[block] == 1 ? 1.0 : 0.0;
         }
-        return Daylight.shade(facets.colour(triangle), nx, ny, nz, scale * d[0], scale * d[1], scale * d[2], sun);
+        return DaylightShading.shade(
+                facets.colour(triangle), nx, ny, nz, scale * d[0], scale * d[1], scale * d[2], sun);
     }
 
     private boolean seesSun(Shot shot, Brush brush, double depth) {
@@ -232,10 +233,11 @@ final class SitePainter {
         double z = eye[2] + near * d[2];
         double to = Double.POSITIVE_INFINITY;
         if (shot.cut() != null) {
-            double rate = shot.cut().rate(Daylight.SUN_X, Daylight.SUN_Y, Daylight.SUN_Z);
+            double rate = shot.cut().rate(DaylightShading.SUN_X, DaylightShading.SUN_Y, DaylightShading.SUN_Z);
             to = rate > 0.0 ? Math.max(0.0, -shot.cut().depth(x, y, z) / rate) : to;
         }
-        return !brush.single.isOccluded(x, y, z, Daylight.SUN_X, Daylight.SUN_Y, Daylight.SUN_Z, OFF * depth, to);
+        return !brush.single.isOccluded(
+                x, y, z, DaylightShading.SUN_X, DaylightShading.SUN_Y, DaylightShading.SUN_Z, OFF * depth, to);
     }
 
     /** Draws the lines where surfaces end or bend, as a draughtsman would. */

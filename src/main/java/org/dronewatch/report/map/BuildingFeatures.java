@@ -26,7 +26,7 @@ final class BuildingFeatures {
         this.level = origin.height().orElse(0.0);
     }
 
-    MapFeature feature(BuildingOutline building) {
+    StyledFeature feature(BuildingOutline building) {
         List<List<GeoPoint>> rings = new ArrayList<>();
         rings.add(ring(building.outer()));
         building.courts().forEach(court -> rings.add(ring(court)));
@@ -36,7 +36,7 @@ final class BuildingFeatures {
                 .put("height_above_ground_m", building.top())
                 .put("bottom_above_ground_m", building.bottom())
                 .put("assumed", building.isAssumed());
-        return new MapFeature(
+        return new StyledFeature(
                 Role.BUILDING,
                 building.name().orElse(building.isPart() ? "part of a building" : "building"),
                 new Shape.Area(rings, OptionalDouble.of(building.top())),

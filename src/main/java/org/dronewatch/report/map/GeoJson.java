@@ -40,7 +40,7 @@ final class GeoJson {
         return root;
     }
 
-    private static void add(ObjectNode node, MapFeature feature) {
+    private static void add(ObjectNode node, StyledFeature feature) {
         node.put("type", "Feature");
         addGeometry(node.putObject("geometry"), feature.shape());
         ObjectNode properties = node.putObject("properties");
@@ -72,7 +72,7 @@ final class GeoJson {
         coordinates.forEach(position::add);
     }
 
-    private static void addStyle(ObjectNode properties, MapFeature feature) {
+    private static void addStyle(ObjectNode properties, StyledFeature feature) {
         String colour = String.format(Locale.ROOT, "#%06x", feature.colour().getRGB() & 0xffffff);
         if (feature.shape() instanceof Shape.Point) {
             properties.put("marker-color", colour);

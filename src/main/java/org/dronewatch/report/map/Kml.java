@@ -44,7 +44,7 @@ final class Kml {
         kml.text("name", content.title());
         kml.text("open", "1");
         kml.text("description", content.description());
-        List<MapFeature> features = content.features();
+        List<StyledFeature> features = content.features();
         List<String> folders = Arrays.stream(Role.values())
                 .filter(role ->
                         role != Role.BUILDING || features.stream().anyMatch(feature -> feature.role() == Role.BUILDING))
@@ -54,7 +54,7 @@ final class Kml {
         for (String folder : folders) {
             kml.open("Folder");
             kml.text("name", folder);
-            for (MapFeature feature : features) {
+            for (StyledFeature feature : features) {
                 if (feature.role().folder().equals(folder)) {
                     write(kml, feature);
                 }
@@ -66,7 +66,7 @@ final class Kml {
         kml.end();
     }
 
-    private void write(Elements kml, MapFeature feature) throws XMLStreamException {
+    private void write(Elements kml, StyledFeature feature) throws XMLStreamException {
         kml.open("Placemark");
         kml.text("name", feature.name());
         writeStyle(kml, feature);
@@ -89,7 +89,7 @@ final class Kml {
         return value == null ? "" : value.toString();
     }
 
-    private static void writeStyle(Elements kml, MapFeature feature) throws XMLStreamException {
+    private static void writeStyle(Elements kml, StyledFeature feature) throws XMLStreamException {
         kml.open("Style");
         if (feature.shape() instanceof Shape.Point) {
             writeIcon(kml, feature);
@@ -107,7 +107,7 @@ final class Kml {
         kml.close();
     }
 
-    private static void writeIcon(Elements kml, MapFeature feature) throws XMLStreamException {
+    private static void writeIcon(Elements kml, StyledFeature feature) throws XMLStreamException {
         kml.open("IconStyle");
         kml.text("color", colour(feature.colour(), 1.0));
         kml.text("scale", Double.toString(feature.role().size().scale()));

@@ -62,7 +62,7 @@ final class MapContent {
                 result.runs().size() > 1 ? ", in the first of " + result.runs().size() + " runs" : "";
         return "Where each sensor detects each drone" + which + ". " + heights() + " Fields of view are"
                 + " drawn in plan, as if nothing obstructed them; that of a camera extends to the range at"
-                + " which it first detects a drone, or " + Math.round(Footprint.UNKNOWN_REACH)
+                + " which it first detects a drone, or " + Math.round(MapFootprint.UNKNOWN_REACH)
                 + " m if it detects none." + buildings();
     }
 
@@ -91,8 +91,8 @@ final class MapContent {
     }
 
     /** All features, in the order of their folders and of the scene. */
-    List<MapFeature> features() {
-        List<MapFeature> features = new ArrayList<>();
+    List<StyledFeature> features() {
+        List<StyledFeature> features = new ArrayList<>();
         // Below everything else.
         stage.buildings().stream()
                 .flatMap(town -> town.outlines().stream())
@@ -100,7 +100,7 @@ final class MapContent {
                 .forEach(features::add);
         settings.enabledSensors().forEach((id, sensor) -> features.add(sensor(id, sensor)));
         settings.enabledSensors().forEach((id, sensor) -> Outlined.outline(sensor)
-                .map(outline -> Footprint.of(sensor.position(), outline, run.firstDetectionRange(id)))
+                .map(outline -> MapFootprint.of(sensor.position(), outline, run.firstDetectionRange(id)))
                 .ifPresent(rings -> features.add(field(id, sensor, rings))));
         settings.alert().protect().ifPresent(zone -> features.add(zone(zone)));
         stage.protection().areas().forEach(zone -> features.add(area(zone)));
@@ -114,7 +114,7 @@ final class MapContent {
         return colours.of(settings.sensors().get(sensor).kind());
     }
 
-    private MapFeature sensor(String id, SensorSettings<?> sensor) {
+    private StyledFeature sensor(String id, SensorSettings<?> sensor) {
         Properties properties = new Properties()
                 .put("kind", sensor.kind())
                 .put("height_m", sensor.position().z());
@@ -125,25 +125,25 @@ final class MapContent {
                         .put("range_m_" + pair.drone(), pair.range());
             }
         }
-        return new MapFeature(Role.SENSOR, id, point(sensor.position()), colour(id), properties);
+        return new StyledFeature(Role.SENSOR, id, point(sensor.position()), colour(id), properties);
     }
 
-    private MapFeature field(String id, SensorSettings<?> sensor, List<List<Position>> rings) {
+    private StyledFeature field(String id, SensorSettings<?> sensor, List<List<Position>> rings) {
         Properties properties = new Properties().put("sensor", id).put("kind", sensor.kind());
-        return new MapFeature(Role.FIELD, "field of view of " + id, area(rings), colour(id), properties);
+        return new StyledFeature(Role.FIELD, "field of view of " + id, area(rings), colour(id), properties);
     }
 
-    private MapFeature zone(ProtectedZone zone) {
+    private StyledFeature zone(ProtectedZone zone) {
         Properties properties = new Properties()
                 .put("radius_m", zone.radius())
                 .put("height_m", zone.centre().z());
         Shape shape = zone.radius() > 0.0
-                ? area(Footprint.of(zone.centre(), new Outline.Ball(zone.radius()), OptionalDouble.empty()))
+                ? area(MapFootprint.of(zone.centre(), new Outline.Ball(zone.radius()), OptionalDouble.empty()))
                 : point(zone.centre());
-        return new MapFeature(Role.ZONE, "protected", shape, ZONE, properties);
+        return new StyledFeature(Role.ZONE, "protected", shape, ZONE, properties);
     }
 
-    private MapFeature area(AreaZone zone) {
+    private StyledFeature area(AreaZone zone) {
         Properties properties = new Properties()
                 .put("floor_above_ground_m", zone.settings().floor())
                 .put("height_above_ground_m", zone.settings().height())
@@ -153,23 +153,23 @@ final class MapContent {
         double[] corners = zone.outline().stream()
                 .flatMapToDouble(corner -> DoubleStream.of(corner.x(), corner.y()))
                 .toArray();
-        return new MapFeature(
+        return new StyledFeature(
                 Role.ZONE, zone.name(), outlines.area(corners, zone.settings().height()), ZONE, properties);
     }
 
     /** Where the drone was at its alert. */
-    private MapFeature alert(String drone, Alert alert) {
+    private StyledFeature alert(String drone, Alert alert) {
         Position position = stage.positionOf(drone, alert.time());
         Properties properties = new Properties()
                 .put("drone", drone)
                 .put("time_s", alert.time())
                 .put("height_m", position.z())
                 .put("sensors", String.join(", ", alert.sensors()));
-        return new MapFeature(Role.ALERT, "alert for " + drone, point(position), ZONE, properties);
+        return new StyledFeature(Role.ALERT, "alert for " + drone, point(position), ZONE, properties);
     }
 
     /** The path of a drone; a point for one that stays where it is. */
-    private MapFeature flight(String id) {
+    private StyledFeature flight(String id) {
         List<GeoPoint> positions = new ArrayList<>();
         for (int i = 0; i <= STEPS; i++) {
             GeoPoint position = geodesy.at(stage.positionOf(id, run.simulated() * i / STEPS));
@@ -180,11 +180,11 @@ final class MapContent {
         }
         Shape shape = positions.size() > 1 ? new Shape.Line(positions) : new Shape.Point(positions.get(0));
         Properties properties = new Properties().put("drone", id).put("duration_s", run.simulated());
-        return new MapFeature(Role.FLIGHT, "flight of " + id, shape, KindColours.DRONE, properties);
+        return new StyledFeature(Role.FLIGHT, "flight of " + id, shape, KindColours.DRONE, properties);
     }
 
     /** The drone at the time of emission. */
-    private MapFeature event(DetectionEvent event) {
+    private StyledFeature event(DetectionEvent event) {
         Observation o = event.observation();
         Position position = stage.positionOf(o.drone(), o.time());
         Properties properties = new Properties()
@@ -200,7 +200,7 @@ final class MapContent {
                 .put("threshold", o.threshold())
                 .put("unit", o.unit());
         String name = o.sensor() + (event.gained() ? " detects " : " loses ") + o.drone();
-        return new MapFeature(
+        return new StyledFeature(
                 event.gained() ? Role.GAINED : Role.LOST, name, point(position), colour(o.sensor()), properties);
     }
 

@@ -7,7 +7,7 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 final class BentPieces {
     private static final int MOST_PARTS = 1000;
 
-    private final Outline outline;
+    private final CutOutline outline;
 
     /** The points at both ends of each. */
     private int[] ends = new int[128];
@@ -18,7 +18,7 @@ final class BentPieces {
     private int count;
     private double[] divided = new double[64];
 
-    BentPieces(Outline outline) {
+    BentPieces(CutOutline outline) {
         this.outline = outline;
     }
 

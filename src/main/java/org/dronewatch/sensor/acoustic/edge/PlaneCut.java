@@ -19,7 +19,7 @@ final class PlaneCut {
 
     private final TriangleMesh mesh;
     private final EllipsoidQuery query;
-    private final Outline outline = new Outline();
+    private final CutOutline outline = new CutOutline();
     private final BentPieces bentPieces = new BentPieces(outline);
 
     private Position origin;
@@ -78,7 +78,7 @@ final class PlaneCut {
     }
 
     /** The outline cut last. */
-    Outline outline() {
+    CutOutline outline() {
         return outline;
     }
 

@@ -36,7 +36,7 @@ final class RubberBand {
     private int[] before = new int[64];
     private boolean[] closed = new boolean[64];
 
-    private Outline cut;
+    private CutOutline cut;
 
     /** Both ends of each piece, u and v: legs are compared with pieces most of the time. */
     private double[] ends = new double[256];
@@ -63,7 +63,7 @@ final class RubberBand {
      * @param limit maximum length of a path, m
      * @return whether one was found
      */
-    boolean find(Outline outline, double distance, double limit) {
+    boolean find(CutOutline outline, double distance, double limit) {
         cut = outline;
         collectNodes(distance, limit);
         sortPieces(distance, limit);

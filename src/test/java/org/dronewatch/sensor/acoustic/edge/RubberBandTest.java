@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 class RubberBandTest {
     private static final double DISTANCE = 100;
 
-    private final Outline outline = new Outline();
+    private final CutOutline outline = new CutOutline();
     private final RubberBand band = new RubberBand();
 
     private void polyline(double... coordinates) {

@@ -12,8 +12,8 @@ import java.util.Map;
  * @param colour its colour
  * @param properties its properties, by name: text, BigDecimal, Boolean or null, as {@link Properties} gives them
  */
-record MapFeature(Role role, String name, Shape shape, Color colour, Map<String, Object> properties) {
-    MapFeature(Role role, String name, Shape shape, Color colour, Properties properties) {
+record StyledFeature(Role role, String name, Shape shape, Color colour, Map<String, Object> properties) {
+    StyledFeature(Role role, String name, Shape shape, Color colour, Properties properties) {
         this(role, name, shape, colour, properties.values());
     }
 }

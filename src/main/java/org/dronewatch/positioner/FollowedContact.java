@@ -10,7 +10,7 @@ import org.dronewatch.geometry.Position;
  * Bordner 1962). Directions without a range are taken as they are. A sighting without a measured elevation keeps the height
  * that other sightings gave.
  */
-final class Track {
+final class FollowedContact {
     private static final double ALPHA = 0.5;
     private static final double BETA = ALPHA * ALPHA / (2.0 - ALPHA);
     private static final Position REST = new Position(0, 0, 0);
@@ -23,7 +23,7 @@ final class Track {
     private Direction direction;
     private double received;
 
-    Track(int contact, Sighting sighting, double time, double received) {
+    FollowedContact(int contact, Sighting sighting, double time, double received) {
         this.contact = contact;
         add(sighting, time, received);
     }

@@ -13,11 +13,11 @@ import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.Projection;
 import org.junit.jupiter.api.Test;
 
-class FootprintTest {
+class MapFootprintTest {
     private static final Position AT = new Position(10, 20, 5);
 
     private static List<List<Position>> rings(Outline outline) {
-        return Footprint.of(AT, outline, OptionalDouble.empty());
+        return MapFootprint.of(AT, outline, OptionalDouble.empty());
     }
 
     private static List<List<Position>> camera(double azimuth, double elevation, OptionalDouble detected) {
@@ -25,7 +25,7 @@ class FootprintTest {
                 .withResolution(400, 300)
                 .withHorizontalFov(Math.toRadians(60))
                 .withAim(new Aim.Direction(Math.toRadians(azimuth), Math.toRadians(elevation)));
-        return Footprint.of(AT, settings.outline(), detected);
+        return MapFootprint.of(AT, settings.outline(), detected);
     }
 
     /** Twice the area of a ring, above 0 for a counterclockwise one. */
@@ -102,7 +102,7 @@ class FootprintTest {
     void aRadarWithoutALimitIsDrawnAsFarAsAMapIsUseful() {
         List<Position> edge =
                 rings(new Outline.Sector(0, 0, 2.0 * Math.PI, 0.5, 0, 1e12)).get(0);
-        assertThat(edge.get(0).distance(AT)).isEqualTo(Footprint.MOST, within(1e-6));
+        assertThat(edge.get(0).distance(AT)).isEqualTo(MapFootprint.MOST, within(1e-6));
     }
 
     @Test

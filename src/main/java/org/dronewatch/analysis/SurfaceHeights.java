@@ -6,10 +6,10 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.World;
 
 /** The height of the highest surface in each cell, NaN where there is none. */
-final class Heights {
+final class SurfaceHeights {
     final double[] height;
 
-    Heights(World world, CoverageGrid grid) {
+    SurfaceHeights(World world, CoverageGrid grid) {
         height = new double[grid.cells() * grid.cells()];
         for (int row = 0; row < grid.cells(); row++) {
             Workers.checkInterrupted();

@@ -1,7 +1,7 @@
 package org.dronewatch.render;
 
 /** Daylight shading of surfaces and sky: the sun in the south-west, light from all of the sky, and some from the eye. */
-final class Daylight {
+final class DaylightShading {
     /** Unit vector to the sun. */
     static final double SUN_X = -0.46;
 
@@ -16,7 +16,7 @@ final class Daylight {
     private static final int ZENITH = 0xa9c6e6;
     private static final int BELOW = 0xdbe1e6;
 
-    private Daylight() {}
+    private DaylightShading() {}
 
     /**
      * The colour of a surface.

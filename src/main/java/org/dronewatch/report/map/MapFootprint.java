@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Outline;
 
 /** The footprint of a sensor's field of view, ignoring obstructions. */
-final class Footprint {
+final class MapFootprint {
     /** A camera has no stated range: one that detects nothing is drawn this far, m. */
     static final double UNKNOWN_REACH = 100.0;
 
@@ -21,7 +21,7 @@ final class Footprint {
 
     private static final double TURN = 2.0 * Math.PI;
 
-    private Footprint() {}
+    private MapFootprint() {}
 
     /**
      * Its edge, counterclockwise seen from above, and then its holes, clockwise; each ring ends where it begins.
