@@ -3,6 +3,10 @@ package org.dronewatch;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.mapping;
+import static java.util.stream.Collectors.toList;
+import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
@@ -14,7 +18,10 @@ import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.dependencies.SliceAssignment;
 import com.tngtech.archunit.library.dependencies.SliceIdentifier;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import org.dronewatch.House.Storey;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
@@ -70,6 +77,18 @@ class HouseRulesTest {
     @ArchTest
     static final ArchRule NO_CIRCLES =
             slices().matching("org.dronewatch.(**)").should().beFreeOfCycles();
+
+    /** A reader who looks for a type by its name finds one. */
+    @ArchTest
+    static void noTwoTypesHaveOneName(JavaClasses house) {
+        Map<String, List<String>> named = house.stream()
+                .filter(JavaClass::isTopLevelClass)
+                .filter(type -> !type.getSimpleName().equals("package-info"))
+                .collect(groupingBy(JavaClass::getSimpleName, TreeMap::new, mapping(JavaClass::getName, toList())));
+        named.values().removeIf(names -> names.size() == 1);
+
+        assertThat(named).as("types that share their name").isEmpty();
+    }
 
     @ArchTest
     static final ArchRule NO_SENSOR_KNOWS_WHAT_A_DRONE_WANTS = noClasses()
