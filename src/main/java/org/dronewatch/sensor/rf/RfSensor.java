@@ -118,9 +118,9 @@ public final class RfSensor implements AssessableSensor {
         if (!settings.hears(link)) {
             return Double.NEGATIVE_INFINITY;
         }
-        double loss = RadioPath.freeSpaceLoss(distance(from), link.frequency())
-                + path.obstacleLoss(from, settings.position(), link.frequency())
-                + settings.clutter();
+        double edges = path.obstacleLoss(from, settings.position(), link.frequency());
+        double beyondClutter = settings.clutterIncludesEdges() ? Math.max(0.0, edges - settings.clutter()) : edges;
+        double loss = RadioPath.freeSpaceLoss(distance(from), link.frequency()) + beyondClutter + settings.clutter();
         return power + settings.gain() - loss - settings.noise() + groundReflection(link, from);
     }
 

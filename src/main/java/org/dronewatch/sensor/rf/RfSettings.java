@@ -27,11 +27,13 @@ import org.dronewatch.setting.SettingsForm;
  * @param gain gain of its antenna, -50 to 60 dBi
  * @param bandwidth noise bandwidth, 1 to 1e10 Hz
  * @param noiseFigure noise figure of its electronics, 0 to 50 dB
- * @param clutter excess path loss from ground and buildings beyond that of edges, plus local noise, 0 to 100
- *     dB
+ * @param clutter excess path loss from ground, plants and buildings that the site's models do not show, plus local noise, 0 to
+ *     100 dB
  * @param threshold signal-to-noise ratio at and above which a signal is detected, -50 to 100 dB
  * @param polarisation of the signals; it matters only where the ground reflects
  * @param groundReflection ground whose reflection interferes with the direct wave; none unless set
+ * @param clutterIncludesEdges whether {@code clutter} is an allowance for everything in the way, the edges of the site's models
+ *     included: then the greater of the two losses counts, otherwise their sum
  */
 public record RfSettings(
         Position position,
@@ -44,7 +46,8 @@ public record RfSettings(
         @In(value = Quantity.LEVEL, from = 0, to = 100) double clutter,
         @In(value = Quantity.LEVEL, from = -50, to = 100) double threshold,
         @Minor Polarisation polarisation,
-        @Minor Optional<ReflectingGround> groundReflection)
+        @Minor Optional<ReflectingGround> groundReflection,
+        @Minor boolean clutterIncludesEdges)
         implements SensorSettings<RfSensor>, Thresholded {
     /** Power of thermal noise in 1 Hz at 290 K, dBm: 10 lg(k 290 K / 1 mW). */
     private static final double THERMAL = 10.0 * Math.log10(1.380649e-23 * 290.0 * 1000.0);
@@ -67,7 +70,8 @@ public record RfSettings(
                 clutter,
                 threshold,
                 polarisation,
-                groundReflection);
+                groundReflection,
+                clutterIncludesEdges);
         if (minFrequency >= maxFrequency) {
             throw new IllegalArgumentException(
                     "minFrequency " + minFrequency + " Hz must be below maxFrequency " + maxFrequency + " Hz");
@@ -81,7 +85,7 @@ public record RfSettings(
     @Defaults("position")
     public static RfSettings at(Position position) {
         return new RfSettings(
-                position, 1.0, 400e6, 6e9, 0.0, 10e6, 6.0, 0.0, 6.0, Polarisation.VERTICAL, Optional.empty());
+                position, 1.0, 400e6, 6e9, 0.0, 10e6, 6.0, 0.0, 6.0, Polarisation.VERTICAL, Optional.empty(), false);
     }
 
     @Override
@@ -102,6 +106,11 @@ public record RfSettings(
     /** These settings with another loss by the surroundings, dB. */
     public RfSettings withClutter(double decibels) {
         return SettingsForm.with(this, "clutter", decibels);
+    }
+
+    /** These settings with a clutter that includes the loss at the edges of the site's models, or comes on top of it. */
+    public RfSettings withClutterIncludingEdges(boolean included) {
+        return SettingsForm.with(this, "clutterIncludesEdges", included);
     }
 
     /** These settings with a ground that reflects waves of a polarisation. */

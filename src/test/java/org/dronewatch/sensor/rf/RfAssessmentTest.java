@@ -140,6 +140,60 @@ class RfAssessmentTest {
         }
     }
 
+    /**
+     * A knife edge on the line takes 6.03 dB (ITU-R P.526, v = 0), and what is far in its shadow 34 dB: an allowance of 12 dB that
+     * includes edges covers the first, and not the second.
+     */
+    @Test
+    void ofAnAllowanceThatIncludesEdgesTheGreaterLossCounts() {
+        RfSettings added = RECEIVER.withClutter(12.0);
+        RfSettings included = added.withClutterIncludingEdges(true);
+        Drone drone = emitting(0.2 * reach());
+        double free = look(RECEIVER, open(), drone, 1).value();
+        World grazed = behind(wall(300, -999.0, 0.0), ModelRole.BUILDING);
+        World shadow = behind(block(300, 40.0), ModelRole.BUILDING);
+        double low = free - look(RECEIVER, grazed, drone, 1).value();
+        double high = free - look(RECEIVER, shadow, drone, 1).value();
+
+        assertThat(low).isCloseTo(6.03, within(0.05));
+        assertThat(high).isGreaterThan(25.0);
+        assertThat(look(added, grazed, drone, 1).value()).isCloseTo(free - low - 12.0, within(1e-9));
+        assertThat(look(included, grazed, drone, 1).value()).isCloseTo(free - 12.0, within(1e-9));
+        assertThat(look(included, shadow, drone, 1).value()).isCloseTo(free - high, within(1e-9));
+        assertThat(look(included, open(), drone, 1).value()).isCloseTo(free - 12.0, within(1e-9));
+    }
+
+    /** As an edge rises into the line, the loss rises without a step where it passes the allowance. */
+    @Test
+    void anAllowanceThatIncludesEdgesHasNoStep() {
+        RfSettings included = RECEIVER.withClutter(12.0).withClutterIncludingEdges(true);
+        Drone drone = emitting(0.2 * reach());
+        double before = Double.NaN;
+        double least = Double.POSITIVE_INFINITY;
+        for (double height = -10.0; height <= 10.0; height += 0.05) {
+            double value = look(included, behind(block(300, height), ModelRole.BUILDING), drone, 1)
+                    .value();
+            if (!Double.isNaN(before)) {
+                assertThat(Math.abs(value - before)).as("height %s", height).isLessThan(0.3);
+            }
+            least = Math.min(least, value);
+            before = value;
+        }
+        assertThat(least).isLessThan(look(included, open(), drone, 1).value() - 5.0);
+    }
+
+    /** Without the edges it would be received: it is hidden, although the clutter alone would not have hidden it. */
+    @Test
+    void whatGoesBeyondAnAllowanceHides() {
+        RfSettings included = RECEIVER.withClutter(12.0).withClutterIncludingEdges(true);
+        Assessment hidden = assess(included, behind(block(300, 40.0), ModelRole.BUILDING), emitting(0.2 * reach()));
+
+        assertThat(hidden.cause()).isEqualTo(Cause.HIDDEN_BY_BUILDING);
+        assertThat(assess(included, behind(wall(300, -999.0, 0.0), ModelRole.BUILDING), emitting(0.2 * reach()))
+                        .cause())
+                .isEqualTo(Cause.DETECTED);
+    }
+
     /** Over flat ground the signal is that of the direct wave times the interference of both. */
     @Test
     void theGroundsReflectionInterferes() {
