@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
-import org.dronewatch.sensor.acoustic.mirror.MirrorRun;
+import org.dronewatch.sensor.acoustic.imagesource.SpecularLeg;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
@@ -9,7 +9,7 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
  * them. One per thread.
  */
 final class Arrival {
-    private final MirrorRun run = new MirrorRun();
+    private final SpecularLeg leg = new SpecularLeg();
 
     private static final int LEGS = Connections.FROM_SOURCE + 1;
 
@@ -41,7 +41,7 @@ final class Arrival {
         isFromSensor = true;
         Arrays.fill(inverseDensities, Connections.NEVER);
         Arrays.fill(throughWalls, false);
-        run.begin(ray);
+        leg.begin(ray);
     }
 
     /**
@@ -58,7 +58,7 @@ final class Arrival {
             orders[leg] = orders[leg - 1];
             isPassing[leg] = isPassing[leg - 1];
         }
-        run.begin(ray);
+        leg.begin(ray);
     }
 
     /**
@@ -69,51 +69,51 @@ final class Arrival {
      * @param order how many surfaces it has hit, including this one
      */
     void meet(double distance, double arriving, int order) {
-        run.fly(distance);
+        leg.fly(distance);
         orders[0] = order;
-        throughWalls[0] = run.isThroughWalls();
+        throughWalls[0] = leg.isThroughWalls();
         inverseDensities[0] = inverseDensity(arriving);
     }
 
     private double inverseDensity(double arriving) {
-        boolean isOverChain = isFromSensor ? run.isChainFrom(ends.ofSensor()) : run.isChainTo(ends.ofSource());
-        isPassing[0] = run.order() > 0 && !isOverChain;
+        boolean isOfImage = isFromSensor ? leg.matchesFromStart(ends.ofSensor()) : leg.matchesFromEnd(ends.ofSource());
+        isPassing[0] = leg.order() > 0 && !isOfImage;
         if (isPassing[0]) {
-            return isFromSensor && ends.isOpen() && !run.isThroughWalls()
-                    ? receiver.inverseDensity(run.length())
+            return isFromSensor && ends.isOpen() && !leg.isThroughWalls()
+                    ? receiver.inverseDensity(leg.length())
                     : Connections.NEVER;
         }
         double inAir = isFromSensor
-                ? Connections.fromPoint(arriving, run.length())
-                : Connections.betweenSurfaces(leaving, arriving, run.length());
-        return run.isThroughWalls() ? Connections.throughWalls(inAir) : inAir;
+                ? Connections.fromPoint(arriving, leg.length())
+                : Connections.betweenSurfaces(leaving, arriving, leg.length());
+        return leg.isThroughWalls() ? Connections.throughWalls(inAir) : inAir;
     }
 
     /** Records that the ray was reflected specularly. */
     void reflect(int wall) {
-        run.reflect(wall);
+        leg.reflect(wall);
     }
 
     /** Records that the ray passed through a wall. */
     void passThrough() {
-        run.passThrough();
+        leg.passThrough();
     }
 
     /** The leg since the ray left the sensor or was scattered last. */
-    MirrorRun run() {
-        return run;
+    SpecularLeg leg() {
+        return leg;
     }
 
     /** Whether the sound that would arrive straight from the source is computed exactly, or was connected already. */
     boolean isExact() {
         if (!isFromSensor) {
-            return run.isChainTo(ends.ofSource());
+            return leg.matchesFromEnd(ends.ofSource());
         }
-        return !run.isThroughWalls()
-                && (run.order() == 1
-                        || run.isChainFrom(ends.pureOfSensor())
-                        || run.isChainTo(ends.pureOfSource())
-                        || run.isChainTo(ends.exactly()));
+        return !leg.isThroughWalls()
+                && (leg.order() == 1
+                        || leg.matchesFromStart(ends.pureOfSensor())
+                        || leg.matchesFromEnd(ends.pureOfSource())
+                        || leg.matchesFromEnd(ends.exactly()));
     }
 
     /**
@@ -132,7 +132,7 @@ final class Arrival {
      * specular reflections, rays from the source can be connected at these. 0 if they cannot reach them.
      */
     double inverseDensityBefore() {
-        return run.isThroughWalls() ? Connections.NEVER : sum(1, LEGS, 0);
+        return leg.isThroughWalls() ? Connections.NEVER : sum(1, LEGS, 0);
     }
 
     private double sum(int first, int end, int surfaces) {

@@ -5,7 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
@@ -134,7 +134,7 @@ final class BackwardRay {
     }
 
     private void countPassing(double end) {
-        if (!ofSource.isCrossed(ray, arrival.run(), end, random)) {
+        if (!ofSource.isCrossed(ray, arrival.leg(), end, random)) {
             return;
         }
         for (int band = 0; band < emitted.length; band++) {

@@ -1,19 +1,19 @@
 package org.dronewatch.sensor.acoustic.energy;
 
-import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
-import org.dronewatch.sensor.acoustic.mirror.MirrorPath;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
+import org.dronewatch.sensor.acoustic.imagesource.SpecularPath;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
- * The leg by which two points are connected: straight, through the walls between them, or over a chain of walls that
- * reflect specularly. One per thread.
+ * The leg by which two points are connected: straight, through the walls between them, or by the
+ * specular reflections of an image source. One per thread.
  */
 final class ConnectingLeg {
     private final WallTransmission walls;
-    private final MirrorPath path;
+    private final SpecularPath path;
     private boolean isStraight;
     private double x;
     private double y;
@@ -23,18 +23,18 @@ final class ConnectingLeg {
 
     ConnectingLeg(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.walls = new WallTransmission(world, surfaces);
-        this.path = new MirrorPath(world, planes, surfaces);
+        this.path = new SpecularPath(world, planes, surfaces);
     }
 
     /**
      * Searches for a leg from a point to another one, whose images are given.
      *
-     * @param chain over which it goes; the chain of the straight leg is {@link MirrorChains#EMPTY}, and only {@link #isOpen}
-     *     states whether that is open
+     * @param image of the other point that the leg leads to; for {@link ImageSources#ORIGINAL} it is straight, and only
+     *     {@link #isOpen} states whether it is open
      * @return whether there is one
      */
-    boolean find(MirrorChains chains, double[] images, int chain, double fromX, double fromY, double fromZ) {
-        isStraight = chain == MirrorChains.EMPTY;
+    boolean find(ImageSources imageSources, double[] images, int image, double fromX, double fromY, double fromZ) {
+        isStraight = image == ImageSources.ORIGINAL;
         if (isStraight) {
             x = images[0] - fromX;
             y = images[1] - fromY;
@@ -42,10 +42,10 @@ final class ConnectingLeg {
             length = Math.sqrt(x * x + y * y + z * z);
             return true;
         }
-        if (!path.follow(chains, images, chain, fromX, fromY, fromZ)) {
+        if (!path.follow(imageSources, images, image, fromX, fromY, fromZ)) {
             return false;
         }
-        traced += chains.order(chain) + 1;
+        traced += imageSources.order(image) + 1;
         length = path.length();
         return true;
     }
@@ -67,7 +67,7 @@ final class ConnectingLeg {
     }
 
     /**
-     * Tells how air bends the legs over chains from now on.
+     * Sets how air bends reflected legs from now on.
      *
      * @param isSoundAhead whether sound travels from their beginning to their end, and not the other way
      */

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.OctaveBands;
@@ -10,8 +10,8 @@ import org.dronewatch.world.World;
 
 /**
  * Connects a point where a ray from the sensor is scattered to the source, and to the points where a ray from the source
- * was scattered first: straight, through the walls in between, and over the chains of walls seen from the source. Paths that
- * are connected here must not be counted again in the sphere. One per thread.
+ * was scattered first: straight, through the walls in between, and by the reflections of the image sources. Paths that are
+ * connected here must not be counted again in the sphere. One per thread.
  */
 final class DiffuseConnection {
     private static final int BANDS = OctaveBands.COUNT;
@@ -42,9 +42,9 @@ final class DiffuseConnection {
         imagesOfSensor = imagesOf(next.sensor(), next.ofSensor(), planes, imagesOfSensor);
     }
 
-    private static double[] imagesOf(Position point, MirrorChains chains, WallPlanes planes, double[] into) {
-        double[] target = into.length < 3 * chains.count() ? new double[3 * chains.count()] : into;
-        chains.images(point.x(), point.y(), point.z(), planes, target);
+    private static double[] imagesOf(Position point, ImageSources imageSources, WallPlanes planes, double[] into) {
+        double[] target = into.length < 3 * imageSources.count() ? new double[3 * imageSources.count()] : into;
+        imageSources.positions(point.x(), point.y(), point.z(), planes, target);
         return target;
     }
 
@@ -67,16 +67,16 @@ final class DiffuseConnection {
             Arrival arrival,
             ScatteredSound scattered) {
         leg.bend(ends.curvature(), false);
-        for (int chain = MirrorChains.EMPTY; chain < ends.ofSource().count(); chain++) {
-            if (ray.order + ends.ofSource().order(chain) <= maxOrder) {
-                addFromSource(chain, ray, normal, material, leaving, arrival);
+        for (int image = ImageSources.ORIGINAL; image < ends.ofSource().count(); image++) {
+            if (ray.order + ends.ofSource().order(image) <= maxOrder) {
+                addFromSource(image, ray, normal, material, leaving, arrival);
             }
         }
         for (int i = 0; i < scattered.count(); i++) {
             ScatteredSound.Point point = scattered.point(i);
-            for (int chain = MirrorChains.EMPTY; chain < ends.ofSource().count(); chain++) {
-                if (ray.order + point.order + ends.ofSource().order(chain) <= maxOrder) {
-                    join(chain, ray, normal, material, leaving, arrival, point);
+            for (int image = ImageSources.ORIGINAL; image < ends.ofSource().count(); image++) {
+                if (ray.order + point.order + ends.ofSource().order(image) <= maxOrder) {
+                    join(image, ray, normal, material, leaving, arrival, point);
                 }
             }
         }
@@ -84,8 +84,8 @@ final class DiffuseConnection {
     }
 
     private void addFromSource(
-            int chain, AcousticRay ray, double[] normal, int material, double[] leaving, Arrival arrival) {
-        if (!leg.find(ends.ofSource(), images, chain, ray.originX, ray.originY, ray.originZ)) {
+            int image, AcousticRay ray, double[] normal, int material, double[] leaving, Arrival arrival) {
+        if (!leg.find(ends.ofSource(), images, image, ray.originX, ray.originY, ray.originZ)) {
             return;
         }
         double cosine = leg.cosineAtBeginning(normal);
@@ -98,7 +98,7 @@ final class DiffuseConnection {
                 ? 1.0
                 : Connections.weight(
                         Connections.fromPoint(cosine, distance),
-                        arrival.inverseDensity(0, ends.ofSource().order(chain)));
+                        arrival.inverseDensity(0, ends.ofSource().order(image)));
         double geometry = weight * cosine / (Math.PI * distance * distance);
         for (int band = 0; band < BANDS; band++) {
             brought[band] = leaving[band]
@@ -117,14 +117,14 @@ final class DiffuseConnection {
     }
 
     private void join(
-            int chain,
+            int image,
             AcousticRay ray,
             double[] normal,
             int material,
             double[] leaving,
             Arrival arrival,
             ScatteredSound.Point point) {
-        if (!leg.find(ends.ofSource(), point.images, chain, ray.originX, ray.originY, ray.originZ)) {
+        if (!leg.find(ends.ofSource(), point.images, image, ray.originX, ray.originY, ray.originZ)) {
             return;
         }
         double here = leg.cosineAtBeginning(normal);
@@ -141,7 +141,7 @@ final class DiffuseConnection {
                         point.inverseDensity
                                 + arrival.inverseDensity(
                                         point.scatterings,
-                                        point.order + ends.ofSource().order(chain)));
+                                        point.order + ends.ofSource().order(image)));
         double geometry = weight * 4.0 * here * there / (Math.PI * distance * distance);
         for (int band = 0; band < BANDS; band++) {
             brought[band] = leaving[band]
@@ -161,21 +161,21 @@ final class DiffuseConnection {
      * @return how many connections were tried
      */
     int addFrom(ScatteredSound scattered, AcousticRay scratch) {
-        MirrorChains chains = ends.ofSensor();
+        ImageSources imageSources = ends.ofSensor();
         leg.bend(ends.curvature(), true);
         for (int i = 0; i < scattered.count(); i++) {
             ScatteredSound.Point point = scattered.point(i);
-            for (int chain = MirrorChains.EMPTY; chain < chains.count(); chain++) {
-                if (chain == MirrorChains.EMPTY || point.order + chains.order(chain) <= maxOrder) {
-                    addToSensor(chain, point, scratch);
+            for (int image = ImageSources.ORIGINAL; image < imageSources.count(); image++) {
+                if (image == ImageSources.ORIGINAL || point.order + imageSources.order(image) <= maxOrder) {
+                    addToSensor(image, point, scratch);
                 }
             }
         }
         return leg.takeTraced();
     }
 
-    private void addToSensor(int chain, ScatteredSound.Point point, AcousticRay scratch) {
-        if (!leg.find(ends.ofSensor(), imagesOfSensor, chain, point.x, point.y, point.z)) {
+    private void addToSensor(int image, ScatteredSound.Point point, AcousticRay scratch) {
+        if (!leg.find(ends.ofSensor(), imagesOfSensor, image, point.x, point.y, point.z)) {
             return;
         }
         double cosine = leg.cosineAtBeginning(point.normal);

@@ -6,11 +6,11 @@ import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.energy.ScatterSamples.Sample;
 import org.dronewatch.sensor.acoustic.energy.ScatterSamples.Samples;
-import org.dronewatch.sensor.acoustic.mirror.ChainSearch;
-import org.dronewatch.sensor.acoustic.mirror.ChainTree;
-import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
-import org.dronewatch.sensor.acoustic.mirror.MirrorPath;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSourceCandidates;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSourceSearch;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
+import org.dronewatch.sensor.acoustic.imagesource.SpecularPath;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
@@ -18,33 +18,33 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Finds the chains of walls that matter between a sensor and a source. Rays from either end find chains, over which pure
- * mirror paths are searched for. In the open, where few rays pass an end, those chains are also kept over which most of the
- * sound that is scattered near one end reaches the other. One per thread.
+ * Finds the image sources that matter between a sensor and a source. Rays from either end find them, and purely specular
+ * paths are constructed from them. In the open, where few rays pass an end, those are also kept by whose reflections most of
+ * the sound that is scattered near one end reaches the other. One per thread.
  */
 final class EndSearch {
     private static final int RAYS_OF_SENSOR = 4000;
     private static final int RAYS_OF_SOURCE = 1000;
 
-    /** Maximum number of chains over which pure mirror paths are searched for. */
+    /** Maximum number of image sources for which purely specular paths are searched. */
     private static final int MOST_PURE = 8000;
 
     /** Maximum number of walls of each end that are tried as additional reflections of exact paths. */
     private static final int MOST_EXTRA = 6;
 
-    /** Maximum number of chains from which those that join scattered sound to an end are chosen. */
+    /** Maximum number of image sources from which those that join scattered sound to an end are chosen. */
     private static final int MOST_CANDIDATES = 200;
 
-    /** Maximum number of chains that join scattered sound to an end. */
+    /** Maximum number of image sources that join scattered sound to an end. */
     private static final int MOST_JOINED = 64;
 
     /**
-     * Chains are left to the rays that happen to pass the source if they increase the relative variance of a reading by less
-     * than this.
+     * Image sources are left to the rays that happen to pass the source if they increase the relative variance of a reading
+     * by less than this.
      */
     private static final double NEGLIGIBLE = 3e-3;
 
-    /** The same for a single chain over which a pure mirror path may lead: there may be thousands. */
+    /** The same for a single image source with a purely specular path: there may be thousands. */
     private static final double HARDLY_ANYTHING = 1e-6;
 
     /** A sample nearer to an end than this does not represent others, m. */
@@ -61,13 +61,13 @@ final class EndSearch {
     private final double ofOneRay;
     private final Position sensor;
     private final WallPlanes planes;
-    private final ChainSearch search;
+    private final ImageSourceSearch search;
     private final ScatterSamples samples;
-    private final MirrorPath path;
+    private final SpecularPath path;
     private final Visibility visibility;
-    private final MirrorChains pureOfSensor;
+    private final ImageSources pureOfSensor;
     private final double[] mirrored;
-    private final MirrorChains candidatesOfSensor;
+    private final ImageSources candidatesOfSensor;
     private final int[] wallsOfSensor;
     private final Samples heardFrom;
 
@@ -77,11 +77,11 @@ final class EndSearch {
         this.ofOneRay = 1.0 / (model.rays() * Math.PI * radius * radius);
         this.sensor = sensor;
         this.planes = planes;
-        this.search = new ChainSearch(world, planes, surfaces);
+        this.search = new ImageSourceSearch(world, planes, surfaces);
         this.samples = new ScatterSamples(world, surfaces);
-        this.path = new MirrorPath(world, planes, surfaces);
+        this.path = new SpecularPath(world, planes, surfaces);
         this.visibility = Visibility.ofClearPoints(world);
-        ChainTree found = search.from(sensor, RAYS_OF_SENSOR, maxOrder);
+        ImageSourceCandidates found = search.from(sensor, RAYS_OF_SENSOR, maxOrder);
         this.pureOfSensor = found.best(MOST_PURE, 0.0);
         this.candidatesOfSensor = found.best(MOST_CANDIDATES, 0.0);
         this.wallsOfSensor = found.firstWalls(MOST_EXTRA);
@@ -96,7 +96,7 @@ final class EndSearch {
     }
 
     /**
-     * Finds the chains of one look, and with them the exact paths.
+     * Finds the image sources of one look, and with them the exact paths.
      *
      * @param curvature of the paths of sound
      */
@@ -104,29 +104,29 @@ final class EndSearch {
         Position drone = source.position();
         double scattered = scattered(drone, heardFrom);
         double guess = scattered + straight(drone);
-        MirrorChains fromSensor = worthwhile(pureOfSensor, sensor, drone, guess);
+        ImageSources fromSensor = worthwhile(pureOfSensor, sensor, drone, guess);
         if (heardFrom.escaped() <= OPEN) {
-            exact.find(source, sensor, fromSensor, MirrorChains.NONE, new int[0], curvature);
-            MirrorChains none = MirrorChains.NONE;
+            exact.find(source, sensor, fromSensor, ImageSources.NONE, new int[0], curvature);
+            ImageSources none = ImageSources.NONE;
             return new Ends(source, sensor, none, none, none, fromSensor, none, guess, curvature, false);
         }
-        ChainTree found = search.from(drone, RAYS_OF_SOURCE, maxOrder);
-        MirrorChains fromSource = worthwhile(found.best(MOST_PURE, 0.0), drone, sensor, guess);
+        ImageSourceCandidates found = search.from(drone, RAYS_OF_SOURCE, maxOrder);
+        ImageSources fromSource = worthwhile(found.best(MOST_PURE, 0.0), drone, sensor, guess);
         int[] extra = IntStream.concat(Arrays.stream(wallsOfSensor), Arrays.stream(found.firstWalls(MOST_EXTRA)))
                 .distinct()
                 .toArray();
         exact.find(source, sensor, fromSensor, fromSource, extra, curvature);
-        ChainTree pure = new ChainTree();
-        ChainTree near = new ChainTree();
-        ChainTree far = new ChainTree();
+        ImageSourceCandidates pure = new ImageSourceCandidates();
+        ImageSourceCandidates near = new ImageSourceCandidates();
+        ImageSourceCandidates far = new ImageSourceCandidates();
         // Sound that walls reflect from one end to the other returns over the same walls in reverse order.
-        MirrorChains candidatesOfSource = found.best(MOST_CANDIDATES, 0.0);
+        ImageSources candidatesOfSource = found.best(MOST_CANDIDATES, 0.0);
         addAll(candidatesOfSource, near, far);
         addAll(candidatesOfSensor, far, near);
-        for (int[] chain : exact.mirrorChains()) {
-            pure.add(chain, 0.0);
-            near.add(chain, 0.0);
-            far.add(SpecularPaths.reversed(chain), 0.0);
+        for (int[] walls : exact.wallSequences()) {
+            pure.add(walls, 0.0);
+            near.add(walls, 0.0);
+            far.add(SpecularPaths.reversed(walls), 0.0);
         }
         double known = scattered;
         for (int band = 0; band < OctaveBands.COUNT; band++) {
@@ -134,34 +134,34 @@ final class EndSearch {
         }
         Samples firstScattered = samples.from(drone, SAMPLES_OF_SOURCE, 1);
         double first = scattered(sensor, firstScattered) / RAYS_OF_SOURCE;
-        MirrorChains ofSource = chosen(near, drone, heardFrom, known, chain -> first * found.worth(chain));
-        MirrorChains ofSensor = chosen(far, sensor, firstScattered, known, chain -> 0.0);
-        MirrorChains exactly = pure.best(Integer.MAX_VALUE, 0.0);
+        ImageSources ofSource = chosen(near, drone, heardFrom, known, walls -> first * found.worth(walls));
+        ImageSources ofSensor = chosen(far, sensor, firstScattered, known, walls -> 0.0);
+        ImageSources exactly = pure.best(Integer.MAX_VALUE, 0.0);
         return new Ends(source, sensor, ofSource, ofSensor, fromSource, fromSensor, exactly, known, curvature, true);
     }
 
     /**
-     * The chains over which it is worth searching for pure mirror paths.
+     * The image sources for which it is worth searching for purely specular paths.
      *
      * @param from where they were found
      * @param to where they may lead
      * @param known what is heard without them
      */
-    private MirrorChains worthwhile(MirrorChains chains, Position from, Position to, double known) {
-        double[] images = new double[3 * chains.count()];
-        chains.images(from.x(), from.y(), from.z(), planes, images);
-        double[] left = new double[chains.count()];
-        left[MirrorChains.EMPTY] = 1.0;
-        boolean[] isWorthwhile = new boolean[chains.count()];
-        for (int chain = 1; chain < left.length; chain++) {
-            left[chain] = left[chains.parent(chain)] * mirrored[chains.wall(chain)];
-            double x = images[3 * chain] - to.x();
-            double y = images[3 * chain + 1] - to.y();
-            double z = images[3 * chain + 2] - to.z();
-            double heard = left[chain] / (4.0 * Math.PI * (x * x + y * y + z * z));
-            isWorthwhile[chain] = heard * left[chain] * ofOneRay >= HARDLY_ANYTHING * known * known;
+    private ImageSources worthwhile(ImageSources imageSources, Position from, Position to, double known) {
+        double[] images = new double[3 * imageSources.count()];
+        imageSources.positions(from.x(), from.y(), from.z(), planes, images);
+        double[] left = new double[imageSources.count()];
+        left[ImageSources.ORIGINAL] = 1.0;
+        boolean[] isWorthwhile = new boolean[imageSources.count()];
+        for (int image = 1; image < left.length; image++) {
+            left[image] = left[imageSources.parent(image)] * mirrored[imageSources.wall(image)];
+            double x = images[3 * image] - to.x();
+            double y = images[3 * image + 1] - to.y();
+            double z = images[3 * image + 2] - to.z();
+            double heard = left[image] / (4.0 * Math.PI * (x * x + y * y + z * z));
+            isWorthwhile[image] = heard * left[image] * ofOneRay >= HARDLY_ANYTHING * known * known;
         }
-        return chains.kept(isWorthwhile);
+        return imageSources.kept(isWorthwhile);
     }
 
     /** Direct sound, as intensity over power, 1/m2. */
@@ -185,33 +185,33 @@ final class EndSearch {
         return sum / near.rays();
     }
 
-    private static void addAll(MirrorChains chains, ChainTree same, ChainTree reverse) {
-        for (int chain = 1; chain < chains.count(); chain++) {
-            same.add(chains.walls(chain), 0.0);
-            reverse.add(SpecularPaths.reversed(chains.walls(chain)), 0.0);
+    private static void addAll(ImageSources imageSources, ImageSourceCandidates same, ImageSourceCandidates reverse) {
+        for (int image = 1; image < imageSources.count(); image++) {
+            same.add(imageSources.walls(image), 0.0);
+            reverse.add(SpecularPaths.reversed(imageSources.walls(image)), 0.0);
         }
     }
 
     /**
-     * The chains over which most of the sound that is scattered at some points reaches an end.
+     * The image sources of an end by whose reflections most of the sound that is scattered at some points reaches it.
      *
      * @param known what is heard without them
-     * @param first what is heard over a chain that precedes all scattering
+     * @param first what is heard of an image source by reflections before all scattering
      */
-    private MirrorChains chosen(
-            ChainTree candidates, Position end, Samples near, double known, ToDoubleFunction<int[]> first) {
-        MirrorChains tried = candidates.best(Integer.MAX_VALUE, 0.0);
+    private ImageSources chosen(
+            ImageSourceCandidates candidates, Position end, Samples near, double known, ToDoubleFunction<int[]> first) {
+        ImageSources tried = candidates.best(Integer.MAX_VALUE, 0.0);
         double[] images = new double[3 * tried.count()];
-        tried.images(end.x(), end.y(), end.z(), planes, images);
-        ChainTree worthy = new ChainTree();
+        tried.positions(end.x(), end.y(), end.z(), planes, images);
+        ImageSourceCandidates worthy = new ImageSourceCandidates();
         double all = known;
-        for (int chain = 1; chain < tried.count(); chain++) {
-            double worth = first.applyAsDouble(tried.walls(chain));
+        for (int image = 1; image < tried.count(); image++) {
+            double worth = first.applyAsDouble(tried.walls(image));
             for (Sample point : near.points()) {
                 if (path.follow(
                         tried,
                         images,
-                        chain,
+                        image,
                         point.at().x(),
                         point.at().y(),
                         point.at().z())) {
@@ -219,7 +219,7 @@ final class EndSearch {
                 }
             }
             if (worth > 0.0) {
-                worthy.add(tried.walls(chain), worth);
+                worthy.add(tried.walls(image), worth);
                 all += worth;
             }
         }

@@ -1,19 +1,19 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 
 /**
- * The two ends of all paths of one look, and the chains of walls that join points near them to the rest of a path. Immutable.
+ * The two ends of all paths of one look, and the image sources that join points near them to the rest of a path. Immutable.
  *
  * @param source the drone's sound
  * @param sensor where the microphone is, m
- * @param ofSource the chains of walls that join sound scattered elsewhere to the source
- * @param ofSensor the chains of walls that join sound at its first scattering to the sensor
- * @param pureOfSource the chains that were found from the source: paths of specular reflections alone are exact
- * @param pureOfSensor the chains that were found from the sensor
- * @param exactly the chains of exact paths, from the source on, and what they begin with
+ * @param ofSource image sources of the source that join sound scattered elsewhere to it
+ * @param ofSensor image sources of the sensor that join sound at its first scattering to it
+ * @param pureOfSource those found from the source: paths of specular reflections alone are exact
+ * @param pureOfSensor those found from the sensor
+ * @param exactly those of exact paths, from the source on, and their parents
  * @param known about what is heard without rays that pass the source, in all bands, as intensity over the source's power, 1/m2
  * @param curvature how air bends the paths of sound
  * @param isOpen whether an appreciable part of the sound leaves the site
@@ -21,11 +21,11 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 record Ends(
         SoundSource source,
         Position sensor,
-        MirrorChains ofSource,
-        MirrorChains ofSensor,
-        MirrorChains pureOfSource,
-        MirrorChains pureOfSensor,
-        MirrorChains exactly,
+        ImageSources ofSource,
+        ImageSources ofSensor,
+        ImageSources pureOfSource,
+        ImageSources pureOfSensor,
+        ImageSources exactly,
         double known,
         PathCurvature curvature,
         boolean isOpen) {

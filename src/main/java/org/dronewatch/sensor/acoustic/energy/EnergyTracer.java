@@ -12,7 +12,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathBending;
 import org.dronewatch.sensor.acoustic.tone.HeardTone;

@@ -2,8 +2,8 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
@@ -48,16 +48,16 @@ final class ExactPaths {
     /**
      * Finds all paths from a source to a sensor.
      *
-     * @param ofSensor chains of walls that are seen from the sensor
-     * @param ofSource chains of walls that are seen from the source
-     * @param extra walls that a path may hit besides those of the chains
+     * @param ofSensor image sources of the sensor
+     * @param ofSource image sources of the source
+     * @param extra walls that a path may hit besides those of an image source
      * @param curvature of the paths of sound
      */
     void find(
             SoundSource source,
             Position sensor,
-            MirrorChains ofSensor,
-            MirrorChains ofSource,
+            ImageSources ofSensor,
+            ImageSources ofSource,
             int[] extra,
             PathCurvature curvature) {
         direct.clear();
@@ -89,7 +89,7 @@ final class ExactPaths {
     }
 
     /** The walls of all paths over several of them, from the source on. */
-    List<int[]> mirrorChains() {
+    List<int[]> wallSequences() {
         return specular.found();
     }
 

@@ -2,7 +2,7 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.random.RandomGenerator;
 import org.dronewatch.sensor.RayRecorder;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.world.World;

@@ -3,9 +3,9 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
-import org.dronewatch.sensor.acoustic.mirror.MirrorPath;
-import org.dronewatch.sensor.acoustic.mirror.MirrorRun;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.SpecularLeg;
+import org.dronewatch.sensor.acoustic.imagesource.SpecularPath;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
@@ -45,7 +45,7 @@ final class ReceiverSphere {
     private final RayTracer tracer;
     private final Visibility visibility;
     private final WallPlanes planes;
-    private final MirrorPath path;
+    private final SpecularPath path;
     private final AcousticRay look = new AcousticRay();
     private final double[] free = new double[LOOKS];
     private final double[] brought = new double[BANDS];
@@ -69,7 +69,7 @@ final class ReceiverSphere {
         this.tracer = world.newIncoherentRayTracer();
         this.visibility = Visibility.ofClearPoints(world);
         this.planes = planes;
-        this.path = new MirrorPath(world, planes, surfaces);
+        this.path = new SpecularPath(world, planes, surfaces);
     }
 
     /**
@@ -109,16 +109,16 @@ final class ReceiverSphere {
     /**
      * Whether a ray crosses the sphere, over walls that lead to its centre.
      *
-     * @param run the ray's specular reflections since it began or was last scattered
+     * @param leg the ray's specular reflections since it began or was last scattered
      * @param end how far the ray goes on from its origin, m
      */
-    boolean isCrossed(AcousticRay ray, MirrorRun run, double end, RandomGenerator random) {
+    boolean isCrossed(AcousticRay ray, SpecularLeg leg, double end, RandomGenerator random) {
         double x = centre.x() - ray.originX;
         double y = centre.y() - ray.originY;
         double z = centre.z() - ray.originZ;
         double middle = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
         double besideSquared = Math.max(0.0, x * x + y * y + z * z - middle * middle);
-        length = run.length() + Math.max(0.0, middle);
+        length = leg.length() + Math.max(0.0, middle);
         double reach = reach(length);
         if (besideSquared >= reach * reach) {
             return false;
@@ -135,14 +135,14 @@ final class ReceiverSphere {
         if (!isSeen(ray, at)) {
             return false;
         }
-        if (reach <= Math.max(radius, NEAR) || run.isThroughWalls()) {
+        if (reach <= Math.max(radius, NEAR) || leg.isThroughWalls()) {
             return true;
         }
         // A ray that passes far from the centre need not reach it, and the path to the centre has another length.
-        if (!run.leadsTo(centre, path, planes)) {
+        if (!leg.leadsTo(centre, path, planes)) {
             return false;
         }
-        double nearer = (run.length() + at) / path.length();
+        double nearer = (leg.length() + at) / path.length();
         fraction *= nearer * nearer;
         rise = path.riseFromEnd();
         return true;

@@ -4,9 +4,9 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
-import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
-import org.dronewatch.sensor.acoustic.mirror.MirrorRun;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
+import org.dronewatch.sensor.acoustic.imagesource.SpecularLeg;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
@@ -32,7 +32,7 @@ final class ScatteredSound {
     private final ReceiverSphere ofSensor;
     private final Air air;
     private final AcousticRay ray = new AcousticRay();
-    private final MirrorRun run = new MirrorRun();
+    private final SpecularLeg leg = new SpecularLeg();
     private final double[] energy = new double[BANDS];
     private final double[] normal = new double[3];
     private final Point[] points = new Point[MOST];
@@ -67,7 +67,7 @@ final class ScatteredSound {
         /** What it scatters, by band, W, as if all the power of a one-watt source had arrived here. */
         final double[] energy = new double[BANDS];
 
-        /** Images of this point in the chains of the source. */
+        /** The images of this point in the walls of the image sources of the source. */
         double[] images = new double[3];
 
         /** Number of the surface's material. */
@@ -120,13 +120,13 @@ final class ScatteredSound {
             energy[band] = source.factor(band, ray.directionZ);
         }
         count = 0;
-        run.begin(ray);
+        leg.begin(ray);
         int scatterings = 0;
         double leaving = 0.0;
         double before = 0.0;
         for (int order = 1; order <= Math.min(MOST, maxOrder + 1); order++) {
             boolean hit = ray.meets(tracer);
-            if (ends.isOpen() && scatterings > 0 && run.order() > 0 && !run.isChainTo(ends.ofSensor())) {
+            if (ends.isOpen() && scatterings > 0 && leg.order() > 0 && !leg.matchesFromEnd(ends.ofSensor())) {
                 countPassing(hit ? tracer.distance() : Double.POSITIVE_INFINITY, before, random);
             }
             if (!hit || order > maxOrder) {
@@ -139,20 +139,20 @@ final class ScatteredSound {
             ray.advance(flown);
             ray.standOff(normal, 1.0);
             ray.travelled += flown;
-            run.fly(flown);
+            leg.fly(flown);
             double arriving = -along();
             for (int band = 0; band < BANDS; band++) {
                 energy[band] *= air.left(band, flown) * surfaces.reflected(material, band, arriving);
             }
-            boolean isOverChain = run.order() == 0 || run.isChainFrom(ends.ofSource());
+            boolean isOfImage = leg.order() == 0 || leg.matchesFromStart(ends.ofSource());
             double inverseDensity = before;
-            if (isOverChain) {
+            if (isOfImage) {
                 inverseDensity += scatterings == 0
-                        ? Connections.fromPoint(arriving, run.length())
-                        : Connections.betweenSurfaces(leaving, arriving, run.length());
+                        ? Connections.fromPoint(arriving, leg.length())
+                        : Connections.betweenSurfaces(leaving, arriving, leg.length());
             } else if (scatterings == 0 && ends.isOpen()) {
                 // Rays from the sensor may pass the source.
-                inverseDensity = ofSource.inverseDensity(run.length());
+                inverseDensity = ofSource.inverseDensity(leg.length());
             } else if (scatterings == 0) {
                 // Indoors, enough of them do.
                 return order;
@@ -178,10 +178,10 @@ final class ScatteredSound {
                     energy[band] *= surfaces.scatteredTo(material, band, leaving);
                 }
                 before = inverseDensity;
-                run.begin(ray);
+                leg.begin(ray);
             } else if (surfaces.mirrors(material)) {
                 ray.reflect(normal);
-                run.reflect(planes.wallOf(triangle));
+                leg.reflect(planes.wallOf(triangle));
             } else {
                 return order;
             }
@@ -191,7 +191,7 @@ final class ScatteredSound {
 
     /** Counts the ray in the sphere around the sensor. */
     private void countPassing(double end, double inverseDensity, RandomGenerator random) {
-        if (!ofSensor.isCrossed(ray, run, end, random)) {
+        if (!ofSensor.isCrossed(ray, leg, end, random)) {
             return;
         }
         for (int band = 0; band < BANDS; band++) {
@@ -205,7 +205,7 @@ final class ScatteredSound {
         return ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2];
     }
 
-    private void add(int material, int order, int scatterings, double inverseDensity, MirrorChains chains) {
+    private void add(int material, int order, int scatterings, double inverseDensity, ImageSources imageSources) {
         Point point = points[count++];
         System.arraycopy(normal, 0, point.normal, 0, normal.length);
         point.x = ray.originX;
@@ -219,9 +219,9 @@ final class ScatteredSound {
         for (int band = 0; band < BANDS; band++) {
             point.energy[band] = energy[band] * surfaces.scattered(material, band);
         }
-        if (point.images.length < 3 * chains.count()) {
-            point.images = new double[3 * chains.count()];
+        if (point.images.length < 3 * imageSources.count()) {
+            point.images = new double[3 * imageSources.count()];
         }
-        chains.images(point.x, point.y, point.z, planes, point.images);
+        imageSources.positions(point.x, point.y, point.z, planes, point.images);
     }
 }

@@ -5,17 +5,17 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
-import org.dronewatch.sensor.acoustic.mirror.MirrorPath;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
+import org.dronewatch.sensor.acoustic.imagesource.SpecularPath;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Paths of specular reflections alone, exact: one off every wall, and several along the chains of walls that rays from
- * the sensor or from the source have found. One per thread.
+ * Paths of specular reflections alone, exact: one for every wall, and those of the image sources of higher order that rays
+ * from the sensor or from the source have found. One per thread.
  */
 final class SpecularPaths {
     private static final int BANDS = OctaveBands.COUNT;
@@ -29,30 +29,30 @@ final class SpecularPaths {
     private final WallPlanes planes;
     private final Air air;
     private final GroundReflection ground;
-    private final MirrorPath path;
-    private final MirrorChains singles;
+    private final SpecularPath path;
+    private final ImageSources singles;
     private final double[] imagesInSingles;
     private final double[] heard = new double[BANDS];
     private PathCurvature curvature = PathCurvature.NONE;
     private final List<int[]> found = new ArrayList<>();
-    private double[] imagesInChains = new double[0];
+    private double[] imagePositions = new double[0];
     private double[] images = new double[3 * 16];
 
     SpecularPaths(World world, WallPlanes planes, BandSurfaces surfaces, Air air, GroundReflection ground) {
         this.planes = planes;
         this.air = air;
         this.ground = ground;
-        this.path = new MirrorPath(world, planes, surfaces);
+        this.path = new SpecularPath(world, planes, surfaces);
         int[] parents = new int[planes.count() + 1];
         int[] walls = new int[planes.count() + 1];
-        for (int chain = 1; chain < walls.length; chain++) {
-            walls[chain] = chain - 1;
+        for (int image = 1; image < walls.length; image++) {
+            walls[image] = image - 1;
         }
-        this.singles = new MirrorChains(parents, walls);
+        this.singles = new ImageSources(parents, walls);
         this.imagesInSingles = new double[3 * walls.length];
     }
 
-    /** Tells how air bends the paths of the next look. */
+    /** Sets how air bends the paths of the next look. */
     void bend(PathCurvature ofAir) {
         curvature = ofAir;
     }
@@ -60,35 +60,35 @@ final class SpecularPaths {
     /**
      * Adds all paths from the source to the sensor.
      *
-     * @param ofSensor chains of walls that are seen from the sensor
-     * @param ofSource chains of walls that are seen from the source
+     * @param ofSensor image sources of the sensor
+     * @param ofSource image sources of the source
      */
-    void addTo(FoundPaths paths, SoundSource source, Position sensor, MirrorChains ofSensor, MirrorChains ofSource) {
+    void addTo(FoundPaths paths, SoundSource source, Position sensor, ImageSources ofSensor, ImageSources ofSource) {
         found.clear();
         Position drone = source.position();
         path.bend(curvature, true);
-        singles.images(sensor.x(), sensor.y(), sensor.z(), planes, imagesInSingles);
-        for (int chain = 1; chain < singles.count(); chain++) {
-            if (path.follow(singles, imagesInSingles, chain, drone.x(), drone.y(), drone.z())) {
+        singles.positions(sensor.x(), sensor.y(), sensor.z(), planes, imagesInSingles);
+        for (int image = 1; image < singles.count(); image++) {
+            if (path.follow(singles, imagesInSingles, image, drone.x(), drone.y(), drone.z())) {
                 FoundPaths itsPlace = ground.among(paths, path.metFirst(0), path.metFirst(1), path.metFirst(2));
                 add(itsPlace, source, path.riseFromBeginning());
             }
         }
         imagesOf(sensor, ofSensor);
-        for (int chain = 1; chain < ofSensor.count(); chain++) {
-            if (ofSensor.order(chain) > 1
-                    && path.follow(ofSensor, imagesInChains, chain, drone.x(), drone.y(), drone.z())
-                    && keepIfNew(reversed(ofSensor.walls(chain)), 1.0)) {
+        for (int image = 1; image < ofSensor.count(); image++) {
+            if (ofSensor.order(image) > 1
+                    && path.follow(ofSensor, imagePositions, image, drone.x(), drone.y(), drone.z())
+                    && keepIfNew(reversed(ofSensor.walls(image)), 1.0)) {
                 add(paths, source, path.riseFromBeginning());
             }
         }
         path.bend(curvature, false);
         imagesOf(drone, ofSource);
-        for (int chain = 1; chain < ofSource.count(); chain++) {
-            if (ofSource.order(chain) > 1
-                    && !ofSensor.contains(ofSource.order(chain), ofSource.keyOfReverse(chain))
-                    && path.follow(ofSource, imagesInChains, chain, sensor.x(), sensor.y(), sensor.z())
-                    && keepIfNew(ofSource.walls(chain), -1.0)) {
+        for (int image = 1; image < ofSource.count(); image++) {
+            if (ofSource.order(image) > 1
+                    && !ofSensor.contains(ofSource.order(image), ofSource.keyOfReverse(image))
+                    && path.follow(ofSource, imagePositions, image, sensor.x(), sensor.y(), sensor.z())
+                    && keepIfNew(ofSource.walls(image), -1.0)) {
                 add(paths, source, path.riseFromEnd());
             }
         }
@@ -120,9 +120,9 @@ final class SpecularPaths {
             return;
         }
         Position drone = source.position();
-        MirrorChains chains = MirrorChains.of(walls);
-        imagesOf(drone, chains);
-        if (path.follow(chains, imagesInChains, walls.length, sensor.x(), sensor.y(), sensor.z())
+        ImageSources imageSources = ImageSources.of(walls);
+        imagesOf(drone, imageSources);
+        if (path.follow(imageSources, imagePositions, walls.length, sensor.x(), sensor.y(), sensor.z())
                 && keepIfNew(walls, -1.0)) {
             add(paths, source, path.riseFromEnd());
         }
@@ -157,11 +157,11 @@ final class SpecularPaths {
                 .toArray();
     }
 
-    private void imagesOf(Position point, MirrorChains chains) {
-        if (imagesInChains.length < 3 * chains.count()) {
-            imagesInChains = new double[3 * chains.count()];
+    private void imagesOf(Position point, ImageSources imageSources) {
+        if (imagePositions.length < 3 * imageSources.count()) {
+            imagePositions = new double[3 * imageSources.count()];
         }
-        chains.images(point.x(), point.y(), point.z(), planes, imagesInChains);
+        imageSources.positions(point.x(), point.y(), point.z(), planes, imagePositions);
     }
 
     /**

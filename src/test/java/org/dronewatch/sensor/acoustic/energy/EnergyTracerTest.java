@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.RayRecorder;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.SurfaceMaterial;

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.mirror;
+package org.dronewatch.sensor.acoustic.imagesource;
 
 import java.util.Arrays;
 import org.dronewatch.geometry.Position;
@@ -6,9 +6,9 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
  * The leg of a ray since it left the sensor or the source or was scattered last: its specular reflections one after
- * another, and whether sets of chains contain them. One per thread.
+ * another, and whether they are those of an image source. One per thread.
  */
-public final class MirrorRun {
+public final class SpecularLeg {
     private int[] walls = new int[16];
     private long key;
     private long reverse;
@@ -40,9 +40,9 @@ public final class MirrorRun {
 
     /** Records a reflection. */
     public void reflect(int wall) {
-        key = MirrorChains.appended(key, wall);
-        reverse = MirrorChains.prepended(reverse, wall, weight);
-        weight = MirrorChains.weightOfNext(weight);
+        key = ImageSources.appended(key, wall);
+        reverse = ImageSources.prepended(reverse, wall, weight);
+        weight = ImageSources.weightOfNext(weight);
         if (order == walls.length) {
             walls = Arrays.copyOf(walls, 2 * order);
         }
@@ -66,20 +66,20 @@ public final class MirrorRun {
     }
 
     /** Whether a path over the same walls leads to a point, and not only past it. Not known for rays through walls. */
-    public boolean leadsTo(Position point, MirrorPath path, WallPlanes planes) {
-        MirrorChains backward = backward();
+    public boolean leadsTo(Position point, SpecularPath path, WallPlanes planes) {
+        ImageSources backward = backward();
         double[] images = new double[3 * backward.count()];
-        backward.images(point.x(), point.y(), point.z(), planes, images);
+        backward.positions(point.x(), point.y(), point.z(), planes, images);
         return path.follow(backward, images, order, fromX, fromY, fromZ);
     }
 
     /** The walls in the order in which sound from the point where the ray ends would hit them. */
-    private MirrorChains backward() {
+    private ImageSources backward() {
         int[] sequence = new int[order];
         for (int i = 0; i < order; i++) {
             sequence[i] = walls[order - 1 - i];
         }
-        return MirrorChains.of(sequence);
+        return ImageSources.of(sequence);
     }
 
     /** Whether the ray has passed through a wall. */
@@ -92,13 +92,13 @@ public final class MirrorRun {
         return order == 0 && !isThroughWalls;
     }
 
-    /** Whether it is one of the chains of the point where the ray began. */
-    public boolean isChainFrom(MirrorChains chains) {
-        return !isThroughWalls && order > 0 && chains.contains(order, key);
+    /** Whether it is reflected like sound of one of the image sources of the point where the ray began. */
+    public boolean matchesFromStart(ImageSources imageSources) {
+        return !isThroughWalls && order > 0 && imageSources.contains(order, key);
     }
 
-    /** Whether it is, backward, one of the chains of a point where the ray ends. */
-    public boolean isChainTo(MirrorChains chains) {
-        return !isThroughWalls && order > 0 && chains.contains(order, reverse);
+    /** Whether it is, backward, reflected like sound of one of the image sources of a point where the ray ends. */
+    public boolean matchesFromEnd(ImageSources imageSources) {
+        return !isThroughWalls && order > 0 && imageSources.contains(order, reverse);
     }
 }

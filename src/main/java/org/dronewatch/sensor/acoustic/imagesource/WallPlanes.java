@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.mirror;
+package org.dronewatch.sensor.acoustic.imagesource;
 
 import java.util.ArrayList;
 import java.util.Arrays;

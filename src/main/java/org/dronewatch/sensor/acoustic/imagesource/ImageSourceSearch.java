@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.mirror;
+package org.dronewatch.sensor.acoustic.imagesource;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,15 +13,15 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Finds the chains of walls that matter to a point: those over which evenly spread rays from it are reflected (M.
- * Vorlaender, JASA 86, 172, 1989, for finding image sources by rays). A chain that subtends a smaller solid angle than one
- * ray may be missed. The same point has the same chains. One per thread.
+ * Finds the image sources of a point that matter: those by whose walls evenly spread rays from it are reflected (M.
+ * Vorlaender, JASA 86, 172, 1989). An image source whose walls subtend a smaller solid angle than one ray may be missed. The
+ * same point has the same image sources. One per thread.
  */
-public final class ChainSearch {
+public final class ImageSourceSearch {
     /** A ray that has less than this fraction of its energy left after reflections is abandoned. */
     private static final double FAINT = 1e-3;
 
-    /** How many times the search is refined around rays that alone have found a chain. */
+    /** How many times the search is refined around rays that alone have found an image source. */
     private static final int DEEPEST = 3;
 
     /** How many rays are sent around one of them. */
@@ -30,10 +30,10 @@ public final class ChainSearch {
     /** Factor by which their spacing shrinks each time: this many rays share a disc. */
     private static final double FINER = 1.0 / Math.sqrt(AROUND);
 
-    /** Chains that keep less of a ray's energy than this are not refined. */
+    /** Image sources that keep less of a ray's energy than this are not refined. */
     private static final double WORTH_A_LOOK = 0.03;
 
-    /** A chain found by this few rays has neighbours that were missed. */
+    /** An image source found by this few rays has neighbours that were missed. */
     private static final double FEW = 2.0;
 
     private final TriangleMesh mesh;
@@ -43,7 +43,7 @@ public final class ChainSearch {
     private final AcousticRay ray = new AcousticRay();
     private final double[] normal = new double[3];
 
-    public ChainSearch(World world, WallPlanes planes, BandSurfaces surfaces) {
+    public ImageSourceSearch(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.mesh = world.mesh();
         this.tracer = world.newIncoherentRayTracer();
         this.planes = planes;
@@ -56,15 +56,15 @@ public final class ChainSearch {
     }
 
     /**
-     * The chains of a point. Where a ray has found a chain of several walls that few others have found, more rays are sent
+     * The image sources of a point. Where a ray has found one of higher order that few others have found, more rays are sent
      * around it.
      *
      * @param from the point, m
      * @param rays how many rays are spread over all directions
-     * @param maxOrder maximum number of walls of a chain
+     * @param maxOrder maximum number of walls of an image source
      */
-    public ChainTree from(Position from, int rays, int maxOrder) {
-        ChainTree tree = new ChainTree();
+    public ImageSourceCandidates from(Position from, int rays, int maxOrder) {
+        ImageSourceCandidates tree = new ImageSourceCandidates();
         List<double[]> lonely = new ArrayList<>();
         for (int i = 0; i < rays; i++) {
             Directions.ofLattice(i, rays, ray);
@@ -106,13 +106,13 @@ public final class ChainSearch {
         ray.directionZ = z / whole;
     }
 
-    /** Follows the ray in its direction; keeps that if the ray has found a chain that few others have. */
-    private void follow(ChainTree tree, Position from, int maxOrder, List<double[]> lonely) {
+    /** Follows the ray in its direction; keeps that if the ray has found an image source that few others have. */
+    private void follow(ImageSourceCandidates tree, Position from, int maxOrder, List<double[]> lonely) {
         double[] direction = {ray.directionX, ray.directionY, ray.directionZ};
         ray.originX = from.x();
         ray.originY = from.y();
         ray.originZ = from.z();
-        int chain = MirrorChains.EMPTY;
+        int image = ImageSources.ORIGINAL;
         double left = 1.0;
         boolean isLonely = false;
         for (int order = 0; order < maxOrder; order++) {
@@ -128,8 +128,8 @@ public final class ChainSearch {
             ray.advance(tracer.distance());
             ray.standOff(normal, 1.0);
             ray.reflect(normal);
-            chain = tree.add(chain, planes.wallOf(triangle), left);
-            isLonely |= order > 0 && left > WORTH_A_LOOK && tree.worth(chain) <= FEW * left;
+            image = tree.add(image, planes.wallOf(triangle), left);
+            isLonely |= order > 0 && left > WORTH_A_LOOK && tree.worth(image) <= FEW * left;
         }
         if (isLonely) {
             lonely.add(direction);

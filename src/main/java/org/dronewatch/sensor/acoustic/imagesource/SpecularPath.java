@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.mirror;
+package org.dronewatch.sensor.acoustic.imagesource;
 
 import java.util.Arrays;
 import org.dronewatch.geometry.TriangleMesh;
@@ -10,10 +10,10 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The path from one point over a chain of walls to another, by its images: it must hit every wall at the right point,
+ * The path from one point by specular reflections to another, by its images: it must hit every wall at the right point,
  * unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). One per thread.
  */
-public final class MirrorPath {
+public final class SpecularPath {
     private static final int BANDS = OctaveBands.COUNT;
 
     /** The largest part of a leg, at either end, along which an arc need not be free. */
@@ -36,7 +36,7 @@ public final class MirrorPath {
     private final double[] first = new double[3];
     private final double[] last = new double[3];
 
-    public MirrorPath(World world, WallPlanes planes, BandSurfaces surfaces) {
+    public SpecularPath(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.mesh = world.mesh();
         this.planes = planes;
         this.surfaces = surfaces;
@@ -56,22 +56,23 @@ public final class MirrorPath {
     }
 
     /**
-     * Follows the path from a point to the one whose images are given, via the chain's last wall first.
+     * Follows the path from a point to the one whose images are given, via the last wall of the image first.
      *
-     * @param images of the other point in each chain: {@link MirrorChains#images}
+     * @param images positions of the image sources of the other point: {@link ImageSources#positions}
      * @return whether there is a path; this object then holds its figures
      */
-    public boolean follow(MirrorChains chains, double[] images, int chain, double fromX, double fromY, double fromZ) {
+    public boolean follow(
+            ImageSources imageSources, double[] images, int image, double fromX, double fromY, double fromZ) {
         double x = fromX;
         double y = fromY;
         double z = fromZ;
         int wall = WallPlanes.NONE;
-        int corner = chain;
+        int corner = image;
         set(before, fromX, fromY, fromZ);
         Arrays.fill(reflected, 1.0);
         boolean isInEdge = false;
-        for (int rest = chain; rest != MirrorChains.EMPTY; rest = chains.parent(rest)) {
-            int next = chains.wall(rest);
+        for (int rest = image; rest != ImageSources.ORIGINAL; rest = imageSources.parent(rest)) {
+            int next = imageSources.wall(rest);
             double here = planes.height(next, x, y, z);
             double dx = images[3 * rest] - x;
             double dy = images[3 * rest + 1] - y;
@@ -83,7 +84,7 @@ public final class MirrorPath {
             corner = isThere ? corner : rest;
             // It must come from the side on which it goes on: also in an edge, which other walls may close.
             double seen = isThere ? planes.height(next, before[0], before[1], before[2]) : here;
-            if (isMetTwice(chains, corner, rest)
+            if (isMetTwice(imageSources, corner, rest)
                     || !(seen * there < 0.0)
                     || !planes.mayContain(next, x + fraction * dx, y + fraction * dy, z + fraction * dz)) {
                 return false;
@@ -101,7 +102,7 @@ public final class MirrorPath {
                 return false;
             }
             double whole = Math.sqrt(dx * dx + dy * dy + dz * dz);
-            if (rest == chain) {
+            if (rest == image) {
                 length = whole;
                 set(first, dx / whole, dy / whole, dz / whole);
             }
@@ -119,7 +120,7 @@ public final class MirrorPath {
             x += fraction * dx;
             y += fraction * dy;
             z += fraction * dz;
-            if (rest == chain) {
+            if (rest == image) {
                 set(metFirst, x, y, z);
             }
             wall = next;
@@ -130,11 +131,11 @@ public final class MirrorPath {
     /**
      * Whether a path would hit a wall twice in one corner.
      *
-     * @param corner the chain whose last wall is met first in the corner
+     * @param corner the image whose last wall is met first in the corner
      */
-    private static boolean isMetTwice(MirrorChains chains, int corner, int chain) {
-        for (int met = corner; met != chain; met = chains.parent(met)) {
-            if (chains.wall(met) == chains.wall(chain)) {
+    private static boolean isMetTwice(ImageSources imageSources, int corner, int image) {
+        for (int met = corner; met != image; met = imageSources.parent(met)) {
+            if (imageSources.wall(met) == imageSources.wall(image)) {
                 return true;
             }
         }

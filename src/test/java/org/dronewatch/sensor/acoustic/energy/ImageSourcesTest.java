@@ -5,60 +5,60 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.sensor.acoustic.mirror.ChainTree;
-import org.dronewatch.sensor.acoustic.mirror.MirrorChains;
-import org.dronewatch.sensor.acoustic.mirror.MirrorRun;
-import org.dronewatch.sensor.acoustic.mirror.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSourceCandidates;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
+import org.dronewatch.sensor.acoustic.imagesource.SpecularLeg;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 
-class MirrorChainsTest {
+class ImageSourcesTest {
     /** (), (4), (4 7), (4 7 4), (9). */
-    private static final MirrorChains CHAINS = new MirrorChains(new int[] {0, 0, 1, 2, 0}, new int[] {0, 4, 7, 4, 9});
+    private static final ImageSources IMAGES = new ImageSources(new int[] {0, 0, 1, 2, 0}, new int[] {0, 4, 7, 4, 9});
 
-    private static MirrorRun run(int... walls) {
-        MirrorRun run = new MirrorRun();
-        run.begin(new AcousticRay());
+    private static SpecularLeg leg(int... walls) {
+        SpecularLeg leg = new SpecularLeg();
+        leg.begin(new AcousticRay());
         for (int wall : walls) {
-            run.reflect(wall);
+            leg.reflect(wall);
         }
-        return run;
+        return leg;
     }
 
     @Test
-    void aRunIsKnownFromBothEnds() {
-        assertThat(CHAINS.walls(3)).containsExactly(4, 7, 4);
-        assertThat(run(4, 7).isChainFrom(CHAINS)).isTrue();
-        assertThat(run(7, 4).isChainFrom(CHAINS)).isFalse();
-        assertThat(run(7, 4).isChainTo(CHAINS)).isTrue();
-        assertThat(run(9).isChainTo(CHAINS)).isTrue();
-        assertThat(run(9, 4).isChainFrom(CHAINS)).isFalse();
-        assertThat(CHAINS.contains(CHAINS.order(3), CHAINS.keyOfReverse(3))).isTrue();
-        assertThat(CHAINS.contains(CHAINS.order(2), CHAINS.keyOfReverse(2))).isFalse();
+    void aLegIsKnownFromBothEnds() {
+        assertThat(IMAGES.walls(3)).containsExactly(4, 7, 4);
+        assertThat(leg(4, 7).matchesFromStart(IMAGES)).isTrue();
+        assertThat(leg(7, 4).matchesFromStart(IMAGES)).isFalse();
+        assertThat(leg(7, 4).matchesFromEnd(IMAGES)).isTrue();
+        assertThat(leg(9).matchesFromEnd(IMAGES)).isTrue();
+        assertThat(leg(9, 4).matchesFromStart(IMAGES)).isFalse();
+        assertThat(IMAGES.contains(IMAGES.order(3), IMAGES.keyOfReverse(3))).isTrue();
+        assertThat(IMAGES.contains(IMAGES.order(2), IMAGES.keyOfReverse(2))).isFalse();
     }
 
     @Test
-    void withoutReflectionsOrThroughWallsARunIsNoChain() {
-        assertThat(run().isChainFrom(CHAINS)).isFalse();
-        MirrorRun through = run(4, 7);
+    void withoutReflectionsOrThroughWallsALegMatchesNoImage() {
+        assertThat(leg().matchesFromStart(IMAGES)).isFalse();
+        SpecularLeg through = leg(4, 7);
         through.passThrough();
-        assertThat(through.isChainFrom(CHAINS)).isFalse();
+        assertThat(through.matchesFromStart(IMAGES)).isFalse();
     }
 
     @Test
-    void whatAChainBeginsWithIsKept() {
-        MirrorChains kept = CHAINS.kept(new boolean[] {false, false, true, false, false});
+    void theParentsOfAnImageAreKept() {
+        ImageSources kept = IMAGES.kept(new boolean[] {false, false, true, false, false});
         assertThat(kept.count()).isEqualTo(3);
         assertThat(kept.walls(2)).containsExactly(4, 7);
-        assertThat(MirrorChains.of(4, 7).walls(2)).containsExactly(4, 7);
+        assertThat(ImageSources.of(4, 7).walls(2)).containsExactly(4, 7);
     }
 
     @Test
-    void theBestChainsAreKeptWithWhatTheyBeginWith() {
-        ChainTree tree = new ChainTree();
+    void theBestImagesAreKeptWithTheirParents() {
+        ImageSourceCandidates tree = new ImageSourceCandidates();
         tree.add(new int[] {1, 2}, 0.5);
         tree.add(new int[] {1, 3}, 0.2);
         tree.add(new int[] {5}, 0.1);
@@ -67,9 +67,9 @@ class MirrorChainsTest {
         assertThat(tree.worth(new int[] {8})).isZero();
         assertThat(tree.firstWalls(1)).containsExactly(1);
         assertThat(tree.firstWalls(9)).containsExactly(1, 5);
-        MirrorChains best = tree.best(4, 0.35);
+        ImageSources best = tree.best(4, 0.35);
         assertThat(best.count()).isEqualTo(4);
-        assertThat(best.contains(2, MirrorChains.appended(MirrorChains.appended(0, 1), 3)))
+        assertThat(best.contains(2, ImageSources.appended(ImageSources.appended(0, 1), 3)))
                 .isFalse();
     }
 

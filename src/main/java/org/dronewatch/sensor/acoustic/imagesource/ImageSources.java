@@ -1,0 +1,186 @@
+package org.dronewatch.sensor.acoustic.imagesource;
+
+import java.util.Arrays;
+
+/**
+ * The image sources of a point: the point mirrored in a sequence of walls, by which sound that leaves it is reflected
+ * specularly, one after another. They form a tree: an image is its parent mirrored in one more wall; image 0 is the point
+ * itself, and parents come before their children. Immutable.
+ */
+public final class ImageSources {
+    /** The point itself, mirrored in no wall. */
+    public static final int ORIGINAL = 0;
+
+    /** No image but the point itself. */
+    public static final ImageSources NONE = new ImageSources(new int[1], new int[1]);
+
+    private static final long STEP = 0x9E3779B97F4A7C15L;
+
+    private final int[] parents;
+    private final int[] walls;
+    private final int[] orders;
+
+    /** The keys of all images but the point itself, in a hash table with open addressing; 0 where a slot is free. */
+    private final long[] keys;
+
+    private final int highestOrder;
+
+    /**
+     * Image sources.
+     *
+     * @param parents of each image; of the first, the point itself, any
+     * @param walls the last wall of each image; of the first, any
+     */
+    public ImageSources(int[] parents, int[] walls) {
+        this.parents = parents.clone();
+        this.walls = walls.clone();
+        this.orders = new int[parents.length];
+        long[] found = new long[parents.length];
+        for (int image = 1; image < parents.length; image++) {
+            orders[image] = orders[parents[image]] + 1;
+            found[image] = appended(found[parents[image]], walls[image]);
+        }
+        // At most half full.
+        this.keys = new long[Integer.highestOneBit(Math.max(1, parents.length - 1)) << 2];
+        for (int image = 1; image < parents.length; image++) {
+            keys[slot(found[image])] = found[image];
+        }
+        this.highestOrder = Arrays.stream(orders).max().orElse(0);
+    }
+
+    /** The image in a sequence of walls, the first one first, and all its parents. */
+    public static ImageSources of(int... sequence) {
+        int[] itsParents = new int[sequence.length + 1];
+        int[] itsWalls = new int[sequence.length + 1];
+        for (int i = 1; i < itsWalls.length; i++) {
+            itsParents[i] = i - 1;
+            itsWalls[i] = sequence[i - 1];
+        }
+        return new ImageSources(itsParents, itsWalls);
+    }
+
+    /**
+     * Some of these images, and all their parents.
+     *
+     * @param isKept for each image whether it is
+     */
+    public ImageSources kept(boolean[] isKept) {
+        boolean[] needed = isKept.clone();
+        needed[ORIGINAL] = true;
+        int count = 1;
+        for (int image = parents.length - 1; image > 0; image--) {
+            if (needed[image]) {
+                needed[parents[image]] = true;
+                count++;
+            }
+        }
+        int[] numbers = new int[parents.length];
+        int[] itsParents = new int[count];
+        int[] itsWalls = new int[count];
+        int next = 1;
+        for (int image = 1; image < parents.length; image++) {
+            if (needed[image]) {
+                itsParents[next] = numbers[parents[image]];
+                itsWalls[next] = walls[image];
+                numbers[image] = next++;
+            }
+        }
+        return new ImageSources(itsParents, itsWalls);
+    }
+
+    /** The number of images, the point itself included. */
+    public int count() {
+        return parents.length;
+    }
+
+    /** The image that is mirrored in an image's last wall. */
+    public int parent(int image) {
+        return parents[image];
+    }
+
+    /** The last wall of an image. */
+    public int wall(int image) {
+        return walls[image];
+    }
+
+    /** The number of walls in which an image is mirrored. */
+    public int order(int image) {
+        return orders[image];
+    }
+
+    /** An image's walls, the first one first. */
+    public int[] walls(int image) {
+        int[] sequence = new int[orders[image]];
+        for (int rest = image; rest != ORIGINAL; rest = parents[rest]) {
+            sequence[orders[rest] - 1] = walls[rest];
+        }
+        return sequence;
+    }
+
+    /** The key of an image's walls in reverse order. */
+    public long keyOfReverse(int image) {
+        long key = 0L;
+        for (int rest = image; rest != ORIGINAL; rest = parents[rest]) {
+            key = appended(key, walls[rest]);
+        }
+        return key;
+    }
+
+    /**
+     * Whether a sequence of walls is that of one of these images.
+     *
+     * @param order how many walls, 1 or more
+     * @param key of the sequence
+     */
+    public boolean contains(int order, long key) {
+        // Rays have mostly hit more walls than any image has: they need no search.
+        return order <= highestOrder && keys[slot(key)] == key;
+    }
+
+    /** Where a key is, or the free slot where it would be. Keys are random numbers: their last bits will do. */
+    private int slot(long key) {
+        int mask = keys.length - 1;
+        int slot = (int) key & mask;
+        while (keys[slot] != key && keys[slot] != 0L) {
+            slot = slot + 1 & mask;
+        }
+        return slot;
+    }
+
+    /** The key of a sequence with one more wall at its end; that of the empty one is 0. */
+    public static long appended(long key, int wall) {
+        return key * STEP + mixed(wall);
+    }
+
+    /**
+     * The key of a sequence with one more wall before its first: so a sequence is known by the key of its reverse.
+     *
+     * @param weight of a sequence of this length: 1 for the empty one, {@link #weightOfNext} for each wall
+     */
+    public static long prepended(long key, int wall, long weight) {
+        return key + mixed(wall) * weight;
+    }
+
+    /** See {@link #prepended}. */
+    public static long weightOfNext(long weight) {
+        return weight * STEP;
+    }
+
+    /** The finalizer of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): different walls have unrelated numbers. */
+    private static long mixed(int wall) {
+        long z = (wall + 1L) * STEP;
+        z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
+        z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
+        return z ^ (z >>> 31);
+    }
+
+    /** Where the images of a point are, three coordinates each: the point mirrored in the first wall, then in the next. */
+    public void positions(double x, double y, double z, WallPlanes planes, double[] images) {
+        images[0] = x;
+        images[1] = y;
+        images[2] = z;
+        for (int image = 1; image < parents.length; image++) {
+            planes.mirror(walls[image], images, 3 * parents[image], images, 3 * image);
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** The walls that reflect sound specularly, the image sources of a point in them, and the paths from image sources. */
+package org.dronewatch.sensor.acoustic.imagesource;
