@@ -135,8 +135,8 @@ public record CalibratedEntry(
     private static Node.Mapping withoutPlace(Node.Mapping sensor) {
         Node.Mapping plain = sensor.without(List.of("position", "aim", POSITIONER));
         return sensor.mapping(POSITIONER)
-                .map(mount -> plain.overlaidWith(
-                        Node.Mapping.ofNodes(POSITIONER, Map.of(POSITIONER, mount.without(List.of("cues"))))))
+                .map(positioner -> plain.overlaidWith(
+                        Node.Mapping.ofNodes(POSITIONER, Map.of(POSITIONER, positioner.without(List.of("cues"))))))
                 .orElse(plain);
     }
 

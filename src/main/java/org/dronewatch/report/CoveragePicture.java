@@ -28,7 +28,7 @@ public final class CoveragePicture {
     private static final int SIDE = 380;
     private static final int MARGIN = 24;
     private static final int LINE = 26;
-    /** Stripes mark what is not known: they can be told from every colour, and in print. */
+    /** Stripes mark what is not known: they differ from every colour, also in print. */
     private static final int STRIPE = 5;
 
     private static final Color UNKNOWN = new Color(0x6b6b6b);

@@ -73,8 +73,8 @@ public record SceneSettings(
         }
         double duration = run.duration();
         sensors.forEach((id, sensor) -> checkLooks(id, sensor.rate(), duration));
-        sensors.forEach((id, sensor) ->
-                Mounted.positioner(sensor).ifPresent(mount -> mount.cues().forEach(cue -> checkCue(id, cue, all))));
+        sensors.forEach((id, sensor) -> Mounted.positioner(sensor)
+                .ifPresent(positioner -> positioner.cues().forEach(cue -> checkCue(id, cue, all))));
     }
 
     private static void checkSite(WorldSettings world) {

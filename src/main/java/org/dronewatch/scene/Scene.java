@@ -273,7 +273,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * Tells the scene, before it is described, how it will be changed: positions of places depend on the site.
+     * Hands over, before the scene is described, what will change it: positions of places depend on the site.
      *
      * @param overrides values by path
      * @param names directory of relative file names

@@ -9,9 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/**
- * Tells a user who tried to set a part that a setting does not have how to set it as a whole: in words, after a colon.
- */
+/** Advice, after a colon, for a user who tried to set a part of a setting that is not set: how to set it as a whole. */
 final class WholeSetting {
     /** An example of any number, in the unit of its quantity. */
     private static final String ANY_NUMBER = "10";

@@ -19,7 +19,7 @@ import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.sensor.optics.PictureSettings;
 import org.dronewatch.world.World;
 
-/** The view through one camera of a run at any time. For one thread at a time, except {@link #tell}. */
+/** The view through one camera of a run at any time. For one thread at a time, except {@link #describe}. */
 final class CameraEye {
     private final String id;
     private final SensorSettings<?> sensor;
@@ -103,7 +103,7 @@ final class CameraEye {
     }
 
     /** A description of what a pixel shows, and its distance. */
-    String tell(CameraShot shot, int column, int row) {
+    String describe(CameraShot shot, int column, int row) {
         for (DronePixels drone : shot.drones()) {
             if (drone.isHit(column, row)) {
                 return String.format(Locale.ROOT, "%s, %.2f m", drone.drone(), drone.distance(column, row));

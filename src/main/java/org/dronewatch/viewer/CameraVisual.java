@@ -96,7 +96,7 @@ public final class CameraVisual extends JPanel {
         addMouseMotionListener(new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
-                tell(e.getX(), e.getY());
+                describe(e.getX(), e.getY());
             }
         });
     }
@@ -137,13 +137,13 @@ public final class CameraVisual extends JPanel {
         return new Rectangle((getWidth() - width) / 2, (getHeight() - height) / 2, width, height);
     }
 
-    private void tell(int x, int y) {
+    private void describe(int x, int y) {
         Rectangle frame = frame();
         if (shot != null && frame.contains(x, y)) {
             int column = (int) ((x - frame.x + 0.5) * eye.settings().width() / frame.width);
             int row = (int) ((y - frame.y + 0.5) * eye.settings().height() / frame.height);
             hint.accept(String.format(
-                    Locale.ROOT, "%s, pixel (%d, %d): %s", eye.id(), column, row, eye.tell(shot, column, row)));
+                    Locale.ROOT, "%s, pixel (%d, %d): %s", eye.id(), column, row, eye.describe(shot, column, row)));
         }
     }
 

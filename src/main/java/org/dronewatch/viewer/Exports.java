@@ -102,7 +102,7 @@ final class Exports {
             }
             saveRun(viewed.get(), chooser.getSelectedFile().toPath(), rate);
         } catch (NumberFormatException e) {
-            pane.notice().tell("'" + asked + "' images per second: must be a number above 0, at most 1000");
+            pane.notice().show("'" + asked + "' images per second: must be a number above 0, at most 1000");
         }
     }
 

@@ -55,7 +55,7 @@ final class FilmExport implements AutoCloseable {
         pane.viewed().ifPresent(viewed -> {
             Optional<String> id = camera(viewed);
             if (id.isEmpty()) {
-                pane.notice().tell("The scene has no camera.");
+                pane.notice().show("The scene has no camera.");
                 return;
             }
             ask(viewed, id.get()).ifPresent(film -> save(camera(viewed, id.get(), film), id.get()));
@@ -101,7 +101,7 @@ final class FilmExport implements AutoCloseable {
         try {
             return Optional.of(film(viewed, from.getText(), to.getText(), fps.getText(), speed.getText()));
         } catch (IllegalArgumentException e) {
-            pane.notice().tell("video: " + e.getMessage());
+            pane.notice().show("video: " + e.getMessage());
             return Optional.empty();
         }
     }
@@ -146,7 +146,7 @@ final class FilmExport implements AutoCloseable {
     /** Writes a film on a thread, one at a time, with a bar that cancels it. */
     void start(FilmMaker maker, String file) {
         if (isBusy()) {
-            pane.notice().tell("Another video is still being written: wait until it finishes, or cancel it.");
+            pane.notice().show("Another video is still being written: wait until it finishes, or cancel it.");
             return;
         }
         ProgressMonitor monitor = new ProgressMonitor(

@@ -33,7 +33,7 @@ final class Notice extends JPanel {
     }
 
     /** Shows a message. */
-    void tell(String problem) {
+    void show(String problem) {
         text.setText(problem);
         setVisible(true);
         revalidate();

@@ -68,7 +68,7 @@ final class RayPanel extends JPanel {
         fewest.addChangeListener(e -> filter());
         most.addChangeListener(e -> filter());
         heardOnly.addActionListener(e -> filter());
-        playback.listen(this::tell);
+        playback.listen(this::describe);
         getAccessibleContext().setAccessibleName("rays");
     }
 
@@ -136,12 +136,12 @@ final class RayPanel extends JPanel {
     private void filter() {
         RayFilter filter = filter((int) fewest.getValue(), (int) most.getValue());
         drawn = rays == null ? 0 : filter.count(rays);
-        tell();
+        describe();
         filtered.accept(filter);
     }
 
-    /** How many are drawn, of which time, and whether that is still the time shown. */
-    private void tell() {
+    /** States how many are drawn, of which time, and whether that is still the time shown. */
+    private void describe() {
         if (rays == null) {
             return;
         }

@@ -56,7 +56,7 @@ final class SceneSaving {
             target.write(stream -> stream.write(bytes));
             pane.note("scene written to " + file);
         } catch (RuntimeException e) {
-            pane.tell(e);
+            pane.report(e);
         }
     }
 }

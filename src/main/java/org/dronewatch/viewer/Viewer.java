@@ -106,7 +106,7 @@ public final class Viewer implements AutoCloseable {
         ViewerLayout layout = new ViewerLayout(layoutFile);
         RecentScenes recent = new RecentScenes(layoutFile.resolveSibling("recent-scenes.txt"));
         viewer.opening = reader.map(
-                read -> new SceneOpening(recent, read, viewer::choose, problem -> viewer.pane.tell(problem)));
+                read -> new SceneOpening(recent, read, viewer::choose, problem -> viewer.pane.report(problem)));
         viewer.opening.ifPresent(any -> subject.file().ifPresent(recent::add));
         String title = subject.scene().name();
         // One thing after the other, so that the event thread is never busy for long.
@@ -239,7 +239,7 @@ public final class Viewer implements AutoCloseable {
     /** Shows an error in the window. */
     public void failed(Throwable problem) {
         recording.finish(false);
-        pane.tell(problem);
+        pane.report(problem);
     }
 
     /** Whether the user has closed the window: a run is then no longer needed. */

@@ -64,11 +64,11 @@ final class ViewerPane extends JPanel {
         super(new BorderLayout());
         this.title = title;
         this.recording = recording;
-        this.staging = new Latest("dronewatch-stage", threads, this::tell);
-        this.site = new SiteSection(threads, this::tell);
-        this.cameras = new CameraPanel(threads, status::setText, this::select, this::tell);
+        this.staging = new Latest("dronewatch-stage", threads, this::report);
+        this.site = new SiteSection(threads, this::report);
+        this.cameras = new CameraPanel(threads, status::setText, this::select, this::report);
         this.rayPanel = new RayPanel(
-                threads, playback, filter -> world().setStyle(world().style().withFilter(filter)), this::tell);
+                threads, playback, filter -> world().setStyle(world().style().withFilter(filter)), this::report);
         this.controls = new ControlBar(
                 playback, actions, number -> show(recording.runs().get(number)));
         world().onSelection(this::select);
@@ -212,14 +212,14 @@ final class ViewerPane extends JPanel {
     }
 
     /** Shows an error; callable from any thread. */
-    void tell(Throwable problem) {
+    void report(Throwable problem) {
         String text = problem instanceof InputException
                 ? problem.getMessage()
                 : problem instanceof OutOfMemoryError
                         ? "not enough memory to render this view"
                         : "internal error: " + problem;
         SwingUtilities.invokeLater(() -> {
-            notice.tell(text);
+            notice.show(text);
             log.write(text);
             if (viewed == null) {
                 progress.setVisible(false);

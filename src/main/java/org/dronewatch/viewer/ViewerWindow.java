@@ -77,8 +77,8 @@ final class ViewerWindow {
     private void fill(String title, ViewerPane content, BiFunction<SceneSettings, Path, String> text) {
         pane = content;
         frame.setTitle(title + " - dronewatch");
-        Exports exports = new Exports(pane, pane::tell);
-        films = new FilmExport(pane, exports, pane::tell);
+        Exports exports = new Exports(pane, pane::report);
+        films = new FilmExport(pane, exports, pane::report);
         SceneSaving saving = new SceneSaving(pane, title, text);
         ViewerMenus menus = new ViewerMenus(
                 pane, exports, films, saving, opening, this::setDark, () -> KeysPage.open(frame), this::close);

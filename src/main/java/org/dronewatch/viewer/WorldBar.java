@@ -53,20 +53,20 @@ final class WorldBar extends JToolBar {
         slider.setValue(cut.map(c -> (int) Math.round(STEPS * (c.offset() - low) / (high - low)))
                 .orElse(STEPS));
         updating = false;
-        tell();
+        showHeight();
     }
 
     private void cut() {
         boolean whole = slider.getValue() == STEPS;
         world.setCut(whole ? Optional.empty() : Optional.of(Cut.above(chosen())));
-        tell();
+        showHeight();
     }
 
     private double chosen() {
         return low + slider.getValue() * (high - low) / STEPS;
     }
 
-    private void tell() {
+    private void showHeight() {
         height.setText(slider.getValue() == STEPS ? "off" : String.format(Locale.ROOT, "%.1f m", chosen()));
     }
 }

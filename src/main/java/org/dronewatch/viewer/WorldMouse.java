@@ -90,6 +90,6 @@ final class WorldMouse extends MouseAdapter {
 
     @Override
     public void mouseMoved(MouseEvent e) {
-        panel.tell(e.getX(), e.getY());
+        panel.describe(e.getX(), e.getY());
     }
 }

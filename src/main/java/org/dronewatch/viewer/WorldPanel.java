@@ -190,8 +190,8 @@ final class WorldPanel extends JPanel {
                 .flatMap((Backdrop behind) -> behind.placeAt((int) (x * density), (int) (y * density)));
     }
 
-    /** Reports the object under the pointer. */
-    void tell(int x, int y) {
+    /** Describes the object under the pointer. */
+    void describe(int x, int y) {
         hint.accept(placeAt(x, y)
                 .map(place -> site == null ? Texts.place(place) : Texts.place(place, site))
                 .orElse("sky"));

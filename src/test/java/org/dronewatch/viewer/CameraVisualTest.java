@@ -213,10 +213,10 @@ class CameraVisualTest {
                 }
             }
         }
-        assertThat(eye.tell(shot, hitColumn, hitRow)).startsWith("quadrotor, ");
-        assertThat(eye.tell(shot, 160, 190)).startsWith("brick, 15.");
-        assertThat(eye.tell(shot, 300, 239)).startsWith("lawn, ");
-        assertThat(eye.tell(shot, 20, 10)).isEqualTo("sky");
+        assertThat(eye.describe(shot, hitColumn, hitRow)).startsWith("quadrotor, ");
+        assertThat(eye.describe(shot, 160, 190)).startsWith("brick, 15.");
+        assertThat(eye.describe(shot, 300, 239)).startsWith("lawn, ");
+        assertThat(eye.describe(shot, 20, 10)).isEqualTo("sky");
     }
 
     @Test

@@ -54,7 +54,7 @@ public final class UsedWindow {
         command.start();
         await(() -> frame().isPresent());
         ViewerPane first = settled(null, time);
-        tell(first, "", arguments[2], time);
+        print(first, "", arguments[2], time);
         keep(pictures);
         onEventThread(() -> {
             first.rayPanel().trace();
@@ -70,7 +70,7 @@ public final class UsedWindow {
         });
         ViewerPane second = settled(first, time);
         System.out.println("other: " + frame().orElseThrow().getTitle());
-        tell(second, "other ", "camera", time);
+        print(second, "other ", "camera", time);
         keep(pictures + "-swapped");
 
         onEventThread(() -> {
@@ -140,7 +140,7 @@ public final class UsedWindow {
         return pane;
     }
 
-    private static void tell(ViewerPane pane, String prefix, String sensor, double time) throws Exception {
+    private static void print(ViewerPane pane, String prefix, String sensor, double time) throws Exception {
         onEventThread(() -> {
             JTable table = find(pane, JTable.class).orElseThrow();
             tellCutNames(table, prefix);

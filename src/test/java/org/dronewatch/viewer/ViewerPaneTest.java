@@ -267,7 +267,7 @@ class ViewerPaneTest {
         open(new Yard(directory));
         at(0.0);
         ViewedRun viewed = pane.viewed().orElseThrow();
-        FilmExport films = new FilmExport(pane, new Exports(pane, pane::tell), pane::tell);
+        FilmExport films = new FilmExport(pane, new Exports(pane, pane::report), pane::report);
         Film film = FilmExport.film(viewed, "7", "9", "2", "1");
         FilmMaker site = onEventThread(() -> films.site(viewed, film));
         Path file = directory.resolve("site.mp4");
@@ -346,7 +346,7 @@ class ViewerPaneTest {
     void whatGoesWrongIsToldInTheWindow() throws Exception {
         open(new Yard(directory));
         onEventThread(() -> {
-            pane.tell(new InputException("site.obj:7: not a number: x"));
+            pane.report(new InputException("site.obj:7: not a number: x"));
             return null;
         });
         onEventThread(() -> null);
@@ -361,7 +361,7 @@ class ViewerPaneTest {
         at(0.0);
         Path target = Files.createDirectories(directory.resolve("frames"));
         FrameExport export = onEventThread(
-                () -> new Exports(pane, pane::tell).export(pane.viewed().orElseThrow(), target, 2.0));
+                () -> new Exports(pane, pane::report).export(pane.viewed().orElseThrow(), target, 2.0));
         int[] told = {0};
 
         assertThat(export.count()).isEqualTo(19);

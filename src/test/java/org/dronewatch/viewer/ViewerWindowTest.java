@@ -304,7 +304,7 @@ class ViewerWindowTest {
         try {
             await("the first is there", () -> viewer.pane().viewed().isPresent());
             ViewerPane yardPane = viewer.pane();
-            SceneOpening opening = new SceneOpening(recent, ViewerWindowTest::read, subject -> {}, yardPane::tell);
+            SceneOpening opening = new SceneOpening(recent, ViewerWindowTest::read, subject -> {}, yardPane::report);
             opening.open(bad);
             await("the mistake is told", () -> yardPane.notice().isVisible());
             assertThat(yardPane.notice().text()).contains("bad.yaml:1:").contains("nose");

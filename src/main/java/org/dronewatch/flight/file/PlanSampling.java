@@ -89,7 +89,7 @@ final class PlanSampling {
                 keep(kept, from, i, tolerance);
                 append(all, kept, from, i);
                 Waypoint end = all.isEmpty() ? new Waypoint(places[0], 0.0, 0.0) : all.remove(all.size() - 1);
-                // Where the flight ends, the drone stays without being told so.
+                // Where the flight ends, the drone stays in any case.
                 double hold = last == places.length - 1 ? 0.0 : (last - i) * step;
                 all.add(new Waypoint(end.at, end.speed, hold));
                 from = last;

@@ -61,7 +61,7 @@ public final class StlReader implements MeshReader {
         return collector.toModel();
     }
 
-    /** Text begins with 'solid', and so do some binary files: their length tells. */
+    /** Text begins with 'solid', and so do some binary files: the length decides. */
     private static boolean isBinary(ModelFile file) throws IOException {
         try (DataInputStream in = new DataInputStream(file.open())) {
             byte[] start = in.readNBytes(HEADER);

@@ -70,8 +70,8 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     }
 
     /** These settings on a positioner. */
-    default C withPositioner(PositionerSettings mount) {
-        return SettingsForm.with(self(), "positioner", Optional.of(mount));
+    default C withPositioner(PositionerSettings positioner) {
+        return SettingsForm.with(self(), "positioner", Optional.of(positioner));
     }
 
     @Override
@@ -88,13 +88,13 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     @Override
     default Optional<Positioner> createPositioner() {
         return positioner()
-                .map(mount ->
-                        new Positioner(mount, position(), Direction.of(aim().from(position())), fov(), 1.0 / rate()));
+                .map(turning ->
+                        new Positioner(turning, position(), Direction.of(aim().from(position())), fov(), 1.0 / rate()));
     }
 
     @Override
     default Optional<Pointing> turnedTo(Position target) {
-        return positioner().map(mount -> mount.turnedTo(position(), target, fov()));
+        return positioner().map(turning -> turning.turnedTo(position(), target, fov()));
     }
 
     /**
@@ -173,9 +173,9 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
      * @param measures what the values of its observations mean
      * @param leftOut a sentence about what its model leaves out
      */
-    static SensorDescription describe(String measures, String leftOut, Optional<PositionerSettings> mount) {
+    static SensorDescription describe(String measures, String leftOut, Optional<PositionerSettings> positioner) {
         SensorDescription description = SensorDescription.measuring(measures);
-        return mount.isPresent()
+        return positioner.isPresent()
                 ? description.withLeavesOut(leftOut, PositionerSettings.LEFT_OUT)
                 : description.withLeavesOut(leftOut);
     }
@@ -186,8 +186,8 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
      * @param fov the camera's own field of view, rad
      * @throws IllegalArgumentException when it does not
      */
-    static void checkZoom(double fov, Optional<PositionerSettings> mount) {
-        mount.flatMap(PositionerSettings::zoom).ifPresent(lens -> {
+    static void checkZoom(double fov, Optional<PositionerSettings> positioner) {
+        positioner.flatMap(PositionerSettings::zoom).ifPresent(lens -> {
             double widest = Math.max(lens.cued(), lens.tracked());
             if (widest > fov) {
                 throw new IllegalArgumentException("zoom to " + Quantity.ANGLE.inWords(widest)

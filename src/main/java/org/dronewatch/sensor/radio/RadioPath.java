@@ -8,14 +8,14 @@ import org.dronewatch.world.World;
 
 /**
  * The path loss of a radio wave between two positions in a site: free-space loss, and diffraction at the edges of the mesh.
- * A wave goes over what stands in its way and past it on both sides, and the powers of the three ways add up (ITU-R
- * P.526-15, section 4.2, average loss of a screen of finite width). Where nothing blocks the line, edges that come near
- * it take their share. One per thread.
+ * A wave is diffracted over an obstacle and past it on both sides, and the powers of the three paths add up (ITU-R P.526-15,
+ * section 4.2, average loss of a screen of finite width). Where nothing blocks the line, edges that come near it attenuate
+ * the wave, too. One per thread.
  */
 public final class RadioPath {
     private static final double LIGHT = 299_792_458.0;
 
-    /** Ways past the side are looked for up to this detour, as a multiple of the distance and in metres. */
+    /** Paths past either side are searched for up to this detour, as a multiple of the distance and in metres. */
     private static final double DETOUR = 1.25;
 
     private static final double LEAST_DETOUR = 100.0;
@@ -25,7 +25,7 @@ public final class RadioPath {
     private final Section level;
     private int mainTriangle;
 
-    /** For the paths of a site. */
+    /** For paths in a site. */
     public RadioPath(World world) {
         this.world = world;
         this.upright = new Section(world);
@@ -44,7 +44,7 @@ public final class RadioPath {
     }
 
     /**
-     * The loss by diffraction between two positions, dB; infinite where no way leads round, as into a closed room.
+     * The diffraction loss between two positions, dB; infinite where no path leads round the obstacle, as into a closed room.
      *
      * @param from one antenna, m
      * @param to the other, m
@@ -62,21 +62,21 @@ public final class RadioPath {
         double tall = world.bounds().maxZ() - world.bounds().minZ();
         upright.cut(from, to, ahead, up, DETOUR * length + 2.0 * tall);
         level.cut(from, to, ahead, up.cross(ahead), DETOUR * length + LEAST_DETOUR);
-        WayRound over = new WayRound(upright, true, wavelength);
-        WayRound left = new WayRound(level, true, wavelength);
-        WayRound right = new WayRound(level, false, wavelength);
+        DiffractedPath over = new DiffractedPath(upright, true, wavelength);
+        DiffractedPath left = new DiffractedPath(level, true, wavelength);
+        DiffractedPath right = new DiffractedPath(level, false, wavelength);
         boolean isBlocked = upright.isBlocked() || level.isBlocked();
-        WayRound main = over;
-        for (WayRound way : List.of(left, right)) {
-            boolean isMain = isBlocked ? way.loss() < main.loss() : way.loss() > main.loss();
-            main = isMain ? way : main;
+        DiffractedPath main = over;
+        for (DiffractedPath path : List.of(left, right)) {
+            boolean isMain = isBlocked ? path.loss() < main.loss() : path.loss() > main.loss();
+            main = isMain ? path : main;
         }
         mainTriangle = main.triangle();
         return isBlocked ? ofBlocked(over, left, right) : over.loss() + left.loss() + right.loss();
     }
 
-    /** By rounding, a line along an edge may be blocked in one section only: then the ways in that one count. */
-    private double ofBlocked(WayRound over, WayRound left, WayRound right) {
+    /** By rounding, a line along an edge may be blocked in one section only: then the paths in that one count. */
+    private double ofBlocked(DiffractedPath over, DiffractedPath left, DiffractedPath right) {
         double beside = left.loss() + right.loss();
         if (!level.isBlocked()) {
             return beside > 0.0 ? Math.min(over.loss(), beside) : over.loss();

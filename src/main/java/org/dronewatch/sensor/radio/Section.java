@@ -228,7 +228,7 @@ final class Section {
         return blocks[whole];
     }
 
-    /** Whether a body goes on, above the line or below, beyond an end of it or beyond what was cut: no way leads round it. */
+    /** Whether a body goes on, above the line or below, beyond an end of it or beyond what was cut: no path leads round it. */
     boolean isOpen(int whole, boolean above) {
         return above ? openAbove[whole] : openBelow[whole];
     }

@@ -5,13 +5,13 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The way of a radio wave round what stands in a section, on one side of the line: over the tops, or past one side. Its
- * knife edges are the corners of the mesh that stick out that way; their loss is that of Deygout's construction for three
+ * The path of a radio wave round the obstacles in a section, on one side of the line: over the tops, or past one side. Its
+ * knife edges are the corners of the mesh that stick out on that side; their loss is that of Deygout's construction for three
  * edges (J. Deygout, "Multiple knife-edge diffraction of microwaves", IEEE Transactions on Antennas and Propagation 14,
  * 1966; without a correction): the edge that obstructs the line most, and on
  * either side of it the one that obstructs the line from its top most.
  */
-final class WayRound {
+final class DiffractedPath {
     /** Corners that bend less than this are part of a smooth surface, rad. */
     private static final double LEAST_BEND = Math.toRadians(1.0);
 
@@ -42,7 +42,7 @@ final class WayRound {
      * @param above on which side of the line: that of positive t, or the other
      * @param wavelength m
      */
-    WayRound(Section section, boolean above, double wavelength) {
+    DiffractedPath(Section section, boolean above, double wavelength) {
         this.section = section;
         this.above = above;
         this.wavelength = wavelength;
@@ -54,7 +54,7 @@ final class WayRound {
         }
     }
 
-    /** Loss by diffraction, dB; infinite where no way leads round on this side. */
+    /** Diffraction loss, dB; infinite where no path leads round on this side. */
     double loss() {
         return loss;
     }
