@@ -1,0 +1,72 @@
+package org.dronewatch.sensor.optics;
+
+/**
+ * How much of the contrast of fine detail lens and air leave in an image, and which detail a camera still resolves.
+ *
+ * @param lens of the camera
+ * @param air between it and what it looks at
+ */
+public record ImageTransfer(Lens lens, Turbulence air) {
+    /** Halvings of the interval: what is left of it is the rounding of a double. */
+    private static final int HALVINGS = 53;
+
+    /**
+     * Through a lens.
+     *
+     * @param structure refractive-index structure constant Cn2 of the air, 0 or more, m^(-2/3)
+     * @param range of what the camera looks at, m
+     */
+    public static ImageTransfer through(Lens lens, double structure, double range) {
+        return new ImageTransfer(lens, Turbulence.of(structure, lens.wavelength(), range));
+    }
+
+    /** Whether neither lens nor air blurs. */
+    private boolean isPerfect() {
+        return lens.aperture().isEmpty() && Double.isInfinite(air.coherenceDiameter());
+    }
+
+    /**
+     * What is left of the modulation of a pattern: the product of both transfer functions.
+     *
+     * @param frequency of the pattern, 0 or more, cycles per radian
+     * @return 0 to 1
+     */
+    public double transfer(double frequency) {
+        return lens.transfer(frequency) * air.transfer(frequency);
+    }
+
+    /**
+     * The finest detail that a camera resolves, as a fraction u of the finest that its pixels can show, which is a line pair
+     * across two of them. A camera that blurs nothing needs the contrast {@code needed / (1 - u)} there: a straight line in
+     * place of its measured curve of minimum resolvable contrast. Detail is resolved up to the frequency at which the contrast
+     * that is left, {@code seen * transfer}, falls to what is needed: the rule by which Johnson's criteria are applied with a measured
+     * curve (Ratches, "Static performance model for thermal imaging systems", Optical Engineering 15, 525, 1976). Without
+     * blur that is {@code 1 - needed / seen}.
+     *
+     * @param needed the least contrast, or signal-to-noise ratio, with which anything is resolved, above 0
+     * @param seen contrast, or signal-to-noise ratio, of a large object of the same kind, 0 or more
+     * @param focalLength pixels
+     * @return 0 to 1; 0 when nothing is resolved
+     */
+    public double resolved(double needed, double seen, double focalLength) {
+        if (!(seen > needed)) {
+            return 0.0;
+        }
+        double unblurred = 1.0 - needed / seen;
+        if (isPerfect()) {
+            return unblurred;
+        }
+        double finest = 0.5 * focalLength;
+        double low = 0.0;
+        double high = unblurred;
+        for (int i = 0; i < HALVINGS; i++) {
+            double middle = 0.5 * (low + high);
+            if (seen * transfer(finest * middle) * (1.0 - middle) >= needed) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
+}

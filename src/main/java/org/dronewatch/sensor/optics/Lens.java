@@ -1,0 +1,33 @@
+package org.dronewatch.sensor.optics;
+
+import java.util.OptionalDouble;
+
+/**
+ * The lens of a camera, as far as diffraction blurs its image.
+ *
+ * @param aperture diameter of its entrance pupil, above 0, m; empty for a lens that does not blur
+ * @param wavelength of the light or heat that it images, above 0, m
+ */
+public record Lens(OptionalDouble aperture, double wavelength) {
+
+    /** A lens that does not blur, at a wavelength in m. */
+    public static Lens perfect(double wavelength) {
+        return new Lens(OptionalDouble.empty(), wavelength);
+    }
+
+    /**
+     * What diffraction at a round aperture D leaves of the modulation of a pattern:
+     * {@code 2/pi (acos x - x sqrt(1 - x^2))} with {@code x = wavelength f / D}, 0 from x = 1 (Goodman, "Introduction to
+     * Fourier Optics", section 6.3).
+     *
+     * @param frequency f, of the pattern, 0 or more, cycles per radian
+     * @return 0 to 1
+     */
+    public double transfer(double frequency) {
+        if (aperture.isEmpty()) {
+            return 1.0;
+        }
+        double x = wavelength * frequency / aperture.getAsDouble();
+        return x < 1.0 ? 2.0 / Math.PI * (Math.acos(x) - x * Math.sqrt(1.0 - x * x)) : 0.0;
+    }
+}
