@@ -5,6 +5,8 @@ import java.util.Optional;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Positioner;
+import org.dronewatch.sensor.Chance;
+import org.dronewatch.sensor.Encounters;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Measurement;
 import org.dronewatch.sensor.Mounted;
@@ -16,7 +18,8 @@ import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.world.World;
 
 /**
- * A sensor during a run, with its positioner: when it looks next, where it points, which cues its positioner has received.
+ * A sensor during a run, with its positioner: when it looks next, where it points, which cues its positioner has received, and which
+ * drones its observer has found.
  */
 final class ActiveSensor {
     private final String id;
@@ -25,6 +28,7 @@ final class ActiveSensor {
     private final double rate;
     private final Optional<Positioner> positioner;
     private long nextIndex;
+    private Encounters encounters = Encounters.NONE;
 
     ActiveSensor(String id, SensorSettings<?> settings) {
         this.id = id;
@@ -54,7 +58,7 @@ final class ActiveSensor {
     /** Turns the positioner to where it points at a time, and begins the next look. */
     Look nextLook(long seed, double time) {
         Optional<Pointing> pointing = positioner.map(it -> it.moveTo(time));
-        return Look.of(seed, id, nextIndex++, time).withPointing(pointing);
+        return Look.of(seed, id, nextIndex++, time).withPointing(pointing).withEncounters(encounters);
     }
 
     /** Looks, on any thread. */
@@ -62,6 +66,9 @@ final class ActiveSensor {
         long start = System.nanoTime();
         List<Observation> observations = sensor.observe(world, drones, look);
         times.add(settings.kind(), System.nanoTime() - start);
+        if (settings.chance() == Chance.PER_ENCOUNTER) {
+            encounters = Encounters.after(look, rate, observations);
+        }
         return world.isKnownEverywhere()
                 ? observations
                 : observations.stream()

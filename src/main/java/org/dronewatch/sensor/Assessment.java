@@ -27,9 +27,20 @@ public record Assessment(Signal signal, Explanation explanation) {
         }
     }
 
-    /** The probability that one look detects the drone, 0 to 1. */
+    /** The probability that one look detects the drone or, of a sensor of {@link Chance#PER_ENCOUNTER}, that its observer can, 0 to 1. */
     public double probability() {
         return signal.probability();
+    }
+
+    /**
+     * The rate of the first detection, given that there has been none yet, 1/s; see {@link Chance#hazard}.
+     *
+     * @param settings of the sensor that was assessed
+     * @param draw of the observer, above 0 and at most 1; of no effect for a sensor of {@link Chance#PER_LOOK}. Whoever predicts
+     *     what an unknown observer detects averages over many draws, such as 1/32, 3/32, ... 31/32
+     */
+    public double hazard(SensorSettings<?> settings, double draw) {
+        return settings.chance().hazard(probability(), settings.rate(), draw);
     }
 
     /** What is measured, in the unit. */

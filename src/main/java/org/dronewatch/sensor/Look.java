@@ -14,22 +14,29 @@ import org.dronewatch.positioner.Pointing;
  * @param seed of the run
  * @param pointing where a positioner points the sensor now; empty for a sensor on a fixed mount, or one that is to look
  *     along its own aim
+ * @param encounters the sensor's encounters with drones before this look: of effect where chance decides once per encounter
  */
-public record Look(String sensor, long index, double time, long seed, Optional<Pointing> pointing) {
+public record Look(
+        String sensor, long index, double time, long seed, Optional<Pointing> pointing, Encounters encounters) {
     /** The purpose of the numbers that decide whether a drone is detected. */
     public static final String DETECTION = "detection";
 
     /** The purpose of the numbers that determine measurement errors. */
     public static final String ERROR = "error";
 
-    /** A look along the sensor's own aim. */
+    /** A look along the sensor's own aim, which has encountered nothing before. */
     public static Look of(long seed, String sensor, long index, double time) {
-        return new Look(sensor, index, time, seed, Optional.empty());
+        return new Look(sensor, index, time, seed, Optional.empty(), Encounters.NONE);
     }
 
     /** This look with the given pointing of the sensor's positioner. */
     public Look withPointing(Optional<Pointing> where) {
-        return new Look(sensor, index, time, seed, where);
+        return new Look(sensor, index, time, seed, where, encounters);
+    }
+
+    /** This look after other encounters. */
+    public Look withEncounters(Encounters before) {
+        return new Look(sensor, index, time, seed, pointing, before);
     }
 
     /**
@@ -49,5 +56,28 @@ public record Look(String sensor, long index, double time, long seed, Optional<P
      */
     public RandomGenerator random(String drone, String purpose) {
         return Draws.stream(seed, sensor, drone, index, purpose);
+    }
+
+    /**
+     * The encounter to which this look at a drone belongs.
+     *
+     * @param drone name of the drone
+     * @param rate looks per second of the sensor, Hz
+     */
+    public Encounter encounter(String drone, double rate) {
+        return encounters.with(drone, time, rate);
+    }
+
+    /**
+     * What the probability of this look at a drone must reach for a detection, for a sensor whose observer decides once per
+     * {@link Encounter}.
+     *
+     * @param drone name of the drone
+     * @param rate looks per second of the sensor, Hz
+     * @param probability of the sensor's {@link Signal}, 0 to 1
+     * @return above 0; infinite while the observer could find the drone, but has not
+     */
+    public double observerThreshold(String drone, double rate, double probability) {
+        return encounter(drone, rate).threshold(this, drone, rate, probability);
     }
 }

@@ -35,6 +35,11 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
     /** The word for its kind in results: {@code camera}. */
     String kind();
 
+    /** When chance decides whether it detects a drone: anew in each look unless stated otherwise. */
+    default Chance chance() {
+        return Chance.PER_LOOK;
+    }
+
     /** What looks odd about these settings, although it is not refused: one line each, which a scene prints as warnings. */
     default List<String> advice() {
         return List.of();

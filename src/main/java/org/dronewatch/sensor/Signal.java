@@ -3,7 +3,8 @@ package org.dronewatch.sensor;
 /**
  * The signal that a sensor receives from a drone, before any random decision.
  *
- * @param probability that one look detects the drone, 0 to 1
+ * @param probability that one look detects the drone or, of a sensor of {@link Chance#PER_ENCOUNTER}, that its observer
+ *     can, given time, 0 to 1
  * @param quantity what is measured, in the unit; minus infinity where nothing reaches the sensor and the unit is dB
  * @param unit of quantity, threshold and standard error; empty for a ratio
  * @param threshold that the quantity must reach; for a probabilistic sensor, the value at which the detection
@@ -29,7 +30,7 @@ public record Signal(
         return new Signal(probability, quantity, unit, threshold, 0.0, 0.0);
     }
 
-    /** Whether the quantity reaches the threshold: then the detection probability of one look is at least 0.5. */
+    /** Whether the quantity reaches the threshold: then the probability is at least 0.5. */
     public boolean isDetected() {
         return quantity >= threshold;
     }

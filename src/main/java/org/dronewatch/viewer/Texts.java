@@ -49,6 +49,10 @@ final class Texts {
         if (value == Double.NEGATIVE_INFINITY) {
             return "none";
         }
+        // An observer could find the drone, but has not yet.
+        if (value == Double.POSITIVE_INFINITY) {
+            return "more time";
+        }
         double size = Math.abs(value);
         if (size >= 1000.0 || value == Math.rint(value)) {
             return String.format(Locale.ROOT, "%.0f", value);

@@ -43,7 +43,10 @@ class SeededRunsTest {
         Files.writeString(directory.resolve("floor.obj"), "v -9 0 -9\nv 9 0 -9\nv 9 0 9\nv -9 0 9\nf 4 3 2 1\n");
     }
 
-    /** A radar and a camera that both throw dice, and a drone that hangs before them: four looks each. */
+    /**
+     * A radar and a camera that both throw dice, and a drone that hangs before them: four looks each. The radar's looks are independent. The
+     * camera's observer can see the drone or not, and has three seconds to find it, from the first look to the fourth.
+     */
     private final class Dice extends Scene {
         private static final long serialVersionUID = 1L;
 
@@ -132,8 +135,12 @@ class SeededRunsTest {
         double camera = outcome.probabilities().get("camera");
         int pixels = cameraPixels();
         assertClosedForms(outcome.probabilities(), pixels, last[0].value());
-        // Four looks of each.
-        assertAgrees(outcome.alerts(), 1.0 - Math.pow((1.0 - radar) * (1.0 - camera), 4));
+        assertAgrees(outcome.alerts(), 1.0 - Math.pow(1.0 - radar, 4) * (1.0 - found(camera, 3)));
+    }
+
+    /** The probability that an observer has found the drone after some seconds. */
+    private static double found(double probability, double seconds) {
+        return probability * (1.0 - Math.exp(-probability * seconds / 3.4));
     }
 
     private int cameraPixels() {
@@ -145,24 +152,29 @@ class SeededRunsTest {
     }
 
     @Test
-    void confirmedAlertsFollowTheBinomial() {
+    void confirmedAlertsFollowTheBinomialAndTheSearch() {
         Outcome outcome = runs(AlertSettings.DEFAULT.withConfirmation(2, 4));
-        double missed = 1.0;
-        for (double p : outcome.probabilities().values()) {
-            double q = 1.0 - p;
-            missed *= Math.pow(q, 4) + 4.0 * p * Math.pow(q, 3);
-        }
-        assertAgrees(outcome.alerts(), 1.0 - missed);
+        double p = outcome.probabilities().get("radar");
+        double q = 1.0 - p;
+        double missed = Math.pow(q, 4) + 4.0 * p * Math.pow(q, 3);
+        // What is found is held: found by the third look, it is seen in the fourth, too.
+        assertAgrees(
+                outcome.alerts(),
+                1.0 - missed * (1.0 - found(outcome.probabilities().get("camera"), 2)));
     }
 
     @Test
     void twoSensorsInAgreementAreRarer() {
         AlertSettings both = AlertSettings.DEFAULT.withRule(new AlertRule.SeveralSensors(2, 0.0));
         Outcome outcome = runs(both);
-        double together = 1.0;
-        for (double p : outcome.probabilities().values()) {
-            together *= p;
+        double radar = outcome.probabilities().get("radar");
+        double camera = outcome.probabilities().get("camera");
+        double expected = 0.0;
+        for (int look = 1; look <= 3; look++) {
+            // Found in this look, it is held in this one and the rest.
+            double foundNow = found(camera, look) - found(camera, look - 1);
+            expected += foundNow * (1.0 - Math.pow(1.0 - radar, 4 - look));
         }
-        assertAgrees(outcome.alerts(), 1.0 - Math.pow(1.0 - together, 4));
+        assertAgrees(outcome.alerts(), expected);
     }
 }

@@ -10,6 +10,13 @@ import org.dronewatch.world.WorldSettings;
 import org.junit.jupiter.api.Test;
 
 class TextsTest {
+    @Test
+    void anObserverWhoCouldFindTheDroneNeedsMoreTime() {
+        assertThat(new PairReading(1.0, 0.9, Double.POSITIVE_INFINITY, "", 50).text())
+                .isEqualTo("0.90 (needs more time)");
+        assertThat(new PairReading(1.0, 0.9, 0.25, "", 50).text()).isEqualTo("0.90 (needs 0.25)");
+    }
+
     private static WorldSettings at(Origin origin) {
         return SettingsForm.with(WorldSettings.EMPTY, "origin", Optional.of(origin));
     }

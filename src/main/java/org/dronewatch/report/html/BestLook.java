@@ -6,12 +6,17 @@ package org.dronewatch.report.html;
  * @param time s
  * @param range m
  * @param value measured value
- * @param threshold value required for a detection
+ * @param threshold value required for a detection; infinite where an observer had not found the drone yet, though he could
  * @param unit of both
  */
 record BestLook(double time, double range, double value, double threshold, String unit) {
-    /** How far above the threshold. */
+    /** How far above the threshold; 0 where only time was lacking. */
     double margin() {
-        return value - threshold;
+        return isUnfound() ? 0.0 : value - threshold;
+    }
+
+    /** Whether an observer could have found the drone, but had not yet. */
+    boolean isUnfound() {
+        return threshold == Double.POSITIVE_INFINITY;
     }
 }

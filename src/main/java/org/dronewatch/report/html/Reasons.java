@@ -151,13 +151,17 @@ final class Reasons {
 
     private static String weakness(SensorSettings<?> sensor, Optional<BestLook> best) {
         return sensor.description().weakness()
-                + best.filter(Reasons::isReading)
-                        .map(look -> format(
-                                " (best %s at %.0f m, threshold %s)",
-                                ReadableNumbers.measured(look.value(), look.unit()),
-                                look.range(),
-                                ReadableNumbers.measured(look.threshold(), look.unit())))
-                        .orElse(" (no measurable signal)");
+                + best.filter(Reasons::isReading).map(Reasons::inWords).orElse(" (no measurable signal)");
+    }
+
+    private static String inWords(BestLook look) {
+        return look.isUnfound()
+                ? format(" (could have been found from %.0f m on, but was not in time)", look.range())
+                : format(
+                        " (best %s at %.0f m, threshold %s)",
+                        ReadableNumbers.measured(look.value(), look.unit()),
+                        look.range(),
+                        ReadableNumbers.measured(look.threshold(), look.unit()));
     }
 
     private static String percent(int count, int of) {

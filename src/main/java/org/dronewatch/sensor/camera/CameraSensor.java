@@ -12,6 +12,7 @@ import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Cover;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.GroundTruth;
@@ -109,8 +110,7 @@ public final class CameraSensor implements AssessableSensor {
         DroneView view = view(drone, pixels);
         Signal signal = signal(view);
         OptionalDouble probability = settings.detection().probability(view);
-        double threshold = settings.detection().threshold(look.random(drone.id(), Look.DETECTION));
-        Reading reading = new Reading(signal.quantity(), threshold, signal.unit());
+        Reading reading = new Reading(signal.quantity(), threshold(drone, look, signal), signal.unit());
         boolean sighted = reading.isDetected() || pixels >= settings.lockPixels();
         return new Observation(
                 look.id(settings.kind()),
@@ -118,6 +118,13 @@ public final class CameraSensor implements AssessableSensor {
                 reading,
                 probability.isPresent() ? Map.of(Observation.PROBABILITY, probability.getAsDouble()) : Map.of(),
                 sighted ? Optional.of(settings.sighting(drone.origin())) : Optional.empty());
+    }
+
+    /** What the value must reach in one frame. */
+    private double threshold(Drone drone, Look look, Signal signal) {
+        return settings.chance() == Chance.PER_ENCOUNTER
+                ? look.observerThreshold(drone.id(), settings.rate(), signal.probability())
+                : settings.detection().threshold(look.random(drone.id(), Look.DETECTION));
     }
 
     private DroneView view(Drone drone, int pixels) {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.Thresholded;
 import org.dronewatch.sensor.optics.FieldOfView;
@@ -99,11 +100,6 @@ public record CameraSettings(
         return SettingsForm.with(this, Map.of("fov", angle, "fovAxis", FieldOfView.VERTICAL));
     }
 
-    /** These settings with another frame rate, Hz. */
-    public CameraSettings withRate(double framesPerSecond) {
-        return SettingsForm.with(this, "rate", framesPerSecond);
-    }
-
     /** These settings with another detection function. */
     public CameraSettings withDetection(DetectionFunction function) {
         return SettingsForm.with(this, "detection", function);
@@ -144,6 +140,11 @@ public record CameraSettings(
     @Override
     public String kind() {
         return "camera";
+    }
+
+    @Override
+    public Chance chance() {
+        return detection.chance();
     }
 
     @Override

@@ -3,6 +3,7 @@ package org.dronewatch.sensor.camera;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
+import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Condition;
 
 /** Decides whether a camera detects a drone: a value from the drone's view, and the threshold that it must reach. */
@@ -31,7 +32,15 @@ public interface DetectionFunction {
         return false;
     }
 
-    /** The probability that one frame detects the drone, 0 to 1; empty if not known. */
+    /**
+     * When chance decides, if it does: anew in each frame, with {@link #threshold(RandomGenerator)}, unless stated otherwise. Where it
+     * decides once per encounter, the value is the probability, and the camera's observer takes care of the rest.
+     */
+    default Chance chance() {
+        return Chance.PER_LOOK;
+    }
+
+    /** The probability that the drone is detected, 0 to 1: by one frame or, per encounter, by an observer; empty if not known. */
     default OptionalDouble probability(DroneView view) {
         return OptionalDouble.empty();
     }

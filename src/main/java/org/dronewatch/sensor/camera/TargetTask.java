@@ -2,7 +2,7 @@ package org.dronewatch.sensor.camera;
 
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.random.RandomGenerator;
+import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.setting.Defaults;
@@ -27,9 +27,9 @@ import org.dronewatch.setting.SettingsForm;
  * measured curve of minimum resolvable contrast.
  *
  * @param task the task that the image must support
- * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by
- *     chance
- * @param byChance whether each frame is decided at random instead, with the probability computed for it
+ * @param probability probability at which the task counts as done, above 0 and below 1; not used when chance decides
+ * @param byChance whether chance decides instead: an observer draws once per encounter whether the probability is enough for him, and
+ *     then needs time to find the drone
  * @param contrast contrast of the drone against its background at close range, above 0 and at most 1
  * @param contrastThreshold least contrast that the camera can detect in good light, above 0 and below 1
  * @param shotNoiseIlluminance illuminance below which shot noise raises the contrast threshold, above 0, lx
@@ -121,11 +121,10 @@ public record TargetTask(
         return byChance ? EVEN_CHANCE : probability;
     }
 
-    /** By chance: the number that the frame draws, so that it succeeds as often as its probability states. */
+    /** By chance: an observer can perform the task or not, and needs time. */
     @Override
-    public double threshold(RandomGenerator random) {
-        // Above 0: what cannot be seen is not detected by luck.
-        return byChance ? 1.0 - random.nextDouble() : probability;
+    public Chance chance() {
+        return byChance ? Chance.PER_ENCOUNTER : Chance.PER_LOOK;
     }
 
     @Override

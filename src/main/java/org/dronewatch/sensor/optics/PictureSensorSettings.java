@@ -64,6 +64,11 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return SettingsForm.with(self(), Map.of("fov", angle, "fovAxis", FieldOfView.HORIZONTAL));
     }
 
+    /** These settings with another frame rate, Hz. */
+    default C withRate(double framesPerSecond) {
+        return SettingsForm.with(self(), "rate", framesPerSecond);
+    }
+
     /** These settings with another projection. */
     default C withProjection(Projection other) {
         return SettingsForm.with(self(), "projection", other);

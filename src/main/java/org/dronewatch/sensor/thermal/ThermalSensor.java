@@ -90,7 +90,7 @@ public final class ThermalSensor implements AssessableSensor {
         double ratio = signalToNoise(drone.heat(), range, pixels);
         double probability = signal(drone, pixels).quantity();
         double threshold = settings.byChance()
-                ? 1.0 - look.random(drone.id(), Look.DETECTION).nextDouble()
+                ? look.observerThreshold(drone.id(), settings.rate(), probability)
                 : settings.probability();
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("pixels", pixels);

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.SensorDescription;
@@ -35,9 +36,9 @@ import org.dronewatch.setting.SettingsForm;
  * @param transmission transmittance of a kilometre of air in its band and in the weather assumed, 1e-6 to 1
  * @param minSnr signal-to-noise ratio below which nothing is resolved, above 0 and at most 1000
  * @param task the task that the image must support
- * @param probability probability at which the task counts as done, above 0 and below 1; not used when frames decide by
- *     chance
- * @param byChance whether each frame is decided at random instead, with the probability computed for it
+ * @param probability probability at which the task counts as done, above 0 and below 1; not used when chance decides
+ * @param byChance whether chance decides instead: an observer draws once per encounter whether the probability is enough for him, and
+ *     then needs time to find the drone
  * @param positioner the positioner that turns it; omit it for a fixed mount
  */
 public record ThermalSettings(
@@ -153,6 +154,12 @@ public record ThermalSettings(
     @Override
     public String kind() {
         return "thermal";
+    }
+
+    /** By chance: an observer can perform the task or not, and needs time. */
+    @Override
+    public Chance chance() {
+        return byChance ? Chance.PER_ENCOUNTER : Chance.PER_LOOK;
     }
 
     @Override

@@ -142,22 +142,25 @@ class CameraAssessmentTest {
                 .isEqualTo(Cause.HIDDEN_BY_OTHER);
     }
 
+    /** A picture every five seconds: 1 - exp(-P 5/3.4) of those find the drone in one who can at all. */
     @ParameterizedTest
     @ValueSource(doubles = {900, 1100, 1400})
-    void byChanceItDetectsAsOftenAsItsProbabilitySays(double distance) {
-        CameraSettings camera = CAMERA.withDetection(BY_CHANCE);
+    void byChanceALookFindsAsOftenAsObserversCanAndHaveTime(double distance) {
+        CameraSettings camera = CAMERA.withDetection(BY_CHANCE).withRate(0.2);
         Drone drone = cube(new Position(0, distance, 0.2));
         Assessment one = assess(camera, open(), drone);
         CameraSensor sensor = camera.create();
         int hits = 0;
         for (int i = 0; i < 2000; i++) {
-            Observation look = sensor.observe(open(), List.of(drone), Look.of(Draws.mix(7, i), "sensor", 0, 0))
+            Observation look = sensor.observe(open(), List.of(drone), Look.of(Draws.mix(7, i), "sensor", 1, 5.0))
                     .get(0);
             assertThat(look.value()).isEqualTo(one.quantity());
             hits += look.isDetected() ? 1 : 0;
         }
         double[] interval = Wilson.interval(hits, 2000, 3.3);
-        assertThat(one.probability()).isBetween(interval[0], interval[1]).isBetween(0.02, 0.98);
+        double p = one.probability();
+        assertThat(p).isBetween(0.02, 0.98);
+        assertThat(p * (1.0 - Math.exp(-p * 5.0 / 3.4))).isBetween(interval[0], interval[1]);
         assertThat(one.cause()).isEqualTo(one.probability() >= 0.5 ? Cause.DETECTED : Cause.TOO_WEAK);
     }
 

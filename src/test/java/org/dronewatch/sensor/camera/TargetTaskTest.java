@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.SplittableRandom;
 import org.dronewatch.Wilson;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
@@ -20,8 +19,8 @@ import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Discrimination;
-import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.optics.*;
@@ -111,24 +110,15 @@ class TargetTaskTest {
     }
 
     @Test
-    void whatChanceDecidesHappensAsOftenAsTheClosedFormSays() {
-        long seed = 20261121;
-        int runs = 1000;
-        TargetTask function = TargetTask.DEFAULT.withChance(true);
-        for (int pixels : new int[] {2, 4, 6, 9, 16}) {
-            DroneView view = view(pixels, 200, 0, Light.DAY);
-            int detected = 0;
-            for (int run = 0; run < runs; run++) {
-                Look look = Look.of(Draws.mix(seed, run), "camera", pixels, 0.0);
-                detected += function.value(view) >= function.threshold(look.random("drone", Look.DETECTION)) ? 1 : 0;
-            }
-            double expected = function.value(view);
-            double[] interval = Wilson.interval(detected, runs, 3.0);
-            assertThat(expected)
-                    .as("%d pixels, %d of %d detected, seed %d", pixels, detected, runs, seed)
-                    .isBetween(interval[0], interval[1]);
-        }
-        assertThat(function.value(view(0, 200, 0, Light.DAY))).isLessThan(function.threshold(new SplittableRandom(1)));
+    void chanceIsAMatterOfEncounters() {
+        assertThat(TargetTask.DEFAULT.withChance(true).chance()).isEqualTo(Chance.PER_ENCOUNTER);
+        assertThat(TargetTask.DEFAULT.withChance(true).threshold()).isEqualTo(0.5);
+        assertThat(TargetTask.DEFAULT.chance()).isEqualTo(Chance.PER_LOOK);
+        assertThat(new PixelThreshold(12).chance()).isEqualTo(Chance.PER_LOOK);
+        CameraSettings camera = CameraSettings.at(new Position(0, 0, 2));
+        assertThat(camera.withDetection(TargetTask.DEFAULT.withChance(true)).chance())
+                .isEqualTo(Chance.PER_ENCOUNTER);
+        assertThat(camera.chance()).isEqualTo(Chance.PER_LOOK);
     }
 
     /** Printed values: 90 of 100, 0 of 100 and all of 100 at 95 %. */

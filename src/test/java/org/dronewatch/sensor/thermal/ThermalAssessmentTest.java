@@ -16,6 +16,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.world.World;
@@ -62,22 +63,27 @@ class ThermalAssessmentTest {
         assertThat(assess(noisy, open(), cube(new Position(0, 200, 0))).cause()).isEqualTo(Cause.TOO_WEAK);
     }
 
+    /** At 25 frames a second: a frame finds the drone for 1 - exp(-P 0.04/3.4) of those observers who can at all. */
     @ParameterizedTest
     @ValueSource(doubles = {700, 900, 1200})
-    void byChanceItDetectsAsOftenAsItsProbabilitySays(double distance) {
+    void byChanceALookFindsAsOftenAsObserversCanAndHaveTime(double distance) {
         ThermalSettings camera = CAMERA.withChance(true);
         Drone drone = cube(new Position(0, distance, 0));
         Assessment one = assess(camera, open(), drone);
         ThermalSensor sensor = camera.create();
         World world = open();
         int hits = 0;
-        for (int i = 0; i < 1000; i++) {
-            Observation look = sensor.observe(world, List.of(drone), Look.of(i, "sensor", 0, 0))
+        int looks = 5000;
+        for (int i = 0; i < looks; i++) {
+            Observation look = sensor.observe(world, List.of(drone), Look.of(Draws.mix(7, i), "sensor", 9, 0.36))
                     .get(0);
+            assertThat(look.value()).isEqualTo(one.quantity());
             hits += look.isDetected() ? 1 : 0;
         }
-        double[] interval = Wilson.interval(hits, 1000, 3.3);
-        assertThat(one.probability()).isBetween(interval[0], interval[1]).isBetween(0.02, 0.98);
+        double[] interval = Wilson.interval(hits, looks, 3.3);
+        double p = one.probability();
+        assertThat(p).isBetween(0.02, 0.98);
+        assertThat(p * (1.0 - Math.exp(-p * 0.04 / 3.4))).isBetween(interval[0], interval[1]);
         assertThat(one.cause()).isEqualTo(one.probability() >= 0.5 ? Cause.DETECTED : Cause.TOO_WEAK);
     }
 

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.OptionalDouble;
-import org.dronewatch.Wilson;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.HeatSignature;
@@ -17,7 +16,6 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.Discrimination;
-import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.camera.CameraSettings;
@@ -178,26 +176,6 @@ class ThermalSensorTest {
 
         assertThat(counted).isGreaterThan(300);
         assertThat(area).isCloseTo(counted, within(0.06 * counted));
-    }
-
-    @Test
-    void chanceDecidesAsOftenAsTheProbabilitySays() {
-        long seed = 4711;
-        ThermalSettings settings = ThermalSettings.at(CAMERA).withChance(true);
-        Drone drone = at(0.35, 0.35, 5, 280);
-        ThermalSensor sensor = settings.create();
-        World world = empty();
-        int hits = 0;
-        double probability = 0.0;
-        for (int run = 0; run < 1000; run++) {
-            Look look = Look.of(Draws.mix(seed, run), "heat", 0, 0.0);
-            Observation seen = sensor.observe(world, List.of(drone), look).get(0);
-            probability = seen.probability();
-            hits += seen.isDetected() ? 1 : 0;
-        }
-        System.out.println("seed " + seed + ": " + hits + " of 1000, expected " + probability);
-        double[] interval = Wilson.interval(hits, 1000, 3.0);
-        assertThat(probability).isBetween(interval[0], interval[1]).isBetween(0.2, 0.8);
     }
 
     @Test
