@@ -6,8 +6,10 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
@@ -16,10 +18,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The compiler has nothing to warn of. The build itself cannot say so: it names an incubating module, which is a warning that
- * only goes away with all others.
+ * What neither the compiler nor the formatter keeps: no warnings, and comments as narrow as the code.
  */
 class LintTest {
+    /** The formatter keeps code to it, but leaves comments as they are. */
+    private static final int MOST_COLUMNS = 120;
+
+    private static final Pattern COMMENT = Pattern.compile("\\s*(/?\\*|//)");
+
+    private static final Path SOURCES = Path.of("src", "main", "java");
+
     /** They need the incubating module, and come from the build's own classes here. */
     private static final Set<String> WITH_VECTORS =
             Set.of("BvhTraversal.java", "VectorRasteriser.java", "VectorTriangleSetup.java", "VectorWidth.java");
@@ -27,12 +35,16 @@ class LintTest {
     @TempDir
     private Path directory;
 
+    /**
+     * The build itself cannot require it: it names an incubating module, which is a warning that only goes away with all
+     * others.
+     */
     @Test
     void theCompilerHasNothingToWarnOf() throws IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         StringWriter messages = new StringWriter();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null);
-                Stream<Path> sources = Files.walk(Path.of("src", "main", "java"))) {
+                Stream<Path> sources = Files.walk(SOURCES)) {
             List<Path> checked = sources.filter(file -> file.toString().endsWith(".java"))
                     .filter(file -> !WITH_VECTORS.contains(file.getFileName().toString()))
                     .toList();
@@ -56,5 +68,26 @@ class LintTest {
                     .call();
             assertThat(clean).as(messages.toString()).isTrue();
         }
+    }
+
+    @Test
+    void noCommentIsWiderThanCode() throws IOException {
+        List<String> wide = new ArrayList<>();
+        try (Stream<Path> sources = Files.walk(SOURCES)) {
+            for (Path file :
+                    sources.filter(file -> file.toString().endsWith(".java")).toList()) {
+                List<String> lines = Files.readAllLines(file);
+                for (int i = 0; i < lines.size(); i++) {
+                    String line = lines.get(i);
+                    if (COMMENT.matcher(line).lookingAt() && line.length() > MOST_COLUMNS) {
+                        wide.add(file + ":" + (i + 1) + ": " + line.length() + " columns");
+                    }
+                }
+            }
+        }
+
+        assertThat(wide)
+                .as("comment lines of more than %d columns", MOST_COLUMNS)
+                .isEmpty();
     }
 }

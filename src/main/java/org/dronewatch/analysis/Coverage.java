@@ -19,8 +19,9 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * Where over a site each sensor detects a drone, and why it does not elsewhere. The drone is put at every point of a grid, its nose and
- * velocity pointing at the sensor, and the sensor looks once: obstructions, pixel counts, levels and echoes are computed as in a run.
+ * Where over a site each sensor detects a drone, and why it does not elsewhere. The drone is put at every point of a
+ * grid, its nose and velocity pointing at the sensor, and the sensor looks once: obstructions, pixel counts, levels and
+ * echoes are computed as in a run.
  */
 public final class Coverage {
     private final CoverageGrid grid;
@@ -42,8 +43,8 @@ public final class Coverage {
     }
 
     /**
-     * Evaluates all sensors of a scene at all points, on the threads of the {@link Workers} that call; the same for any number
-     * of them.
+     * Evaluates all sensors of a scene at all points, on the threads of the {@link Workers} that call; the same for any
+     * number of them.
      *
      * @param settings of one run
      * @param stage its world and drones
@@ -105,8 +106,8 @@ public final class Coverage {
     }
 
     /**
-     * Whether no sensor detects the drone in a cell, but one may: there is no ground that is known, or none below the line of sight.
-     * In a world of models, cells without ground are not unknown, but empty.
+     * Whether no sensor detects the drone in a cell, but one may: there is no ground that is known, or none below the
+     * line of sight. In a world of models, cells without ground are not unknown, but empty.
      */
     public boolean isUnknown(int column, int row) {
         if (sensors.keySet().stream().anyMatch(sensor -> isReached(sensor, column, row))) {
@@ -130,16 +131,16 @@ public final class Coverage {
     }
 
     /**
-     * A sensor's assessment of the drone in a cell, using the same random rays as its look there; empty where there is no
-     * ground. For a sensor with a random decision, {@link #isReached} is a single realisation. One thread at a time.
+     * A sensor's assessment of the drone in a cell, using the same random rays as its look there; empty where there is
+     * no ground. For a sensor with a random decision, {@link #isReached} is a single realisation. One thread at a time.
      */
     public Optional<Assessment> assess(String sensor, int column, int row) {
         return probers.get(sensor).assess(column, row);
     }
 
     /**
-     * Why a sensor does not detect the drone: the number of cells for each cause, excluding cells with a detection and cells
-     * without ground. Microphones trace nothing for it. One thread at a time.
+     * Why a sensor does not detect the drone: the number of cells for each cause, excluding cells with a detection and
+     * cells without ground. Microphones trace nothing for it. One thread at a time.
      */
     public Map<Cause, Integer> causes(String sensor) {
         Map<Cause, Integer> causes = new EnumMap<>(Cause.class);
@@ -157,8 +158,8 @@ public final class Coverage {
     }
 
     /**
-     * Why each sensor does not detect the drone, by sensor as {@link #causes(String)}, on the threads of the {@link Workers} that
-     * call; the same for any number of them.
+     * Why each sensor does not detect the drone, by sensor as {@link #causes(String)}, on the threads of the
+     * {@link Workers} that call; the same for any number of them.
      */
     public Map<String, Map<Cause, Integer>> causes() {
         List<String> ids = List.copyOf(sensors.keySet());

@@ -7,7 +7,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The straight approach to the world's origin, low over the ground, on which a drone stays hidden from a place for longest.
+ * The straight approach to the world's origin, low over the ground, on which a drone stays hidden from a place for
+ * longest.
  *
  * @param azimuth from which it comes, rad clockwise from north
  * @param start where it begins, over the ground, m

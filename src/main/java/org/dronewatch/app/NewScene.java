@@ -13,8 +13,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.World;
 
 /**
- * The text of a scene for a real place: its ground and buildings, a sensor of each kind, an intruder and a protected zone, with
- * comments that say what to change.
+ * The text of a scene for a real place: its ground and buildings, a sensor of each kind, an intruder and a protected
+ * zone, with comments that say what to change.
  *
  * @param name of the scene
  * @param latitude of the origin, degrees

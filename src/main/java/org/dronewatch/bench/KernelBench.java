@@ -14,9 +14,9 @@ import org.dronewatch.parallel.Workers;
 /** Traces sets of rays repeatedly and measures the time. */
 public final class KernelBench {
     /**
-     * Least duration of the warm-up, in which passes do not count. With a shorter one, some passes would be measured before
-     * the virtual machine has compiled the tracing for the last time: one picture takes ten milliseconds, the compiler half
-     * a second.
+     * Least duration of the warm-up, in which passes do not count. With a shorter one, some passes would be measured
+     * before the virtual machine has compiled the tracing for the last time: one picture takes ten milliseconds, the
+     * compiler half a second.
      */
     private static final long WARM_UP_NANOS = 1_000_000_000L;
 

@@ -5,8 +5,8 @@ import org.jogamp.vecmath.SingularMatrixException;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * The pinhole picture that a set of rays is said to be: found from the rays of its four corners, held against every ray.
- * Tiles whose rays are not those of the picture are known as such.
+ * The pinhole picture that a set of rays is said to be: found from the rays of its four corners, held against every
+ * ray. Tiles whose rays are not those of the picture are known as such.
  */
 final class Picture {
     /** How far a given direction may be from the picture's: a few roundings of a unit vector of floats. */
@@ -29,8 +29,8 @@ final class Picture {
     }
 
     /**
-     * The four corners of a picture lie in one plane and make a parallelogram there: the one at the bottom right is the sum
-     * of its neighbours minus the one across, for the right lengths of the four.
+     * The four corners of a picture lie in one plane and make a parallelogram there: the one at the bottom right is the
+     * sum of its neighbours minus the one across, for the right lengths of the four.
      */
     private boolean find() {
         Vector3d a = direction(0, 0);

@@ -11,8 +11,8 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * Makes rays for a model without a ray file: those of a camera inside the model's box that looks at its middle, and those
- * that diffuse walls reflect from what the camera sees.
+ * Makes rays for a model without a ray file: those of a camera inside the model's box that looks at its middle, and
+ * those that diffuse walls reflect from what the camera sees.
  */
 public final class RayGenerator {
     private static final int WIDTH = 1024;
@@ -78,8 +78,8 @@ public final class RayGenerator {
     }
 
     /**
-     * A million rays of paths that start where the camera's rays hit and are reflected up to ten times, each in a direction
-     * drawn by Lambert's cosine law. None when the camera sees nothing.
+     * A million rays of paths that start where the camera's rays hit and are reflected up to ten times, each in a
+     * direction drawn by Lambert's cosine law. None when the camera sees nothing.
      */
     public RaySet diffuse(RaySet camera) {
         SplittableRandom random = new SplittableRandom(seed);

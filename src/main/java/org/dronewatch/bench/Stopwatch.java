@@ -6,9 +6,9 @@ import java.util.function.LongSupplier;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Measures how long work takes: the median of several runs, after others that warmed up. Short work is repeated many times
- * in a run. Pieces of work that are to be compared run in turn, so that a slow spell of the machine strikes all of them, and
- * so that the compiler of the virtual machine has seen all of them before any is measured.
+ * Measures how long work takes: the median of several runs, after others that warmed up. Short work is repeated many
+ * times in a run. Pieces of work that are to be compared run in turn, so that a slow spell of the machine strikes all
+ * of them, and so that the compiler of the virtual machine has seen all of them before any is measured.
  */
 final class Stopwatch {
     private static final double NANO = 1e-9;
@@ -26,7 +26,8 @@ final class Stopwatch {
     /**
      * A stopwatch.
      *
-     * @param warmUp for how long each work is done before it is measured, at least once, ns; a run lasts a twentieth of it
+     * @param warmUp for how long each work is done before it is measured, at least once, ns; a run lasts a twentieth of
+     *     it
      * @param mostRuns how many runs are measured; of work that takes longer than the warm-up, three at most
      * @param clock returns the current time, ns
      */

@@ -62,7 +62,10 @@ final class TracingStudy {
                 new CostCurves("memory", "Memory", "triangles", "bytes a triangle", List.of(memory.line())));
     }
 
-    /** How many triangles grounds are to have: five times as many each time, and the largest, well above the last of them. */
+    /**
+     * How many triangles grounds are to have: five times as many each time, and the largest, well above the last of
+     * them.
+     */
     static List<Integer> sizes(int largest) {
         List<Integer> sizes = new ArrayList<>();
         for (long size = LEAST; size < 0.9 * largest; size *= GROWTH) {

@@ -16,8 +16,8 @@ import org.dronewatch.setting.file.PackagedSite;
 import org.dronewatch.terrain.TerrainGround;
 
 /**
- * Makes solids in the world frame of the buildings on a map. Each stands on the lowest ground under it, from which its height
- * counts, and reaches {@value #BELOW} m below that, so that no gap is left on a slope. Immutable.
+ * Makes solids in the world frame of the buildings on a map. Each stands on the lowest ground under it, from which its
+ * height counts, and reaches {@value #BELOW} m below that, so that no gap is left on a slope. Immutable.
  */
 public final class BuildingLoader {
     /** How far walls reach below the lowest ground under them, m. */
@@ -45,8 +45,8 @@ public final class BuildingLoader {
      * @param settings with a file
      * @param origin of the world frame
      * @param terrain what they stand on; if empty, the level of the origin
-     * @throws InputException in one line when the file is missing, of no known format or damaged, or has no building near the
-     *     origin
+     * @throws InputException in one line when the file is missing, of no known format or damaged, or has no building
+     *     near the origin
      */
     public LoadedBuildings load(BuildingSettings settings, Origin origin, Optional<TerrainGround> terrain) {
         String file = settings.file().orElseThrow(() -> new InputException("needs a 'file', a map with buildings"));

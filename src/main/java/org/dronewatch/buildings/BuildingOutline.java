@@ -10,7 +10,8 @@ import java.util.Optional;
  * @param id what the map calls it
  * @param name its name, if the map states one
  * @param isPart whether it is a part of a building with heights of its own
- * @param outer the outline, counterclockwise: x and y in the world frame of each corner in turn, m, at the level of the origin
+ * @param outer the outline, counterclockwise: x and y in the world frame of each corner in turn, m, at the level of the
+ *     origin
  * @param courts courtyards, clockwise, as the outline
  * @param bottom height of its lowest point above the lowest ground below it, 0 for what stands on the ground, m
  * @param top height of its highest point above the same ground, m

@@ -12,9 +12,9 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.PackagedSite;
 
 /**
- * The buildings of a real place, from a map: OpenStreetMap (.osm, also in .gz, or .osm.pbf), outlines in GeoJSON, or a city
- * model in CityJSON. Outlines stand on the scene's terrain, about its geographic origin, {@code world.origin}, which such a scene
- * must give.
+ * The buildings of a real place, from a map: OpenStreetMap (.osm, also in .gz, or .osm.pbf), outlines in GeoJSON, or a
+ * city model in CityJSON. Outlines stand on the scene's terrain, about its geographic origin, {@code world.origin},
+ * which such a scene must give.
  *
  * @param file the map, or {@code packaged:NAME} for one that comes with the library
  * @param crs coordinate reference system of GeoJSON or CityJSON by its EPSG code; omit it for longitude and
@@ -25,9 +25,8 @@ import org.dronewatch.setting.file.PackagedSite;
  * @param verticalOffset what is added to the heights of a city model, -1000 to 1000 m: for one that counts from another
  *     level than
  *     {@code world.origin.height} and the terrain do
- * @param woodHeight height of the woods on the map, which become canopies that nothing passes through, 1 to 100 m; omit it
- *     to build
- *     no woods
+ * @param woodHeight height of the woods on the map, which become canopies that nothing passes through, 1 to 100 m; omit
+ *     it to build no woods
  * @param material material of buildings for which the map states none: a name in the table of surfaces
  */
 public record BuildingSettings(
@@ -47,8 +46,8 @@ public record BuildingSettings(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException if a value is out of range, a text is empty, or the code of the coordinate reference
-     *     system is not known
+     * @throws IllegalArgumentException if a value is out of range, a text is empty, or the code of the coordinate
+     *     reference system is not known
      */
     public BuildingSettings {
         Limits.check(

@@ -13,8 +13,8 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.terrain.TerrainGround;
 
 /**
- * Woods as bodies of one height over the ground, whose tops follow it: each triangle of a wood is cut along those of the terrain.
- * Nothing passes through them, as through dense foliage.
+ * Woods as bodies of one height over the ground, whose tops follow it: each triangle of a wood is cut along those of
+ * the terrain. Nothing passes through them, as through dense foliage.
  */
 final class Canopies {
     /** What the edge of a wood is to sound, in the table of surfaces. */

@@ -18,8 +18,8 @@ final class GroundUnder {
     }
 
     /**
-     * The lowest and the highest ground within an outline and on it, on the earth: at its corners, at those of the terrain inside,
-     * and where edges of both cross, since all of the ground is flat in between.
+     * The lowest and the highest ground within an outline and on it, on the earth: at its corners, at those of the
+     * terrain inside, and where edges of both cross, since all of the ground is flat in between.
      *
      * @return heights, m; not numbers where there is no ground under any of these points
      */

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * A roof whose height at each point is that of the lowest of some planes there: gables, hips, pyramids, domes and single slopes
- * are of this kind. Heights count from the eaves.
+ * A roof whose height at each point is that of the lowest of some planes there: gables, hips, pyramids, domes and
+ * single slopes are of this kind. Heights count from the eaves.
  *
  * @param planes with no two the same
  */
@@ -41,8 +41,8 @@ record RoofPlanes(List<Slope> planes) {
     }
 
     /**
-     * The roof of a building. All coordinates are relative to a point near the building, lest differences of large numbers cost
-     * precision.
+     * The roof of a building. All coordinates are relative to a point near the building, lest differences of large
+     * numbers cost precision.
      *
      * @param outer the outline, counter-clockwise
      * @param dimensions with a roof that is not flat
@@ -100,8 +100,8 @@ record RoofPlanes(List<Slope> planes) {
     }
 
     /**
-     * From each side to the middle, where the distance from the side is a fraction of that in the middle, 1 at the side and 0 in the
-     * middle; the height is a curve over that fraction, given by its corners.
+     * From each side to the middle, where the distance from the side is a fraction of that in the middle, 1 at the side
+     * and 0 in the middle; the height is a curve over that fraction, given by its corners.
      */
     private static List<Slope> aboutMiddle(
             double[] outer, Rectangle rectangle, double rise, double[] fractions, double[] heights) {

@@ -1,8 +1,9 @@
 package org.dronewatch.bvh;
 
 /**
- * A bounding volume hierarchy with eight children per node over the triangles of a {@link org.dronewatch.kdtree.KDTree}, for
- * incoherent rays: fewer and wider steps than in a kd-tree, each by vector instructions. Immutable, shared by all threads.
+ * A bounding volume hierarchy with eight children per node over the triangles of a
+ * {@link org.dronewatch.kdtree.KDTree}, for incoherent rays: fewer and wider steps than in a kd-tree, each by vector
+ * instructions. Immutable, shared by all threads.
  */
 final class Bvh {
     /** The distance from the origin up to which the margins of single precision are known to hold, m. */

@@ -13,9 +13,9 @@ import org.dronewatch.kdtree.StackTraversal;
 
 /**
  * Walks a {@link Bvh}: a step tests the boxes of eight children at once in single precision, widened by more than its
- * roundings; a block tests four triangles at once, in double precision by the arithmetic of {@code TriangleIntersection}.
- * It hits what the kd-tree hits; where triangles meet in the very point, it reports the nearest by the last bit, then the
- * one with the lowest number.
+ * roundings; a block tests four triangles at once, in double precision by the arithmetic of
+ * {@code TriangleIntersection}. It hits what the kd-tree hits; where triangles meet in the very point, it reports the
+ * nearest by the last bit, then the one with the lowest number.
  *
  * <p>For incoherent rays: in a kd-tree they take many narrow steps, and processors mispredict half of them. Rays whose
  * numbers single precision cannot bound are left to the kd-tree.
@@ -30,8 +30,9 @@ final class BvhTraversal extends RayTracer {
     private static final VectorSpecies<Double> DOUBLES_4 = DoubleVector.SPECIES_256;
 
     /**
-     * How far a box's planes are moved outwards, as a fraction of the coordinates' size: four roundings of single precision,
-     * of the inverse direction, of the origin's product with it, of the fused product and sum, and one to spare.
+     * How far a box's planes are moved outwards, as a fraction of the coordinates' size: four roundings of single
+     * precision, of the inverse direction, of the origin's product with it, of the fused product and sum, and one to
+     * spare.
      */
     private static final double MARGIN = 0x1p-22;
 

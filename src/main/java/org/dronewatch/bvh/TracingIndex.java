@@ -58,7 +58,10 @@ public final class TracingIndex {
         return tree;
     }
 
-    /** A new ray tracer for single rays, for the use of one thread: a stack-based traversal of the kd-tree, unless set otherwise. */
+    /**
+     * A new ray tracer for single rays, for the use of one thread: a stack-based traversal of the kd-tree, unless set
+     * otherwise.
+     */
     public RayTracer newRayTracer() {
         return newRayTracer(tree);
     }

@@ -8,7 +8,8 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * How the trees of models are built, and how rays traverse them. This changes speed, not results.
  *
- * @param traversal {@code fastest}; or {@code stack} or {@code sequential}: one ray at a time, for pictures and sound, too
+ * @param traversal {@code fastest}; or {@code stack} or {@code sequential}: one ray at a time, for pictures and sound,
+ *     too
  * @param costs costs of a traversal step and of a triangle test assumed by the surface area heuristic
  */
 public record TracingSettings(RayTraversal traversal, SahCost costs) {

@@ -9,7 +9,9 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
 
-/** The packaged sensors, systems and positioners as the files in which they are written: a start for one of your own. */
+/**
+ * The packaged sensors, systems and positioners as the files in which they are written: a start for one of your own.
+ */
 public final class CatalogTexts {
     private CatalogTexts() {}
 

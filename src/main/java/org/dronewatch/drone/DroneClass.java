@@ -1,8 +1,8 @@
 package org.dronewatch.drone;
 
 /**
- * A class of drones with a measured distribution of the radar cross-section: log-normal from look to look. The figures are
- * those of 3GPP TR 38.901 version 19, section 7.9.2.1. The mean is that of the cross-section in m2, not that of its
+ * A class of drones with a measured distribution of the radar cross-section: log-normal from look to look. The figures
+ * are those of 3GPP TR 38.901 version 19, section 7.9.2.1. The mean is that of the cross-section in m2, not that of its
  * decibels.
  */
 public enum DroneClass {

@@ -111,8 +111,8 @@ public record DroneSettings(
     }
 
     /**
-     * A sound with its own spectrum may have any name that is not in the table, and need not have one: then it has that of the
-     * default. Otherwise the name must be in the table.
+     * A sound with its own spectrum may have any name that is not in the table, and need not have one: then it has that
+     * of the default. Otherwise the name must be in the table.
      */
     private static void checkSound(String name, boolean own) {
         if (own && name.isBlank()) {
@@ -209,11 +209,11 @@ public record DroneSettings(
     }
 
     /**
-     * These settings with the sound of another kind of drone, spectrum and loudness: one from the library's table, with its
-     * directivity if that was measured, or a sound of your own.
+     * These settings with the sound of another kind of drone, spectrum and loudness: one from the library's table, with
+     * its directivity if that was measured, or a sound of your own.
      *
-     * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB, or a sound of your own
-     *     has a name of the table
+     * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB, or a sound of
+     *     your own has a name of the table
      */
     public DroneSettings withSound(DroneSound other) {
         boolean packaged = DroneSounds.find(other.name()).equals(Optional.of(other));

@@ -16,8 +16,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param fluctuation how the cross-section changes from look to look
  * @param aspects cross-section by aspect relative to the mean, dB: values at equal steps of azimuth, clockwise from the
  *     nose as seen from above; 1 to 360 of them, one if it is the same from all sides
- * @param spread standard deviation in decibels of a cross-section that is log-normally distributed from look to look, above 0
- *     and at most 20 dB; omit it for a {@code fluctuation}
+ * @param spread standard deviation in decibels of a cross-section that is log-normally distributed from look to look,
+ *     above 0 and at most 20 dB; omit it for a {@code fluctuation}
  * @param droneClass a class of drones that gives {@code crossSection} and {@code spread}; omit it for your own
  */
 public record RadarSignature(
@@ -36,9 +36,9 @@ public record RadarSignature(
     private static final int MAX_ASPECTS = 360;
 
     /**
-     * How a cross-section changes: Swerling's cases (P. Swerling, "Probability of detection for fluctuating targets", IRE
-     * Transactions on Information Theory 6, 1960). Cases 2 and 4 differ from 1 and 3 only where a radar adds up several
-     * pulses.
+     * How a cross-section changes: Swerling's cases (P. Swerling, "Probability of detection for fluctuating targets",
+     * IRE Transactions on Information Theory 6, 1960). Cases 2 and 4 differ from 1 and 3 only where a radar adds up
+     * several pulses.
      */
     public enum Fluctuation {
         /** Not at all: Swerling's case 0. */
@@ -47,7 +47,10 @@ public record RadarSignature(
         SWERLING_1,
         /** As of many similar scatterers, from pulse to pulse: exponentially distributed, case 2. */
         SWERLING_2,
-        /** As of one large scatterer with many small ones, from look to look: chi-square, four degrees of freedom, case 3. */
+        /**
+         * As of one large scatterer with many small ones, from look to look: chi-square, four degrees of freedom, case
+         * 3.
+         */
         SWERLING_3,
         /** As of one large scatterer with many small ones, from pulse to pulse: case 4. */
         SWERLING_4

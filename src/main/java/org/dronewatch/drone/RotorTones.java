@@ -12,13 +12,13 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.Tone;
 
 /**
- * The lines in the spectrum of a drone: the blade-passing frequency of its rotors and its harmonics. They are part of the
- * drone's sound power, not additional to it; the rest of each octave band is broadband noise.
+ * The lines in the spectrum of a drone: the blade-passing frequency of its rotors and its harmonics. They are part of
+ * the drone's sound power, not additional to it; the rest of each octave band is broadband noise.
  *
  * @param rotorSpeed revolutions of a rotor, above 0 to 1000 Hz; also with {@code rpm}, as in {@code 6150 rpm}
  * @param blades number of blades of a rotor, 1 to 12; two on most quadrotors
- * @param shares the fraction of its octave band's power in each line, from the blade-passing frequency on, 0 to 1; up to 50
- *     lines, and those within one octave add up to at most 1. Lines outside the eight octave bands are not heard
+ * @param shares the fraction of its octave band's power in each line, from the blade-passing frequency on, 0 to 1; up
+ *     to 50 lines, and those within one octave add up to at most 1. Lines outside the eight octave bands are not heard
  */
 public record RotorTones(
         @In(value = Quantity.FREQUENCY, above = 0, to = 1000) double rotorSpeed,
@@ -33,7 +33,8 @@ public record RotorTones(
     /**
      * Checks the limits and copies the list.
      *
-     * @throws IllegalArgumentException if a value is out of range, or the lines of an octave have more than all its power
+     * @throws IllegalArgumentException if a value is out of range, or the lines of an octave have more than all its
+     *     power
      */
     public RotorTones {
         Limits.check(RotorTones.class, rotorSpeed, blades, shares);
@@ -54,7 +55,10 @@ public record RotorTones(
         }
     }
 
-    /** Two blades, and six lines with an assumed half of the power at the blade-passing frequency, less in the harmonics. */
+    /**
+     * Two blades, and six lines with an assumed half of the power at the blade-passing frequency, less in the
+     * harmonics.
+     */
     @Defaults("rotorSpeed")
     public static RotorTones of(double rotorSpeed) {
         return new RotorTones(rotorSpeed, 2, TYPICAL);

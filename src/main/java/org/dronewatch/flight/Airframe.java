@@ -8,8 +8,8 @@ import org.dronewatch.geometry.Position;
  */
 public enum Airframe {
     /**
-     * Rotors that push along the drone's own vertical: it tilts until their thrust is the acceleration minus gravity. In
-     * level flight that is by {@code tan(tilt) = a / g}, towards the acceleration.
+     * Rotors that push along the drone's own vertical: it tilts until their thrust is the acceleration minus gravity.
+     * In level flight that is by {@code tan(tilt) = a / g}, towards the acceleration.
      */
     MULTIROTOR {
         @Override
@@ -70,8 +70,8 @@ public enum Airframe {
 
     /**
      * A path on which such a drone leans: the same positions, velocities and headings, with pitch and roll that follow
-     * from velocity and {@linkplain FlightPath#acceleration acceleration}. Where the path itself states a pitch or roll,
-     * these stay. How far a drone can tilt is not limited.
+     * from velocity and {@linkplain FlightPath#acceleration acceleration}. Where the path itself states a pitch or
+     * roll, these stay. How far a drone can tilt is not limited.
      */
     public FlightPath leaning(FlightPath path) {
         return new LeaningPath(path, this);

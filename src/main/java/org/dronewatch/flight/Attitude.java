@@ -3,11 +3,11 @@ package org.dronewatch.flight;
 import org.dronewatch.geometry.Position;
 
 /**
- * How a drone is turned in the world, whose x points east, y north and z up. A model's nose points along its y axis, and
- * its right side along x. The angles are applied in the order of the components: first the yaw about the vertical, then
- * the pitch about the drone's own right axis, then the roll about its nose. As a matrix from the model to the world,
- * with the right-handed rotations of vecmath, that is {@code rotZ(-yaw) rotX(pitch) rotY(roll)}. All zero is level with
- * the nose to the north.
+ * How a drone is turned in the world, whose x points east, y north and z up. A model's nose points along its y axis,
+ * and its right side along x. The angles are applied in the order of the components: first the yaw about the vertical,
+ * then the pitch about the drone's own right axis, then the roll about its nose. As a matrix from the model to the
+ * world, with the right-handed rotations of vecmath, that is {@code rotZ(-yaw) rotX(pitch) rotY(roll)}. All zero is
+ * level with the nose to the north.
  *
  * @param yaw where the nose points, clockwise from north as seen from above, rad, any finite angle
  * @param pitch how far the nose is above the horizontal, rad, any finite angle
@@ -45,8 +45,8 @@ public record Attitude(double yaw, double pitch, double roll) {
     }
 
     /**
-     * A displacement of the drone's own frame (to its right, along its nose, upwards) in the world; its length stays the
-     * same.
+     * A displacement of the drone's own frame (to its right, along its nose, upwards) in the world; its length stays
+     * the same.
      */
     public Position toWorld(Position displacement) {
         double x = displacement.x() * Math.cos(roll) + displacement.z() * Math.sin(roll);

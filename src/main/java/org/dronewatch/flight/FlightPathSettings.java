@@ -92,7 +92,8 @@ public interface FlightPathSettings {
     }
 
     /**
-     * Flies level and straight towards a point, at cruise speed from the start, and stops there, or at the standoff distance.
+     * Flies level and straight towards a point, at cruise speed from the start, and stops there, or at the standoff
+     * distance.
      *
      * @param target the point, m
      * @param bearing direction from which it comes, as seen from the target: clockwise from north, rad

@@ -26,8 +26,8 @@ import org.dronewatch.setting.file.FileHash;
 
 /**
  * The flights of a run's {@code flights.csv}: one row for each leg and one for its end, with numbers at full precision.
- * Times are seconds since the start of the run, positions m, velocities m/s, angles rad, and {@code gliding_s} is how long
- * the motors have been off, empty while they run. Columns may be in any order.
+ * Times are seconds since the start of the run, positions m, velocities m/s, angles rad, and {@code gliding_s} is how
+ * long the motors have been off, empty while they run. Columns may be in any order.
  */
 public final class FlightsFile {
     /** The columns, in the order in which a run writes them. */

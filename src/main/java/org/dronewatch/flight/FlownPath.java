@@ -11,8 +11,8 @@ public interface FlownPath extends FlightPath {
     List<Leg> legs();
 
     /**
-     * The mean acceleration over the half second before a time, or since the start: what comes later is not known while a
-     * drone is steered, and a recorded flight leans as the steered one did.
+     * The mean acceleration over the half second before a time, or since the start: what comes later is not known while
+     * a drone is steered, and a recorded flight leans as the steered one did.
      */
     @Override
     default Position acceleration(double time) {

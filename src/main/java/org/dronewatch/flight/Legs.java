@@ -17,9 +17,10 @@ public final class Legs {
 
     /**
      * The legs of a flight. One that is made of legs has its own, before the drone leans. Of any other, samples at even
-     * steps are joined: where it flies straight at constant speed they become one leg, which is exact but for rounding. In a
-     * bend, or where it speeds up by the acceleration a, it is cut at each step, and between two cuts it is at most a
-     * step^2 / 8 away from where it was. The last leg begins at the end, so that the legs state how long the flight is known.
+     * steps are joined: where it flies straight at constant speed they become one leg, which is exact but for rounding.
+     * In a bend, or where it speeds up by the acceleration a, it is cut at each step, and between two cuts it is at
+     * most a step^2 / 8 away from where it was. The last leg begins at the end, so that the legs state how long the
+     * flight is known.
      *
      * @param path the flight
      * @param until its end, s

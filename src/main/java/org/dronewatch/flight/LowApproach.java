@@ -10,8 +10,9 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * Flies straight towards a point, low over the ground, using whatever cover there is, and stops there, or at the standoff distance. It climbs
- * and descends at no more than 45 degrees, and keeps its height as {@link TerrainFollowing} does.
+ * Flies straight towards a point, low over the ground, using whatever cover there is, and stops there, or at the
+ * standoff distance. It climbs and descends at no more than 45 degrees, and keeps its height as
+ * {@link TerrainFollowing} does.
  *
  * @param target the point in plan, as a pair of east and north, m
  * @param bearing direction from which it comes, as seen from the target: clockwise from north, rad

@@ -1,8 +1,8 @@
 package org.dronewatch.flight;
 
 /**
- * Motion over a distance from rest to rest: constant acceleration, cruise, constant deceleration. A short distance is over before
- * the cruise speed is reached.
+ * Motion over a distance from rest to rest: constant acceleration, cruise, constant deceleration. A short distance is
+ * over before the cruise speed is reached.
  */
 public final class RestToRest {
     private final double length;

@@ -83,8 +83,8 @@ public final class SteeredFlight implements FlownPath {
      * @param time seconds since the start of the run
      * @param target the point, m
      * @param arrival when it is to be there, after the command, seconds since the start of the run
-     * @throws IllegalArgumentException when that requires more than the drone's speed, the point is null, the arrival is
-     *     not after the command, or a later time is already known
+     * @throws IllegalArgumentException when that requires more than the drone's speed, the point is null, the arrival
+     *     is not after the command, or a later time is already known
      * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void flyTo(double time, Position target, double arrival) {

@@ -4,8 +4,9 @@ import java.util.Collection;
 import java.util.List;
 
 /**
- * How far a run has come, for the flights that are steered in it. Whoever runs a scene has one; those who steer give their
- * commands to a {@link SteeredFlight}, whose past only this advances. Flights of other kinds need no clock and are left alone.
+ * How far a run has come, for the flights that are steered in it. Whoever runs a scene has one; those who steer give
+ * their commands to a {@link SteeredFlight}, whose past only this advances. Flights of other kinds need no clock and
+ * are left alone.
  */
 public final class SteeringClock {
     private final List<SteeredFlight> flights;

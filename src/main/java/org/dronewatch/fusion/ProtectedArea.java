@@ -10,8 +10,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * An area that must not be reached, between two heights above the ground: a polygon, or a circle. Its floor counts from the
- * lowest ground below the area and its top from the highest, so that on a slope nothing of it is left out.
+ * An area that must not be reached, between two heights above the ground: a polygon, or a circle. Its floor counts from
+ * the lowest ground below the area and its top from the highest, so that on a slope nothing of it is left out.
  *
  * @param area the corners of a polygon in either direction, 3 to 1000; leave it out for a circle
  * @param centre the centre of a circle

@@ -7,8 +7,9 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A place by latitude and longitude (WGS 84), as scene files may give it instead of a position: {@code {latitude: 43.7314 deg,
- * longitude: 7.4202 deg, above: 10 m}}. Without {@code above} and {@code height} it lies on the highest surface there.
+ * A place by latitude and longitude (WGS 84), as scene files may give it instead of a position: {@code {latitude:
+ * 43.7314 deg, longitude: 7.4202 deg, above: 10 m}}. Without {@code above} and {@code height} it lies on the highest
+ * surface there.
  *
  * @param latitude north of the equator, rad
  * @param longitude east of Greenwich, rad

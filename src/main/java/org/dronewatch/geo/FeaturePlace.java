@@ -8,8 +8,9 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A place by the name that a map gives it, as scene files may give it instead of a position: {@code {feature: north gate, above:
- * 3 m}}. Without {@code above} and {@code height} it is as high as the file says, or lies on the highest surface there.
+ * A place by the name that a map gives it, as scene files may give it instead of a position: {@code {feature: north
+ * gate, above: 3 m}}. Without {@code above} and {@code height} it is as high as the file says, or lies on the highest
+ * surface there.
  *
  * @param feature name of a point in a GeoJSON or KML file
  * @param file that file; the one beside the scene file that has the same name but for {@code .geojson} or {@code .kml}

@@ -3,8 +3,8 @@ package org.dronewatch.geo;
 import org.dronewatch.geometry.Position;
 
 /**
- * Turns positions in the world frame (x east, y north, z up, m) into latitude and longitude on the WGS 84 ellipsoid.
- * At the scene's origin the frame is tangent to a surface that lies above the ellipsoid by the origin's height; an origin
+ * Turns positions in the world frame (x east, y north, z up, m) into latitude and longitude on the WGS 84 ellipsoid. At
+ * the scene's origin the frame is tangent to a surface that lies above the ellipsoid by the origin's height; an origin
  * whose height is not known is taken to lie on the ellipsoid, which at 1000 m would move what is 1 km away by 0.16 m on
  * the map.
  *
@@ -82,9 +82,9 @@ public final class Geodesy {
     }
 
     /**
-     * The point on earth of a position in the world frame, with its height above the ellipsoid on which the origin lies at
-     * its own height, or at 0 where that is not known. The inverse of {@link #inWorld} to a micrometre within 100 km;
-     * longitudes continue from that of the origin. Height by Bowring (The accuracy of geodetic latitude and height
+     * The point on earth of a position in the world frame, with its height above the ellipsoid on which the origin lies
+     * at its own height, or at 0 where that is not known. The inverse of {@link #inWorld} to a micrometre within 100
+     * km; longitudes continue from that of the origin. Height by Bowring (The accuracy of geodetic latitude and height
      * equations, Survey Review 28, 1985).
      *
      * @param position position, m

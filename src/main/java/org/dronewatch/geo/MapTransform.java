@@ -10,9 +10,9 @@ import org.locationtech.proj4j.ProjCoordinate;
 
 /**
  * Takes points from a map to the world frame and back, in double precision: the map's coordinates become longitude and
- * latitude, these earth-centred coordinates, and these east, north and up of the scene's origin. So grid north may differ
- * from true north, the grid's scale from 1, and ground 5 km away lies 2 m lower, as it does on the earth; subtracting the
- * origin's coordinates on the map would miss all three.
+ * latitude, these earth-centred coordinates, and these east, north and up of the scene's origin. So grid north may
+ * differ from true north, the grid's scale from 1, and ground 5 km away lies 2 m lower, as it does on the earth;
+ * subtracting the origin's coordinates on the map would miss all three.
  *
  * <p>Heights pass the change of datum unchanged, as heights above sea level do. One per thread.
  */
@@ -94,8 +94,8 @@ public final class MapTransform {
     }
 
     /**
-     * Longitude and latitude of a point of the map. PROJ4J's inverse formulas are series, some of which end early, at 0.3 mm
-     * for the equal-area projection of Europe: the forward formula, which is exact, corrects them.
+     * Longitude and latitude of a point of the map. PROJ4J's inverse formulas are series, some of which end early, at
+     * 0.3 mm for the equal-area projection of Europe: the forward formula, which is exact, corrects them.
      */
     private void toEarth(double x, double y) {
         if (crs.isGeographic() && (Math.abs(x) > FULL_TURN || Math.abs(y) > FULL_TURN / 4.0)) {

@@ -4,10 +4,10 @@ import java.util.Arrays;
 import org.dronewatch.geometry.Position;
 
 /**
- * Finds the triangles of a tree that come near an ellipsoid of two foci: the points whose distances from both foci add up
- * to no more than a limit, such as the points that a detour of bounded length between two points can touch. The result
- * contains every triangle that reaches into the ellipsoid, and a few beside it: boxes are tested, not the triangles' own
- * shapes. Allocates only when a query finds more triangles than any before it. One per thread.
+ * Finds the triangles of a tree that come near an ellipsoid of two foci: the points whose distances from both foci add
+ * up to no more than a limit, such as the points that a detour of bounded length between two points can touch. The
+ * result contains every triangle that reaches into the ellipsoid, and a few beside it: boxes are tested, not the
+ * triangles' own shapes. Allocates only when a query finds more triangles than any before it. One per thread.
  */
 public final class EllipsoidQuery {
     private final KDTree tree;

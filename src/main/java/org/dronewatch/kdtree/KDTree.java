@@ -5,8 +5,9 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles in leaf order. Holds data only: ray
- * tracers such as {@link StackTraversal} walk it, and {@link KDTreeStats} measures it. Immutable, shared by all threads.
+ * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles in leaf order. Holds data only:
+ * ray tracers such as {@link StackTraversal} walk it, and {@link KDTreeStats} measures it. Immutable, shared by all
+ * threads.
  */
 public final class KDTree {
     private final TriangleMesh mesh;
@@ -83,7 +84,10 @@ public final class KDTree {
         return nodes;
     }
 
-    /** The indices of the leaves' triangles in {@link #triangles()}, leaf by leaf; for the kernel's packages, which do not write to it. */
+    /**
+     * The indices of the leaves' triangles in {@link #triangles()}, leaf by leaf; for the kernel's packages, which do
+     * not write to it.
+     */
     public int[] leafTriangles() {
         return leafTriangles;
     }

@@ -3,8 +3,8 @@ package org.dronewatch.kdtree;
 import java.util.Arrays;
 
 /**
- * The triangles of a tree, in leaf order: the order in which they first occur in the leaves. What is close together in space
- * is then close together in memory, however a model's file orders its faces. Immutable, shared by all threads.
+ * The triangles of a tree, in leaf order: the order in which they first occur in the leaves. What is close together in
+ * space is then close together in memory, however a model's file orders its faces. Immutable, shared by all threads.
  */
 public final class LeafOrderTriangles {
     private final float[] corners;

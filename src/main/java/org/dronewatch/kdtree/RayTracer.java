@@ -142,16 +142,16 @@ public abstract class RayTracer {
     }
 
     /**
-     * Computes the barycentrics of the hit of the current ray for {@link #setBarycentrics}; for the kernel's packages, where a
-     * tracer keeps hits without them.
+     * Computes the barycentrics of the hit of the current ray for {@link #setBarycentrics}; for the kernel's packages,
+     * where a tracer keeps hits without them.
      */
     protected void findBarycentrics() {
         throw new IllegalStateException("hits are kept with their barycentrics");
     }
 
     /**
-     * Keeps a hit of the current ray that was found by the arithmetic of the kernel's test, without its barycentrics; for the
-     * kernel's packages.
+     * Keeps a hit of the current ray that was found by the arithmetic of the kernel's test, without its barycentrics;
+     * for the kernel's packages.
      */
     protected final void setHit(int triangle, double distance) {
         intersection.setHit(triangle, distance);

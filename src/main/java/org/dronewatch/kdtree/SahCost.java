@@ -6,9 +6,9 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The surface area heuristic: the expected cost of a ray through a node, in any unit of work; only the ratio of the two costs
- * matters. After Wald and Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)" (2006), equations 1
- * to 5, where they are called KT and KI.
+ * The surface area heuristic: the expected cost of a ray through a node, in any unit of work; only the ratio of the two
+ * costs matters. After Wald and Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)"
+ * (2006), equations 1 to 5, where they are called KT and KI.
  *
  * @param traversal cost of one traversal step, 0.001 to 1000
  * @param intersection cost of one triangle test, 0.001 to 1000

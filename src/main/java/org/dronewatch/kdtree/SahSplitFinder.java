@@ -117,9 +117,9 @@ final class SahSplitFinder {
     }
 
     /**
-     * Tries to cut off triangles that lie in a face of the voxel, one step of the grid inside it: floors and walls would
-     * otherwise share the air in front of them, and rays through the air would test them all. The slice of one step has no
-     * plane inside, so it is not cut so again.
+     * Tries to cut off triangles that lie in a face of the voxel, one step of the grid inside it: floors and walls
+     * would otherwise share the air in front of them, and rays through the air would test them all. The slice of one
+     * step has no plane inside, so it is not cut so again.
      */
     private void tryBesideFaces(int[] boxes, int count, int axis, int[] voxel) {
         boolean inLowFace = false;

@@ -1,8 +1,8 @@
 package org.dronewatch.kdtree;
 
 /**
- * Descends to the nearer child and keeps the farther one on a stack. The default ray tracer: it visits each node at most
- * once.
+ * Descends to the nearer child and keeps the farther one on a stack. The default ray tracer: it visits each node at
+ * most once.
  */
 public final class StackTraversal extends KDTraversal {
     private final int[] stackNode;

@@ -12,15 +12,15 @@ import org.dronewatch.parallel.Workers;
  * <ul>
  *   <li>A part that stays within its limit is the one without any limit.
  *   <li>Otherwise its root is split all the same, if the limit covers that split; what remains of the limit is divided
- *       between both sides in proportion to their references, and the same holds for each of them. A cell whose split is
- *       not covered becomes a leaf.
+ *       between both sides in proportion to their references, and the same holds for each of them. A cell whose split
+ *       is not covered becomes a leaf.
  * </ul>
  *
- * <p>Whether a part stays within its limit is found by growing it until it does not. So that this costs each level of the
- * tree the same at most, it is tried again only where a quarter of the references is left.
+ * <p>Whether a part stays within its limit is found by growing it until it does not. So that this costs each level of
+ * the tree the same at most, it is tried again only where a quarter of the references is left.
  *
- * <p>All of this depends on the part alone, not on which thread comes first: the tree is the same for any number of them.
- * One per thread.
+ * <p>All of this depends on the part alone, not on which thread comes first: the tree is the same for any number of
+ * them. One per thread.
  */
 final class TreeGrower {
     /** Parts of fewer triangles are not worth another thread. */

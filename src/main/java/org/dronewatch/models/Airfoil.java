@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A wing section of the NACA four-digit family (Jacobs, Ward and Pinkerton, NACA Report 460, 1933), with the last coefficient that
- * closes the trailing edge. The thickness is laid off at right angles to the chord instead of the mean line: at 2 % camber the
- * difference is below a thousandth of the chord.
+ * A wing section of the NACA four-digit family (Jacobs, Ward and Pinkerton, NACA Report 460, 1933), with the last
+ * coefficient that closes the trailing edge. The thickness is laid off at right angles to the chord instead of the mean
+ * line: at 2 % camber the difference is below a thousandth of the chord.
  *
  * @param camber greatest height of the mean line, as a fraction of the chord, at 0.4 of the chord
  * @param thickness greatest thickness, as a fraction of the chord

@@ -17,9 +17,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The skin of the church's air, without a gap: the cross-section drawn from west to east, a wall at the west end, walls at
- * the aisles' east ends, and the apse as half the nave's section turned about its axis. All of them share their border
- * points, so that every edge belongs to two faces, which run along it in opposite directions. Faces look inward.
+ * The skin of the church's air, without a gap: the cross-section drawn from west to east, a wall at the west end, walls
+ * at the aisles' east ends, and the apse as half the nave's section turned about its axis. All of them share their
+ * border points, so that every edge belongs to two faces, which run along it in opposite directions. Faces look inward.
  */
 final class CathedralShell {
     private static final int SLICES = 100;
@@ -58,7 +58,9 @@ final class CathedralShell {
         return outline.subList(0, outline.size() - 1);
     }
 
-    /** From the foot of the south wall over the aisle's vault and the nave's wall to the crown, which is its last point. */
+    /**
+     * From the foot of the south wall over the aisle's vault and the nave's wall to the crown, which is its last point.
+     */
     private static List<Corner> southSide() {
         List<Corner> side = new ArrayList<>();
         addStraight(side, new Corner(HALF_WIDTH_METRES, 0), new Corner(HALF_WIDTH_METRES, AISLE_SPRING), WALL_PIECES);

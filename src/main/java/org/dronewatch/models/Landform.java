@@ -49,7 +49,9 @@ final class Landform {
         return height - riverValley(x, y);
     }
 
-    /** The main hill is hollow-flanked: steep near the top and easing outward, so that its foot is seen from the top. */
+    /**
+     * The main hill is hollow-flanked: steep near the top and easing outward, so that its foot is seen from the top.
+     */
     private static double mainHill(double x, double y) {
         double u = (0.94 * x + 0.34 * y) / 260;
         double v = (0.94 * y - 0.34 * x) / 215;

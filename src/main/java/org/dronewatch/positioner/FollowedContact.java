@@ -7,8 +7,8 @@ import org.dronewatch.geometry.Position;
  * What a positioner knows of the contact that it follows. Positions are smoothed and predicted by an alpha-beta filter:
  * the position is corrected by {@code alpha} times the difference between a sighting and its prediction, the velocity
  * by {@code beta} times that difference over the time between, with {@code beta = alpha^2 / (2 - alpha)} (Benedict and
- * Bordner 1962). Directions without a range are taken as they are. A sighting without a measured elevation keeps the height
- * that other sightings gave.
+ * Bordner 1962). Directions without a range are taken as they are. A sighting without a measured elevation keeps the
+ * height that other sightings gave.
  */
 final class FollowedContact {
     private static final double ALPHA = 0.5;

@@ -11,8 +11,8 @@ final class LeafRasteriser {
     private final TriangleSetup setup;
 
     /**
-     * Indices of triangles that were recently rasterised into this tile, each in the slot of its lowest bits: triangles are in
-     * many leaves. One that was forgotten is rasterised again, which changes nothing, and counts as met again.
+     * Indices of triangles that were recently rasterised into this tile, each in the slot of its lowest bits: triangles
+     * are in many leaves. One that was forgotten is rasterised again, which changes nothing, and counts as met again.
      */
     private final int[] recent = new int[REMEMBERED];
 

@@ -3,20 +3,22 @@ package org.dronewatch.raster;
 import org.dronewatch.kdtree.LeafOrderTriangles;
 
 /**
- * How tiles are rasterised, depending on the number of a model's triangles. With and without vectors the pixels are the same,
- * bit for bit. Between few and many they differ only where a tile is given up and traced by single rays, which round
- * differently in the last bits (many meet more triangles), and where triangles are seen edge-on, whose distances are rounding
- * errors.
+ * How tiles are rasterised, depending on the number of a model's triangles. With and without vectors the pixels are the
+ * same, bit for bit. Between few and many they differ only where a tile is given up and traced by single rays, which
+ * round differently in the last bits (many meet more triangles), and where triangles are seen edge-on, whose distances
+ * are rounding errors.
  */
 enum RasterMode {
     /** Leaf by leaf, triangle by triangle. */
     FEW(1),
-    /** Forty leaves, some eighty triangles at a time: for cells this small it does not pay to ask whether they are seen. */
+    /**
+     * Forty leaves, some eighty triangles at a time: for cells this small it does not pay to ask whether they are seen.
+     */
     MANY(79),
     /**
-     * Like MANY, with triangles and pixels four at a time by vector instructions. The leaves have to be the same as without
-     * vectors, since threads change over at different times: more leaves at a time would meet other rounding errors of
-     * triangles seen edge-on.
+     * Like MANY, with triangles and pixels four at a time by vector instructions. The leaves have to be the same as
+     * without vectors, since threads change over at different times: more leaves at a time would meet other rounding
+     * errors of triangles seen edge-on.
      */
     MANY_BY_VECTORS(MANY.nodesAtOnce) {
         @Override
@@ -44,7 +46,9 @@ enum RasterMode {
         return new TriangleSetup(triangles, grid, pixels, new ScanlineRasteriser(pixels));
     }
 
-    /** Subtrees with no more nodes than this, leaves included, are rasterised as a whole if any part of them is seen. */
+    /**
+     * Subtrees with no more nodes than this, leaves included, are rasterised as a whole if any part of them is seen.
+     */
     int nodesAtOnce() {
         return nodesAtOnce;
     }

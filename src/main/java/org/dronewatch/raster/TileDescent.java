@@ -4,8 +4,8 @@ import org.dronewatch.kdtree.KDNode;
 import org.dronewatch.kdtree.KDTree;
 
 /**
- * Descends a tree for all rays of a tile at once, nearer cells first, and has the triangles rasterised of those cells in which
- * the tile may see something. One per thread.
+ * Descends a tree for all rays of a tile at once, nearer cells first, and has the triangles rasterised of those cells
+ * in which the tile may see something. One per thread.
  */
 final class TileDescent {
     /** Numbers of a box. */
@@ -24,8 +24,8 @@ final class TileDescent {
     private double farthest;
 
     /**
-     * For each axis, first for planes above the origin, then for planes below: ray parameter per metre at which the first
-     * ray of the tile meets a plane, and at which the last one does. Infinite where none does, or not all.
+     * For each axis, first for planes above the origin, then for planes below: ray parameter per metre at which the
+     * first ray of the tile meets a plane, and at which the last one does. Infinite where none does, or not all.
      */
     private final double[] first = new double[6];
 
@@ -90,8 +90,8 @@ final class TileDescent {
     }
 
     /**
-     * Rasterises what the tile that the pixels have begun can see, nearer cells first. The interval of a cell holds every ray
-     * parameter at which any ray of the tile is inside.
+     * Rasterises what the tile that the pixels have begun can see, nearer cells first. The interval of a cell holds
+     * every ray parameter at which any ray of the tile is inside.
      *
      * @param limit how many triangles are worth rasterising
      * @return false when there are more, or one that cannot be rasterised
@@ -190,7 +190,10 @@ final class TileDescent {
         }
     }
 
-    /** Whether the tile may see something in a cell on the stack; what is rasterised as a whole is asked when its turn comes. */
+    /**
+     * Whether the tile may see something in a cell on the stack; what is rasterised as a whole is asked when its turn
+     * comes.
+     */
     private boolean isWorthwhile(int stacked) {
         if (stackEntry[stacked] > farthest) {
             return false;

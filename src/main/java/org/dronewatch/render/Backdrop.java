@@ -73,7 +73,9 @@ public final class Backdrop {
         return Optional.of(camera.position().plus(new Position(d[0], d[1], d[2]).times(along)));
     }
 
-    /** This backdrop with one depth per pixel: less to copy for each picture, in exchange for lines without soft edges. */
+    /**
+     * This backdrop with one depth per pixel: less to copy for each picture, in exchange for lines without soft edges.
+     */
     public Backdrop flat() {
         if (canvas.width <= width) {
             return this;

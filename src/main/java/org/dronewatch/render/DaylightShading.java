@@ -1,6 +1,8 @@
 package org.dronewatch.render;
 
-/** Daylight shading of surfaces and sky: the sun in the south-west, light from all of the sky, and some from the eye. */
+/**
+ * Daylight shading of surfaces and sky: the sun in the south-west, light from all of the sky, and some from the eye.
+ */
 final class DaylightShading {
     /** Unit vector to the sun. */
     static final double SUN_X = -0.46;

@@ -37,7 +37,8 @@ public final class FilmMaker {
      * @param file an empty file
      * @param progress receives the number of frames written
      * @param cancelled queried before each frame
-     * @throws CancellationException once {@code cancelled} is true or the thread is interrupted; the file is then incomplete
+     * @throws CancellationException once {@code cancelled} is true or the thread is interrupted; the file is then
+     *     incomplete
      * @throws IllegalArgumentException when a picture is too large for a film
      * @throws IOException if writing fails
      */

@@ -11,8 +11,8 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * The paths of a scene's drones, sampled evenly in time. While a run with steered drones goes on, they are sampled as far as
- * they have flown. Thread-safe.
+ * The paths of a scene's drones, sampled evenly in time. While a run with steered drones goes on, they are sampled as
+ * far as they have flown. Thread-safe.
  */
 public final class Flights {
     private static final int STEPS = 600;

@@ -50,7 +50,9 @@ final class Graticule {
         this.scale = scale;
     }
 
-    /** The distance between lines, degrees: the smallest of 1, 2 and 5 times a power of ten that is at least this one. */
+    /**
+     * The distance between lines, degrees: the smallest of 1, 2 and 5 times a power of ten that is at least this one.
+     */
     static double step(double least) {
         double power = Math.pow(10.0, Math.floor(Math.log10(least)));
         for (double times : new double[] {1.0, 2.0, 5.0}) {

@@ -12,8 +12,8 @@ import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * One colour for each kind of sensor: kinds on the class path have the same colour in all pictures of all scenes, others in
- * all pictures of a scene. Immutable.
+ * One colour for each kind of sensor: kinds on the class path have the same colour in all pictures of all scenes,
+ * others in all pictures of a scene. Immutable.
  */
 public final class KindColours {
     /** Drones and their paths have this colour in all pictures. */

@@ -5,8 +5,8 @@ import java.util.BitSet;
 import org.dronewatch.sensor.RayRecorder;
 
 /**
- * Collects the segments of the sound rays that one sensor traces from one drone. Beyond the {@linkplain #MOST maximum number} of segments,
- * more are only counted. For one thread.
+ * Collects the segments of the sound rays that one sensor traces from one drone. Beyond the
+ * {@linkplain #MOST maximum number} of segments, more are only counted. For one thread.
  */
 public final class RayCollector implements RayRecorder {
     /** Maximum number of segments kept (30 MB). */

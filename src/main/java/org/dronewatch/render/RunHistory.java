@@ -11,8 +11,8 @@ import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.Stage;
 
 /**
- * The history of one run for rendering: its site, where positioners pointed and which sensor detected which drone, at any
- * time so far. It listens to a single run. One thread at a time.
+ * The history of one run for rendering: its site, where positioners pointed and which sensor detected which drone, at
+ * any time so far. It listens to a single run. One thread at a time.
  */
 public final class RunHistory implements SceneListener {
     private Optional<Stage> stage = Optional.empty();

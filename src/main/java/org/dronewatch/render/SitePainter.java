@@ -16,8 +16,8 @@ import org.dronewatch.raster.TileTracer;
 import org.dronewatch.sensor.optics.CameraObject;
 
 /**
- * Paints the site, traced as cameras trace it, in tiles on the available threads. Where the site is cut open, rays go one by
- * one, from the cut or up to it; walls that the cut goes through show as dark sections. One picture at a time.
+ * Paints the site, traced as cameras trace it, in tiles on the available threads. Where the site is cut open, rays go
+ * one by one, from the cut or up to it; walls that the cut goes through show as dark sections. One picture at a time.
  */
 final class SitePainter {
     private static final int SECTION = 0x4a4640;
@@ -147,8 +147,8 @@ final class SitePainter {
     }
 
     /**
-     * The first surface that shows its front: one looks into a building that is cut open through the backs of its walls.
-     * Where the cut goes through something solid, the cut itself.
+     * The first surface that shows its front: one looks into a building that is cut open through the backs of its
+     * walls. Where the cut goes through something solid, the cut itself.
      */
     private boolean firstToShow(Shot shot, Brush brush, double from, double to) {
         double[] eye = shot.eye();

@@ -30,8 +30,8 @@ import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * Draws pictures of a run's site: first the site alone, which takes the longest and is the same at all times, then over a
- * copy of it what is there at one time. Lines are hidden by what stands in front of them. One picture at a time.
+ * Draws pictures of a run's site: first the site alone, which takes the longest and is the same at all times, then over
+ * a copy of it what is there at one time. Lines are hidden by what stands in front of them. One picture at a time.
  */
 public final class SitePicture {
     private static final int TRACK = 0xd62f1f;
@@ -102,13 +102,19 @@ public final class SitePicture {
         return new SiteState(title, time, sensorMarks, droneMarks, selected, rays);
     }
 
-    /** The box that matters: all sensors, all flights, and some room around them; the whole site where there are none, m. */
+    /**
+     * The box that matters: all sensors, all flights, and some room around them; the whole site where there are none,
+     * m.
+     */
     public AABB interest() {
         boolean empty = settings.enabledSensors().isEmpty() && drones.isEmpty();
         return empty ? world.bounds() : flights.interest(settings);
     }
 
-    /** The box that a picture of the site frames: what matters, with what the sensors look into as far as it is drawn, m. */
+    /**
+     * The box that a picture of the site frames: what matters, with what the sensors look into as far as it is drawn,
+     * m.
+     */
     public AABB frame() {
         AABB interest = interest();
         List<Position> corners = new ArrayList<>();
@@ -148,8 +154,8 @@ public final class SitePicture {
     }
 
     /**
-     * What has to be cut away to see sensors and drones from above at a time: all above them, when there is a roof over most
-     * of them.
+     * What has to be cut away to see sensors and drones from above at a time: all above them, when there is a roof over
+     * most of them.
      */
     public Optional<Cut> openRoof(double time) {
         List<Drone> drones = stage.dronesAt(time);
@@ -319,7 +325,9 @@ public final class SitePicture {
         }
     }
 
-    /** Where it has been as a line, where it will be as dashes, and a plumb line: how high it flies is else hard to see. */
+    /**
+     * Where it has been as a line, where it will be as dashes, and a plumb line: how high it flies is else hard to see.
+     */
     private void drawFlight(LinePainter lines, DroneMark drone, double pixel) {
         Position at = drone.drone().origin();
         world.closestHit(new Ray(at, new Position(0, 0, -1))).ifPresent(ground -> {

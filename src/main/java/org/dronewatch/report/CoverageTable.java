@@ -28,8 +28,8 @@ public final class CoverageTable {
     }
 
     /**
-     * In which fraction of the cells with ground each sensor detects the drone, and in which it misses it, by cause; a line for
-     * each sensor, a column for each cause that occurs.
+     * In which fraction of the cells with ground each sensor detects the drone, and in which it misses it, by cause; a
+     * line for each sensor, a column for each cause that occurs.
      *
      * @param causes in how many cells each holds, by sensor: {@link Coverage#causes}
      */

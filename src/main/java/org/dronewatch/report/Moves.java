@@ -42,7 +42,10 @@ final class Moves {
         done.push(() -> rename(kept, file));
     }
 
-    /** Removes a directory, if nothing is in it, and those that hold it and become empty by that, up to but not including one. */
+    /**
+     * Removes a directory, if nothing is in it, and those that hold it and become empty by that, up to but not
+     * including one.
+     */
     void removeIfEmpty(Path directory, Path last) throws IOException {
         Path here = directory;
         while (here.startsWith(last) && !here.equals(last) && isEmptyDirectory(here)) {

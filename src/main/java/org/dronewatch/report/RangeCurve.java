@@ -9,7 +9,10 @@ import java.util.OptionalDouble;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.setting.Quantity;
 
-/** The measured values of one sensor for one drone versus range, with their thresholds, for the runs in which they are the same. */
+/**
+ * The measured values of one sensor for one drone versus range, with their thresholds, for the runs in which they are
+ * the same.
+ */
 final class RangeCurve {
     /** Values are clipped at this multiple of the threshold, where detection is certain, to keep the plot readable. */
     private static final double TOP = 10.0;
@@ -70,7 +73,9 @@ final class RangeCurve {
         return Collections.unmodifiableList(values);
     }
 
-    /** The threshold of each run in which this was measured, in the order of the runs; none where each look has its own. */
+    /**
+     * The threshold of each run in which this was measured, in the order of the runs; none where each look has its own.
+     */
     Map<Integer, OptionalDouble> thresholds() {
         return Collections.unmodifiableMap(thresholds);
     }
@@ -88,7 +93,9 @@ final class RangeCurve {
         return unit.isEmpty() ? 1.0 : TOP * firstThreshold;
     }
 
-    /** Whether the drone kept its range, as one that hovers before a fixed sensor does: then there is no line to draw. */
+    /**
+     * Whether the drone kept its range, as one that hovers before a fixed sensor does: then there is no line to draw.
+     */
     boolean isOfOneRange() {
         return ranges.stream().distinct().count() == 1;
     }

@@ -11,8 +11,8 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * The contents of {@code result.json}: only what depends on the scene, its settings and the seed, so that equal inputs give
- * the same bytes for any number of threads.
+ * The contents of {@code result.json}: only what depends on the scene, its settings and the seed, so that equal inputs
+ * give the same bytes for any number of threads.
  */
 final class ResultFile {
     private final SceneResult result;

@@ -35,10 +35,10 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
- * Writes the files of a run: {@code detections.csv}, {@code flights.csv} and, when asked for, {@code observations.csv} while
- * it goes on, {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end, and if it was not cut
- * short, {@code report.html} and, of a scene with an origin on earth, {@code map.geojson} and {@code map.kml}. They appear in
- * the directory together, once all is done.
+ * Writes the files of a run: {@code detections.csv}, {@code flights.csv} and, when asked for, {@code observations.csv}
+ * while it goes on, {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end,
+ * and if it was not cut short, {@code report.html} and, of a scene with an origin on earth, {@code map.geojson} and
+ * {@code map.kml}. They appear in the directory together, once all is done.
  */
 public final class RunReport implements SceneListener, AutoCloseable {
     private static final String DETECTIONS = "detections.csv";
@@ -103,7 +103,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         }
     }
 
-    /** Writes the pictures of some cameras, too, with the drones in them marked ({@code coco.json}); to be called before a run. */
+    /** Writes pictures of some cameras, too, with the drones in them labelled; to be called before a run. */
     public void label(LabelPlan plan) {
         labels = Optional.of(new Labels(plan, directory::file));
     }
@@ -188,7 +188,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         Charts.write(chart, plotFile(curve.name() + "-" + sensor, sensor + ": " + curve.title()));
     }
 
-    /** Notes the arguments of the command line in {@code provenance.json} and the report; a run by a program has none. */
+    /** Notes the command line in {@code provenance.json} and in the report; a run by a program has none. */
     public void command(List<String> arguments) {
         command = List.copyOf(arguments);
     }

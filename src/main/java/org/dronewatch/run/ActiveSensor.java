@@ -18,8 +18,8 @@ import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.world.World;
 
 /**
- * A sensor during a run, with its positioner: when it looks next, where it points, which cues its positioner has received, and which
- * drones its observer has found.
+ * A sensor during a run, with its positioner: when it looks next, where it points, which cues its positioner has
+ * received, and which drones its observer has found.
  */
 final class ActiveSensor {
     private final String id;

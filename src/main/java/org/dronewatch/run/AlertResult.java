@@ -10,18 +10,17 @@ import org.dronewatch.fusion.Alert;
  *
  * @param run number of the run in a sweep, from 0
  * @param drone name of the drone
- * @param firstSight when a sensor could have seen it for the first time: an unobstructed line of sight to it, within the
- *     sensor's field
- *     of view and range, s; empty for never, and where no sensor has a field of view
+ * @param firstSight when a sensor could have seen it for the first time: an unobstructed line of sight to it, within
+ *     the sensor's field of view and range, s; empty for never, and where no sensor has a field of view
  * @param alert the alert, or empty when there was none
  * @param zoneDistance the drone's distance to the protected zone at the alert, m; empty without zone or alert
  * @param warning warning time: straight-line flight time from there to the zone at cruise speed, s; 0 if it had already
  *     reached the zone; empty without zone or alert
  * @param entered when its flight reached the zone, s; empty when it did not in the run's time
- * @param zone name of the protected zone that it enters first, or is nearest to at its alert if it enters none; empty without
- *     named zones, or without both
- * @param inTime whether the warning time covers the response time and the alert preceded the drone's arrival; empty if no
- *     time is required or nothing is protected
+ * @param zone name of the protected zone that it enters first, or is nearest to at its alert if it enters none; empty
+ *     without named zones, or without both
+ * @param inTime whether the warning time covers the response time and the alert preceded the drone's arrival; empty if
+ *     no time is required or nothing is protected
  */
 public record AlertResult(
         int run,

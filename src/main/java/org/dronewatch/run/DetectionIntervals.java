@@ -10,8 +10,9 @@ import java.util.Set;
 import org.dronewatch.sensor.Observation;
 
 /**
- * The intervals during which each sensor holds a drone in one run, from the event that gains it to the one that loses it.
- * Times are times of reception: sound counts from its arrival at the sensor. Events are added in order of time. One thread at a time.
+ * The intervals during which each sensor holds a drone in one run, from the event that gains it to the one that loses
+ * it. Times are times of reception: sound counts from its arrival at the sensor. Events are added in order of time. One
+ * thread at a time.
  */
 public final class DetectionIntervals {
     private final Map<List<String>, List<DetectionEvent>> ofPairs = new HashMap<>();
@@ -66,8 +67,10 @@ public final class DetectionIntervals {
         return held == null ? List.of() : held.until(end);
     }
 
-    /** The observation at which a sensor last lost a drone and did not regain it; empty if it never held it or still holds
-     * it. */
+    /**
+     * The observation at which a sensor last lost a drone and did not regain it; empty if it never held it or still
+     * holds it.
+     */
     public Optional<Observation> lostForGood(String sensor, String drone) {
         List<DetectionEvent> events = ofPairs.getOrDefault(List.of(sensor, drone), List.of());
         return events.isEmpty() || events.get(events.size() - 1).gained()

@@ -32,7 +32,8 @@ public final class DetectionLog {
     }
 
     /**
-     * Adds what all sensors observed at one time. A sensor that observed a drone several times detected it if any of these observations did; false alarms are not detections of any drone.
+     * Adds what all sensors observed at one time. A sensor that observed a drone several times detected it if any of
+     * these observations did; false alarms are not detections of any drone.
      */
     public void add(List<Observation> observations) {
         Map<List<String>, Observation> looks = new LinkedHashMap<>();

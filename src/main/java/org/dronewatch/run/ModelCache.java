@@ -38,8 +38,8 @@ import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * Loads each model and builds each tree once, however many runs need them, and measures how long that takes; reads each file
- * of recorded flights once. Thread-safe; calls are serialised.
+ * Loads each model and builds each tree once, however many runs need them, and measures how long that takes; reads each
+ * file of recorded flights once. Thread-safe; calls are serialised.
  */
 public final class ModelCache {
     private static final double NANO = 1e-9;
@@ -221,7 +221,7 @@ public final class ModelCache {
         return models.computeIfAbsent(model, this::load).colours();
     }
 
-    /** A world's terrain, buildings and models, in this order, by the number of the first triangle of each in their tree's mesh. */
+    /** A world's terrain, buildings and models, in this order, by the first triangle of each in the tree's mesh. */
     synchronized NavigableMap<Integer, SiteModel> firstTriangles(WorldSettings world) {
         NavigableMap<Integer, SiteModel> starts = new TreeMap<>();
         int next = 0;
@@ -248,8 +248,8 @@ public final class ModelCache {
     }
 
     /**
-     * The files that were read of each model or recorded flight, by its name in the settings, in the order in which they
-     * were read.
+     * The files that were read of each model or recorded flight, by its name in the settings, in the order in which
+     * they were read.
      */
     public synchronized Map<String, List<FileHash>> files() {
         return new LinkedHashMap<>(files);

@@ -5,7 +5,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * The results of all runs of a scene: asserted in a test, they guard against unnoticed changes in a site's detection ranges.
+ * The results of all runs of a scene: asserted in a test, they guard against unnoticed changes in a site's detection
+ * ranges.
  *
  * @param scene name of the scene
  * @param seed seed of its random numbers

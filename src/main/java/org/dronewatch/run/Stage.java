@@ -32,9 +32,9 @@ import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. Only {@link
- * #look} and {@link #steerHere} change it, and are for the thread that runs the scene; everything else may be queried by
- * any thread, during the run and after it.
+ * A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. Only
+ * {@link #look} and {@link #steerHere} change it, and are for the thread that runs the scene; everything else may be
+ * queried by any thread, during the run and after it.
  */
 public final class Stage {
     private final World world;
@@ -94,15 +94,17 @@ public final class Stage {
     }
 
     /**
-     * Releases the sensors, some of which keep large depth buffers: no more looks are possible. Everything else can still be
-     * queried.
+     * Releases the sensors, some of which keep large depth buffers: no more looks are possible. Everything else can
+     * still be queried.
      */
     void release() {
         active.clear();
         clock.end();
     }
 
-    /** What was read of a real place, a line for each thing, with the attribution that a map asks for; none for models. */
+    /**
+     * What was read of a real place, a line for each thing, with the attribution that a map asks for; none for models.
+     */
     public List<String> siteNotes() {
         return siteNotes;
     }

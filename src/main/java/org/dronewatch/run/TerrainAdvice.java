@@ -10,8 +10,8 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.world.Ground;
 
 /**
- * Warns of sensors and flights where a terrain has no ground: beyond its rim or over a hole nothing hides a drone, because
- * nothing is known there.
+ * Warns of sensors and flights where a terrain has no ground: beyond its rim or over a hole nothing hides a drone,
+ * because nothing is known there.
  *
  * @param ground the highest surfaces of the world
  */

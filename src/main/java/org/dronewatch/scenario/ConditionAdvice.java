@@ -21,8 +21,8 @@ import org.dronewatch.world.Light;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * Warns of weather, light and sounds of drones that have no effect, because the models of a scene's sensors do not take them into
- * account.
+ * Warns of weather, light and sounds of drones that have no effect, because the models of a scene's sensors do not take
+ * them into account.
  */
 public final class ConditionAdvice {
     private static final int MOST_NAMES = 3;
@@ -43,8 +43,8 @@ public final class ConditionAdvice {
     private ConditionAdvice() {}
 
     /**
-     * One line for each kind of sensor and the conditions that it ignores for the same reason; none for a scene with default
-     * weather and light, whose drones have no sound of their own.
+     * One line for each kind of sensor and the conditions that it ignores for the same reason; none for a scene with
+     * default weather and light, whose drones have no sound of their own.
      *
      * @param runs the settings of all runs of a scene
      */

@@ -18,8 +18,8 @@ import org.dronewatch.setting.file.FileHash;
  *
  * @param settingsHash SHA-256 of the effective settings, with all overrides, as {@link CanonicalSettings} writes them
  * @param scene the files that describe the scene, the scene file first; none for a scene in Java
- * @param models the files of each model that was loaded, its own first and then its material libraries, by the name that the
- *     settings give it
+ * @param models the files of each model that was loaded, its own first and then its material libraries, by the name
+ *     that the settings give it
  */
 public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, List<FileHash>> models) {
     /** Copies the lists: later changes by the caller have no effect. */

@@ -9,8 +9,8 @@ import org.dronewatch.world.ClearSky;
 import org.dronewatch.world.Light;
 
 /**
- * What looks odd about the light of a site, although it is not wrong: an illuminance that no weather brings about with the sun
- * where it is.
+ * What looks odd about the light of a site, although it is not wrong: an illuminance that no weather brings about with
+ * the sun where it is.
  *
  * @param light of the site
  */

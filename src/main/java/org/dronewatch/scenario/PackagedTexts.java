@@ -8,11 +8,14 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Descriptions of the library's own settings, collected from the sources at build time; for a third-party kind, only the
- * {@link Kind#summary()}. Immutable.
+ * Descriptions of the library's own settings, collected from the sources at build time; for a third-party kind, only
+ * the {@link Kind#summary()}. Immutable.
  */
 public final class PackagedTexts implements SettingTexts {
-    /** Resource file next to this class; maps class name, then component name, to text (the empty name stands for the record). */
+    /**
+     * Resource file next to this class; maps class name, then component name, to text (the empty name stands for the
+     * record).
+     */
     private static final String FILE = "texts.json";
 
     private final JsonNode texts;

@@ -69,7 +69,8 @@ public final class PlaceForms {
     record Alone(Position at) {}
 
     /**
-     * The position of a place that a person typed: as in a scene file, or latitude and longitude in degrees with a comma between.
+     * The position of a place that a person typed: as in a scene file, or latitude and longitude in degrees with a
+     * comma between.
      *
      * @param option what messages call it
      * @param directory where names of files start

@@ -162,8 +162,8 @@ public record SceneSettings(
     }
 
     /**
-     * The individual drones by id: a swarm {@code x} is expanded into {@code x-1}, {@code x-2} and so on. Detections refer to
-     * these ids; overrides and sweeps refer to {@link #drones()}.
+     * The individual drones by id: a swarm {@code x} is expanded into {@code x-1}, {@code x-2} and so on. Detections
+     * refer to these ids; overrides and sweeps refer to {@link #drones()}.
      */
     public Map<String, DroneSettings> individualDrones() {
         return SwarmExpansion.of(drones);

@@ -22,7 +22,8 @@ public final class SceneWriter {
      * @param from directory where the names of its models start
      * @param file that is to hold the text; the models must be beside it or below
      * @return the text, which has been read back and is equal to the settings
-     * @throws org.dronewatch.setting.InputException when a setting cannot be written: a function, or a kind that no file can name
+     * @throws org.dronewatch.setting.InputException when a setting cannot be written: a function, or a kind that no
+     *     file can name
      */
     public static String text(String name, SceneSettings settings, Path from, Path file) {
         String text = SettingsFile.text(settings, SensorKinds.kinds(Catalog.packaged()), from, file);

@@ -7,8 +7,8 @@ import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSounds;
 
 /**
- * What looks odd about a drone's sound, although it is not wrong: it has the spectrum of a drone that was measured, but not
- * its directivity, or not its loudness.
+ * What looks odd about a drone's sound, although it is not wrong: it has the spectrum of a drone that was measured, but
+ * not its directivity, or not its loudness.
  *
  * @param id name of the drone
  * @param drone whose sound it is

@@ -140,7 +140,9 @@ final class ConfiguredScene {
         }
     }
 
-    /** The settings of each run; reads every value of the sweep, so that the last cannot fail after the first has run. */
+    /**
+     * The settings of each run; reads every value of the sweep, so that the last cannot fail after the first has run.
+     */
     List<SceneSettings> settingsOfRuns(SceneSettings settings) {
         Optional<SweepSettings> sweep = settings.sweep();
         if (sweep.isEmpty()) {

@@ -14,17 +14,17 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.InputException;
 
 /**
- * A drone during a run, at the simulator's time: where any drone is, and commands for those whose flight is {@code
- * steered}. A command takes effect now and holds until the next one; between two commands velocity and attitude are
- * constant, and the position follows from them. Of several commands at the same time, the last one takes effect. A command
- * from a listener of a scene's observations takes effect just after that look.
+ * A drone during a run, at the simulator's time: where any drone is, and commands for those whose flight is
+ * {@code steered}. A command takes effect now and holds until the next one; between two commands velocity and attitude
+ * are constant, and the position follows from them. Of several commands at the same time, the last one takes effect. A
+ * command from a listener of a scene's observations takes effect just after that look.
  *
  * <p>Only the thread that runs the scene may give commands, in a pilot, in events of the simulator or in listeners: a
  * command from another thread would take effect at whatever time the run happens to have reached, and no run could be
  * repeated.
  *
- * <p>A drone whose flight is {@code recorded} flies as it did in the recorded run: commands change nothing, so a scene with
- * its pilot can be replayed.
+ * <p>A drone whose flight is {@code recorded} flies as it did in the recorded run: commands change nothing, so a scene
+ * with its pilot can be replayed.
  */
 public final class DroneInFlight {
     private final String id;
@@ -80,8 +80,8 @@ public final class DroneInFlight {
      * straight down and at rest it keeps its heading.
      *
      * @param velocity east, north and up, m/s
-     * @throws InputException when that is faster than the drone's speed or null, the drone is neither steered nor recorded,
-     *     the run is over, or another thread runs it
+     * @throws InputException when that is faster than the drone's speed or null, the drone is neither steered nor
+     *     recorded, the run is over, or another thread runs it
      */
     public void fly(Position velocity) {
         command((flight, now) -> flight.fly(now, velocity));
@@ -92,8 +92,8 @@ public final class DroneInFlight {
      *
      * @param velocity east, north and up, m/s
      * @param attitude yaw, pitch and roll; does not depend on the velocity
-     * @throws InputException when that is faster than the drone's speed or null, the drone is neither steered nor recorded,
-     *     the run is over, or another thread runs it
+     * @throws InputException when that is faster than the drone's speed or null, the drone is neither steered nor
+     *     recorded, the run is over, or another thread runs it
      */
     public void fly(Position velocity, Attitude attitude) {
         command((flight, now) -> flight.fly(now, velocity, attitude));
@@ -104,8 +104,8 @@ public final class DroneInFlight {
      *
      * @param target the point, m
      * @param time when it is to be there, after now, seconds since the start of the run
-     * @throws InputException when that requires more than the drone's speed, the point is null, the time is not after now, the
-     *     drone is neither steered nor recorded, the run is over, or another thread runs it
+     * @throws InputException when that requires more than the drone's speed, the point is null, the time is not after
+     *     now, the drone is neither steered nor recorded, the run is over, or another thread runs it
      */
     public void flyTo(Position target, double time) {
         command((flight, now) -> flight.flyTo(now, target, time));

@@ -1,8 +1,8 @@
 package org.dronewatch.scene;
 
 /**
- * Steers the drones of one run whose flight is {@code steered}. Each run of a sweep and each replication gets a new pilot,
- * whose state begins afresh, so a run does not depend on those before it.
+ * Steers the drones of one run whose flight is {@code steered}. Each run of a sweep and each replication gets a new
+ * pilot, whose state begins afresh, so a run does not depend on those before it.
  *
  * <p>A pilot acts through the run's simulator: at the beginning it gives its first commands and schedules the events at
  * which it will give more. A command takes effect before sensors look at the same time, since looks have DSOL's lowest

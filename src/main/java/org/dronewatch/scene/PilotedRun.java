@@ -36,8 +36,9 @@ public final class PilotedRun {
     }
 
     /**
-     * Does something later in the run, before sensors look at that time. An action due after the end of the run is dropped,
-     * so an action may keep rescheduling itself; the runner warns if a pilot schedules such an action when it begins.
+     * Does something later in the run, before sensors look at that time. An action due after the end of the run is
+     * dropped, so an action may keep rescheduling itself; the runner warns if a pilot schedules such an action when it
+     * begins.
      *
      * @param seconds from now, 0 or more
      * @throws InputException when negative or not a number, or the action is null
@@ -82,8 +83,8 @@ public final class PilotedRun {
     /**
      * Does what the pilot does now.
      *
-     * @throws InputException when the pilot throws an exception of any other kind, or gives a command that the drone cannot
-     *     follow, and does not handle that itself
+     * @throws InputException when the pilot throws an exception of any other kind, or gives a command that the drone
+     *     cannot follow, and does not handle that itself
      */
     private void act(Runnable action) {
         try {

@@ -8,9 +8,9 @@ import org.djutils.event.EventListener;
 import org.dronewatch.run.Stage;
 
 /**
- * The thread that runs a scene, which alone steers its drones. DSOL constructs the model on one thread and runs its events
- * on another, and a simulator that was started may later be stepped by a third; each start and each step fires an event
- * on the thread that runs what follows.
+ * The thread that runs a scene, which alone steers its drones. DSOL constructs the model on one thread and runs its
+ * events on another, and a simulator that was started may later be stepped by a third; each start and each step fires
+ * an event on the thread that runs what follows.
  */
 final class RunThread implements EventListener {
     private final Stage stage;
@@ -22,8 +22,8 @@ final class RunThread implements EventListener {
     }
 
     /**
-     * The calling thread steers the drones of a run until the simulator starts; from then on the thread that runs its events
-     * does.
+     * The calling thread steers the drones of a run until the simulator starts; from then on the thread that runs its
+     * events does.
      */
     static void follow(Stage stage, DevsSimulatorInterface<Double> simulator) {
         stage.steerHere();

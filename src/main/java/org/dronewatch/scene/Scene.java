@@ -44,14 +44,14 @@ import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.world.Light;
 
 /**
- * A site, the drones that fly over it and the sensors that watch it. Users extend it and override {@link #build()}, in which {@code
- * load...} names models and {@code add} takes settings; nothing is loaded or created there. {@link #run()} runs it on
- * the calling thread; {@link SceneRunner} runs it with other settings, threads or pace.
+ * A site, the drones that fly over it and the sensors that watch it. Users extend it and override {@link #build()}, in
+ * which {@code load...} names models and {@code add} takes settings; nothing is loaded or created there. {@link #run()}
+ * runs it on the calling thread; {@link SceneRunner} runs it with other settings, threads or pace.
  *
  * <p>A scene is a DSOL model: given to your own DSOL simulator, it runs beside other DSOL models and under DSOL's
  * experiments, whose replications each have their own seed. It then fires {@link #OBSERVATION} to its listeners. Sweeps
- * are run by {@link SceneRunner}; under another simulator the scene runs with its settings as they are. Drones whose flight
- * is {@code steered} are steered by the scene's {@link #pilot()}, or by another model through {@link #drone}.
+ * are run by {@link SceneRunner}; under another simulator the scene runs with its settings as they are. Drones whose
+ * flight is {@code steered} are steered by the scene's {@link #pilot()}, or by another model through {@link #drone}.
  */
 public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInterface<Double>> {
     /** Fired when one sensor has looked at one drone, with the {@link Observation}. */
@@ -106,8 +106,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * The range at which a sensor is first expected to detect according to a simple analytic model, m; plotted for comparison
-     * with the sweep results. Empty unless overridden.
+     * The range at which a sensor is first expected to detect according to a simple analytic model, m; plotted for
+     * comparison with the sweep results. Empty unless overridden.
      *
      * @param settings settings of one run
      * @param sensor name of the sensor
@@ -197,8 +197,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * Switches a sensor off, as {@code enabled: false} does in a scene file: it stays in the scene, observes nothing and costs
-     * nothing. {@code --set sensors.ID.enabled=true} switches it on again.
+     * Switches a sensor off, as {@code enabled: false} does in a scene file: it stays in the scene, observes nothing
+     * and costs nothing. {@code --set sensors.ID.enabled=true} switches it on again.
      *
      * @param sensor id of a sensor, added before or after this call
      */
@@ -300,8 +300,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * Gives the pilot of a run, who steers the drones whose flight is {@code steered}: a new one for each call, as each run
-     * has its own. Nobody steers unless overridden.
+     * Gives the pilot of a run, who steers the drones whose flight is {@code steered}: a new one for each call, as each
+     * run has its own. Nobody steers unless overridden.
      */
     protected Pilot pilot() {
         return Pilot.NONE;
@@ -334,7 +334,10 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         scheduleNextLook();
     }
 
-    /** A run under the user's own simulator, which determines how long it lasts. All replications have the same settings. */
+    /**
+     * A run under the user's own simulator, which determines how long it lasts. All replications have the same
+     * settings.
+     */
     private RunSession openSession() {
         RunInfo info = session == null ? new RunInfo(0, 1, describe().withoutSweep()) : session.info();
         if (models == null) {

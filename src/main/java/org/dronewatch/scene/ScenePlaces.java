@@ -20,8 +20,9 @@ import org.dronewatch.world.Places;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * Finds the positions of the places in a scene file while it is read: by the origin in the same file, and by the surface of the
- * site, which is loaded for the first place above it, and then need not be loaded again for the scene's runs.
+ * Finds the positions of the places in a scene file while it is read: by the origin in the same file, and by the
+ * surface of the site, which is loaded for the first place above it, and then need not be loaded again for the scene's
+ * runs.
  */
 final class ScenePlaces {
     private static final String WORLD = "world";

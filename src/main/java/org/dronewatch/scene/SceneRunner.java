@@ -161,9 +161,9 @@ public final class SceneRunner {
     }
 
     /**
-     * Receives one line for each file read, for each warning, and for each setting given under a former name. Names that
-     * come from files are shortened, and their control characters escaped, so that a line can safely be printed to a
-     * terminal.
+     * Receives one line for each file read, for each warning, and for each setting given under a former name. Names
+     * that come from files are shortened, and their control characters escaped, so that a line can safely be printed to
+     * a terminal.
      */
     public SceneRunner notes(Consumer<String> target) {
         this.notes = note -> target.accept(PlainText.line(note));
@@ -222,8 +222,8 @@ public final class SceneRunner {
     }
 
     /**
-     * Warns, once, of weather and light in the settings that change nothing that is detected; a run does so by itself. A picture of
-     * the site shows them whether they change what is detected or not.
+     * Warns, once, of weather and light in the settings that change nothing that is detected; a run does so by itself.
+     * A picture of the site shows them whether they change what is detected or not.
      */
     public void adviseOnConditions() {
         models().adviseOnConditions();

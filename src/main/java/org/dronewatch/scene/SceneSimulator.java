@@ -83,7 +83,10 @@ final class SceneSimulator extends DevsSimulator<Double> {
         return Optional.ofNullable(pilot);
     }
 
-    /** Lets the sensors look. What goes wrong meanwhile is not the pilot's mistake; what goes wrong in any other event is. */
+    /**
+     * Lets the sensors look. What goes wrong meanwhile is not the pilot's mistake; what goes wrong in any other event
+     * is.
+     */
     void look(Runnable looks) {
         looking = true;
         looks.run();

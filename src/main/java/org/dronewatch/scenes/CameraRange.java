@@ -41,7 +41,10 @@ public final class CameraRange extends Scene {
         sweep("sensors.camera.fov", Math.PI / 6, Math.PI / 5, Math.PI / 4, Math.PI / 3, Math.PI / 2);
     }
 
-    /** The mean-range formula: a silhouette of A m2 at d metres covers {@code A (f/d)^2} pixels; solved for the threshold. */
+    /**
+     * The mean-range formula: a silhouette of A m2 at d metres covers {@code A (f/d)^2} pixels; solved for the
+     * threshold.
+     */
     @Override
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
         if (!(settings.sensors().get(sensor) instanceof CameraSettings camera)) {

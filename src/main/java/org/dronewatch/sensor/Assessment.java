@@ -5,8 +5,8 @@ import java.util.OptionalDouble;
 import org.dronewatch.world.Obstacle;
 
 /**
- * The deterministic half of a look: how likely a sensor is to detect a drone in a given state of flight, and, if the drone
- * is missed, why. The other half draws from it.
+ * The deterministic half of a look: how likely a sensor is to detect a drone in a given state of flight, and, if the
+ * drone is missed, why. The other half draws from it.
  *
  * @param signal what the sensor receives from the drone
  * @param explanation why that is not enough; {@link Explanation#DETECTED} when it is
@@ -17,8 +17,8 @@ public record Assessment(Signal signal, Explanation explanation) {
     /**
      * Checks that both halves agree.
      *
-     * @throws IllegalArgumentException when a drone is detected with a cause other than {@link Cause#UNKNOWN}, or missed without
-     *     one
+     * @throws IllegalArgumentException when a drone is detected with a cause other than {@link Cause#UNKNOWN}, or
+     *     missed without one
      */
     public Assessment {
         if (explanation.cause() != Cause.UNKNOWN && signal.isDetected() != (explanation.cause() == Cause.DETECTED)) {
@@ -27,7 +27,10 @@ public record Assessment(Signal signal, Explanation explanation) {
         }
     }
 
-    /** The probability that one look detects the drone or, of a sensor of {@link Chance#PER_ENCOUNTER}, that its observer can, 0 to 1. */
+    /**
+     * The probability that one look detects the drone or, of a sensor of {@link Chance#PER_ENCOUNTER}, that its
+     * observer can, 0 to 1.
+     */
     public double probability() {
         return signal.probability();
     }
@@ -36,8 +39,8 @@ public record Assessment(Signal signal, Explanation explanation) {
      * The rate of the first detection, given that there has been none yet, 1/s; see {@link Chance#hazard}.
      *
      * @param settings of the sensor that was assessed
-     * @param draw of the observer, above 0 and at most 1; of no effect for a sensor of {@link Chance#PER_LOOK}. Whoever predicts
-     *     what an unknown observer detects averages over many draws, such as 1/32, 3/32, ... 31/32
+     * @param draw of the observer, above 0 and at most 1; of no effect for a sensor of {@link Chance#PER_LOOK}. Whoever
+     *     predicts what an unknown observer detects averages over many draws, such as 1/32, 3/32, ... 31/32
      */
     public double hazard(SensorSettings<?> settings, double draw) {
         return settings.chance().hazard(probability(), settings.rate(), draw);

@@ -3,12 +3,13 @@ package org.dronewatch.sensor;
 import org.dronewatch.mesh.io.ModelRole;
 
 /**
- * Why a sensor does not detect a drone. Where several causes hold, the first in this order counts; reports put them into words.
+ * Why a sensor does not detect a drone. Where several causes hold, the first in this order counts; reports put them
+ * into words.
  */
 public enum Cause {
     /**
-     * The line of sight leaves the ground that is known, at a rim or over a hole of the terrain: something may hide the drone
-     * there. It counts before all others, also before a detection.
+     * The line of sight leaves the ground that is known, at a rim or over a hole of the terrain: something may hide the
+     * drone there. It counts before all others, also before a detection.
      */
     UNKNOWN,
     /** Nearer than the sensor's minimum range, or beyond its maximum range. */

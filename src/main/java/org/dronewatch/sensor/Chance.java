@@ -3,8 +3,8 @@ package org.dronewatch.sensor;
 /** When chance decides whether a sensor detects a drone, and so how a probability becomes a rate of detection. */
 public enum Chance {
     /**
-     * Anew in each look, as an echo fluctuates and noise does. A sensor that compares an exact value with a threshold belongs here, too:
-     * its looks detect with a probability of 0 or 1.
+     * Anew in each look, as an echo fluctuates and noise does. A sensor that compares an exact value with a threshold
+     * belongs here, too: its looks detect with a probability of 0 or 1.
      */
     PER_LOOK {
         @Override
@@ -13,8 +13,8 @@ public enum Chance {
         }
     },
     /**
-     * Once per {@link Encounter}: the probability is the fraction of observers who can find the drone at all, and one who can needs
-     * time.
+     * Once per {@link Encounter}: the probability is the fraction of observers who can find the drone at all, and one
+     * who can needs time.
      */
     PER_ENCOUNTER {
         @Override
@@ -24,14 +24,14 @@ public enum Chance {
     };
 
     /**
-     * The rate of the first detection, given that there has been none yet, 1/s. The probability of a detection within some time is
-     * {@code 1 - exp(-integral of the hazard)}; where chance decides once per encounter, that is the probability for one
-     * observer, and its mean over all draws is the probability for an observer who is not known.
+     * The rate of the first detection, given that there has been none yet, 1/s. The probability of a detection within
+     * some time is {@code 1 - exp(-integral of the hazard)}; where chance decides once per encounter, that is the
+     * probability for one observer, and its mean over all draws is the probability for an observer who is not known.
      *
      * @param probability of the sensor's {@link Signal}, 0 to 1
      * @param rate looks per second, Hz
-     * @param draw the observer's number in this encounter, above 0 and at most 1, uniformly distributed; of no effect where each look
-     *     decides
+     * @param draw the observer's number in this encounter, above 0 and at most 1, uniformly distributed; of no effect
+     *     where each look decides
      * @return 0 or more; infinite where each look decides and detects for certain
      */
     public abstract double hazard(double probability, double rate, double draw);

@@ -17,7 +17,9 @@ public enum Condition {
     RAIN,
     /** Temperature, humidity and pressure of the air: {@code world.atmosphere}. */
     AIR,
-    /** Wind, and how the temperature changes with height: {@code world.atmosphere.wind}, {@code temperatureGradient}. */
+    /**
+     * Wind, and how the temperature changes with height: {@code world.atmosphere.wind}, {@code temperatureGradient}.
+     */
     WIND,
     /** What makes noise on the site: {@code world.noiseSources} that state no level for the level model. */
     NOISE_SOURCES,

@@ -41,8 +41,8 @@ public final class Draws {
     }
 
     /**
-     * The seed of one of several runs or replications: the given one for the first, and {@code mix(mix(seed, hash(of)), number)}
-     * shifted right to its upper 53 bits for the others.
+     * The seed of one of several runs or replications: the given one for the first, and
+     * {@code mix(mix(seed, hash(of)), number)} shifted right to its upper 53 bits for the others.
      *
      * @param of what is numbered, such as {@code run}
      * @param number from 0

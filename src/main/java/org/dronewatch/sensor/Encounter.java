@@ -1,23 +1,26 @@
 package org.dronewatch.sensor;
 
 /**
- * An encounter of a drone with the observer who watches a sensor's pictures: a person, or a program as good as one. The probability P
- * of a target task is a fraction of observers who have all the time they want, not a chance that each picture offers anew. So the
- * observer draws one number u for the encounter, and can find the drone only while {@code P >= u}. Then he searches, and finds it at
- * the rate {@code P / 3.4 s}. Averaged over observers, with a constant P,
+ * An encounter of a drone with the observer who watches a sensor's pictures: a person, or a program as good as one. The
+ * probability P of a target task is a fraction of observers who have all the time they want, not a chance that each
+ * picture offers anew. So the observer draws one number u for the encounter, and can find the drone only while
+ * {@code P >= u}. Then he searches, and finds it at the rate {@code P / 3.4 s}. Averaged over observers, with a
+ * constant P,
  *
  * <pre>
  * P(t) = P (1 - exp(-P t / 3.4 s))
  * </pre>
  *
- * <p>whatever the frame rate: each picture stands for the time since the last one, and a search does not remember, so the success of
- * each picture can be drawn independently. Search time as in the ACQUIRE model (Howe, in "The Infrared and Electro-Optical Systems
- * Handbook", vol. 4, 1993). That observers differ, and that each of them searches at random, are two sources of chance, and tests of
- * observers show both ("Modeling the observer in target acquisition", SPIE).
+ * <p>whatever the frame rate: each picture stands for the time since the last one, and a search does not remember, so
+ * the success of each picture can be drawn independently. Search time as in the ACQUIRE model (Howe, in "The Infrared
+ * and Electro-Optical Systems Handbook", vol. 4, 1993). That observers differ, and that each of them searches at
+ * random, are two sources of chance, and tests of observers show both ("Modeling the observer in target acquisition",
+ * SPIE).
  *
- * <p>Once found, the drone is held while {@code P >= u}, without another search. An encounter begins when a drone can be seen at all
- * (P above 0), and ends when it could not be seen for more than {@link #GAP}: if it comes back later, that is a new encounter with
- * a new draw. A drone that passes behind a tree is met once, one that is behind a hill for a minute twice.
+ * <p>Once found, the drone is held while {@code P >= u}, without another search. An encounter begins when a drone can
+ * be seen at all (P above 0), and ends when it could not be seen for more than {@link #GAP}: if it comes back later,
+ * that is a new encounter with a new draw. A drone that passes behind a tree is met once, one that is behind a hill for
+ * a minute twice.
  *
  * @param index number of the encounter of this sensor with this drone, from 0
  * @param isFound whether the observer has found the drone
@@ -27,8 +30,9 @@ public record Encounter(long index, boolean isFound) {
     public static final double SEARCH_TIME = 3.4;
 
     /**
-     * How long a drone may be out of sight within one encounter, s: three times the search time, after which a drone that nobody could see
-     * has to be found anew. Assumed. For a sensor that takes its time, 1.5 times the interval between two looks.
+     * How long a drone may be out of sight within one encounter, s: three times the search time, after which a drone
+     * that nobody could see has to be found anew. Assumed. For a sensor that takes its time, 1.5 times the interval
+     * between two looks.
      */
     public static final double GAP = 10.0;
 
@@ -64,8 +68,8 @@ public record Encounter(long index, boolean isFound) {
     }
 
     /**
-     * What the probability of a look must reach for a detection: what the observer drew, if he has found the drone, finds it in this look, or
-     * could not find it anyway; infinite while he could, but has not.
+     * What the probability of a look must reach for a detection: what the observer drew, if he has found the drone,
+     * finds it in this look, or could not find it anyway; infinite while he could, but has not.
      *
      * @param drone name of the drone
      * @param rate looks per second, Hz

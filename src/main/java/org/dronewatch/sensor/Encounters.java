@@ -5,7 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** A sensor's encounters with drones, as they are before one of its looks. Immutable: looks lead from one to the next. */
+/**
+ * A sensor's encounters with drones, as they are before one of its looks. Immutable: looks lead from one to the next.
+ */
 public final class Encounters {
     /** Nothing has been encountered yet. */
     public static final Encounters NONE = new Encounters(Map.of());
@@ -24,7 +26,8 @@ public final class Encounters {
     }
 
     /**
-     * The encounter to which a look at a drone belongs: the latest one, unless the drone has been out of sight for too long since.
+     * The encounter to which a look at a drone belongs: the latest one, unless the drone has been out of sight for too
+     * long since.
      *
      * @param drone name of the drone
      * @param time of the look, seconds since the start of the run

@@ -14,7 +14,8 @@ import org.dronewatch.positioner.Pointing;
  * @param seed of the run
  * @param pointing where a positioner points the sensor now; empty for a sensor on a fixed mount, or one that is to look
  *     along its own aim
- * @param encounters the sensor's encounters with drones before this look: of effect where chance decides once per encounter
+ * @param encounters the sensor's encounters with drones before this look: of effect where chance decides once per
+ *     encounter
  */
 public record Look(
         String sensor, long index, double time, long seed, Optional<Pointing> pointing, Encounters encounters) {
@@ -69,8 +70,8 @@ public record Look(
     }
 
     /**
-     * What the probability of this look at a drone must reach for a detection, for a sensor whose observer decides once per
-     * {@link Encounter}.
+     * What the probability of this look at a drone must reach for a detection, for a sensor whose observer decides once
+     * per {@link Encounter}.
      *
      * @param drone name of the drone
      * @param rate looks per second of the sensor, Hz

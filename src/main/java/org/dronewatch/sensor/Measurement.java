@@ -9,7 +9,8 @@ import org.dronewatch.positioner.Sighting;
  *
  * @param look which look of which sensor it was made in
  * @param reading the measured value, and its threshold
- * @param sighting where the sensor believes the source to be, with its errors; empty for a sensor that reports no direction
+ * @param sighting where the sensor believes the source to be, with its errors; empty for a sensor that reports no
+ *     direction
  */
 public record Measurement(LookId look, Reading reading, Optional<Sighting> sighting) {
 

@@ -26,8 +26,8 @@ public record Observation(
     public static final String PROBABILITY = "probability";
 
     /**
-     * The figure, 1, of a look whose line of sight leaves the ground that is known: that nothing hid the drone is not known
-     * either.
+     * The figure, 1, of a look whose line of sight leaves the ground that is known: that nothing hid the drone is not
+     * known either.
      */
     public static final String UNKNOWN = "unknown";
 

@@ -10,8 +10,8 @@ import org.dronewatch.geometry.Position;
  */
 public sealed interface Outline {
     /**
-     * Tolerance, rad: rounding must not cut off what lies on an edge, least of all directly behind a radar that scans all
-     * round.
+     * Tolerance, rad: rounding must not cut off what lies on an edge, least of all directly behind a radar that scans
+     * all round.
      */
     double ROUNDING = 1e-9;
 
@@ -30,7 +30,8 @@ public sealed interface Outline {
      * @param up unit vector to the top of the image
      * @param halfWidth half the width of the field at 1 m along the axis, m
      * @param halfHeight half the height of the field at 1 m along the axis, m
-     * @param middleRight how far the middle of the field is to the right of the axis there, m; 0 unless the lens is shifted
+     * @param middleRight how far the middle of the field is to the right of the axis there, m; 0 unless the lens is
+     *     shifted
      * @param middleUp how far it is above the axis there, m
      * @param near where it begins, as a distance along the axis, m
      * @param far where it ends, as a distance along the axis, m; infinity for no end

@@ -9,9 +9,9 @@ import java.util.Map;
  * @param measures what the values of its observations mean, in words for a plot: {@code sound level}
  * @param weakness the words for a drone whose signal is insufficient, such as {@code too quiet}
  * @param leavesOut what the model of this sensor leaves out, in sentences for a report
- * @param ignoredConditions conditions of the site that would matter to a real sensor of this kind, but that its model does not
- *     take into account; by condition what to do instead, in words such as {@code set its 'transmission' for such weather}. A
- *     scene that sets one of them gets a warning
+ * @param ignoredConditions conditions of the site that would matter to a real sensor of this kind, but that its model
+ *     does not take into account; by condition what to do instead, in words such as
+ *     {@code set its 'transmission' for such weather}. A scene that sets one of them gets a warning
  */
 public record SensorDescription(
         String measures, String weakness, List<String> leavesOut, Map<Condition, String> ignoredConditions) {

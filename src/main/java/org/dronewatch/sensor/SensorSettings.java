@@ -40,7 +40,9 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
         return Chance.PER_LOOK;
     }
 
-    /** What looks odd about these settings, although it is not refused: one line each, which a scene prints as warnings. */
+    /**
+     * What looks odd about these settings, although it is not refused: one line each, which a scene prints as warnings.
+     */
     default List<String> advice() {
         return List.of();
     }

@@ -3,8 +3,8 @@ package org.dronewatch.sensor;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Settings of a sensor that compares what it receives with a threshold, which can be fitted to a range that the sensor is
- * known to have. A capability: {@link SensorSettings#as}.
+ * Settings of a sensor that compares what it receives with a threshold, which can be fitted to a range that the sensor
+ * is known to have. A capability: {@link SensorSettings#as}.
  */
 public interface Thresholded {
 

@@ -7,8 +7,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Marks the source of the defaults of a settings record: a static method that takes the required components, or a constant
- * if there are none. A scene file may then omit the components that the method fills in.
+ * Marks the source of the defaults of a settings record: a static method that takes the required components, or a
+ * constant if there are none. A scene file may then omit the components that the method fills in.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

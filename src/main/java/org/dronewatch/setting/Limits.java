@@ -29,8 +29,8 @@ public final class Limits {
      *
      * @param record its class
      * @param values one for each component, in their order
-     * @throws IllegalArgumentException when one is missing or out of its limits; the message names it, its value and the
-     *     limit
+     * @throws IllegalArgumentException when one is missing or out of its limits; the message names it, its value and
+     *     the limit
      */
     public static void check(Class<? extends Record> record, Object... values) {
         List<Component> components = COMPONENTS.get(record);
@@ -57,8 +57,8 @@ public final class Limits {
      * the limits of {@link In} hold even for records whose constructors do not check them.
      *
      * @param tree settings
-     * @throws IllegalArgumentException when one is missing or out of its limits; the message begins with its path, as in
-     *     {@code sensors.gate.position.x}
+     * @throws IllegalArgumentException when one is missing or out of its limits; the message begins with its path, as
+     *     in {@code sensors.gate.position.x}
      */
     public static void checkAll(Object tree) {
         checkAll("", tree);

@@ -6,7 +6,10 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
-/** Marks a record of numbers of one quantity, such as the octave bands, that may also be written as one number for all of them. */
+/**
+ * Marks a record of numbers of one quantity, such as the octave bands, that may also be written as one number for all
+ * of them.
+ */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.TYPE)

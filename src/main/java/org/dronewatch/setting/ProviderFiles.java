@@ -18,8 +18,9 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * The files on the class path that name the providers of a service. Of a class that two jars have, Java loads the one from the
- * first jar and never mentions the other: with an old and a new copy of a jar, the order of the class path would decide what runs.
+ * The files on the class path that name the providers of a service. Of a class that two jars have, Java loads the one
+ * from the first jar and never mentions the other: with an old and a new copy of a jar, the order of the class path
+ * would decide what runs.
  */
 final class ProviderFiles {
     private static final String DIRECTORY = "META-INF/services/";

@@ -117,7 +117,9 @@ public final class SettingsForm {
         return parts().stream().map(RecordComponent::getName).toList();
     }
 
-    /** The current names of components that had other names in earlier versions, by those names; see {@link Formerly}. */
+    /**
+     * The current names of components that had other names in earlier versions, by those names; see {@link Formerly}.
+     */
     public Map<String, String> renamed() {
         return renamed;
     }
@@ -128,8 +130,8 @@ public final class SettingsForm {
     }
 
     /**
-     * A question at the end of a message about an unknown name of a part: the current name of what was probably meant; empty
-     * if nothing is near enough.
+     * A question at the end of a message about an unknown name of a part: the current name of what was probably meant;
+     * empty if nothing is near enough.
      *
      * @param others names that are valid there, too
      */

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Absorption as a function of the angle of incidence, from a table: linear between its angles, constant below the first and
- * above the last.
+ * Absorption as a function of the angle of incidence, from a table: linear between its angles, constant below the first
+ * and above the last.
  */
 public final class AngularAbsorption {
     private final List<AbsorptionAtAngle> table;

@@ -16,8 +16,8 @@ public final class Barrier {
     public static final double SINGLE_EDGE_SPAN = 0.3;
 
     /**
-     * How far below 0 the path difference is, in wavelengths, from which on an edge causes no attenuation: N = -0.1, since N
-     * counts half wavelengths.
+     * How far below 0 the path difference is, in wavelengths, from which on an edge causes no attenuation: N = -0.1,
+     * since N counts half wavelengths.
      */
     public static final double MAEKAWA_REACH = 0.05;
 
@@ -53,9 +53,9 @@ public final class Barrier {
     }
 
     /**
-     * Attenuation after ISO 9613-2:1996, equation (14), with C2 = 20 (reflections from the ground included) and Kmet = 1
-     * (no bending by wind or temperature); C3 is 1 for one edge and that of equation (15) for several. At most {@value
-     * #ISO_SINGLE_EDGE_LIMIT} dB by one edge, and {@value #LIMIT} dB by several.
+     * Attenuation after ISO 9613-2:1996, equation (14), with C2 = 20 (reflections from the ground included) and Kmet =
+     * 1 (no bending by wind or temperature); C3 is 1 for one edge and that of equation (15) for several. At most
+     * {@value #ISO_SINGLE_EDGE_LIMIT} dB by one edge, and {@value #LIMIT} dB by several.
      *
      * @param pathDifference m
      * @param span distance from the first edge to the last along the path, 0 for one edge, m

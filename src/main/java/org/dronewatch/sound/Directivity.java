@@ -10,8 +10,10 @@ public enum Directivity {
         }
     },
     /**
-     * Of rotors: fainter near their plane, louder above and below, from 500 Hz on. A high shelf of {@code -0.0011 t^2 +
-     * 0.194 |t| - 4.9} dB with t in degrees (Heutschi and others, Acta Acustica 4, 24, 2020); how a shelf at 500 Hz divides among octave bands is assumed: nothing up to 250 Hz, half the decibels at 500 Hz, all of them from 1 kHz on.
+     * Of rotors: fainter near their plane, louder above and below, from 500 Hz on. A high shelf of
+     * {@code -0.0011 t^2 + 0.194 |t| - 4.9} dB with t in degrees (Heutschi and others, Acta Acustica 4, 24, 2020); how
+     * a shelf at 500 Hz divides among octave bands is assumed: nothing up to 250 Hz, half the decibels at 500 Hz, all
+     * of them from 1 kHz on.
      */
     ROTOR {
         @Override
@@ -21,10 +23,10 @@ public enum Directivity {
         }
     },
     /**
-     * That of a DJI Matrice 300 in flight at 5 m/s, measured below it up to 60 degrees from the vertical (Ramos-Romero and
-     * others, Aerospace Science and Technology 140, 108537, 2023). Filled in, not measured: nearer to the rotors' plane, and
-     * above it, where the sound is taken to be the same as below. The published gain is the level at 1 m relative to that
-     * straight below.
+     * That of a DJI Matrice 300 in flight at 5 m/s, measured below it up to 60 degrees from the vertical (Ramos-Romero
+     * and others, Aerospace Science and Technology 140, 108537, 2023). Filled in, not measured: nearer to the rotors'
+     * plane, and above it, where the sound is taken to be the same as below. The published gain is the level at 1 m
+     * relative to that straight below.
      */
     M300 {
         @Override

@@ -39,7 +39,10 @@ public final class DroneSounds {
         return TABLE.find(name);
     }
 
-    /** The directivity that was measured with the sound of this name; empty if none was measured, or if there is no such sound. */
+    /**
+     * The directivity that was measured with the sound of this name; empty if none was measured, or if there is no such
+     * sound.
+     */
     public static Optional<Directivity> measuredDirectivity(String name) {
         return DIRECTIVITIES.find(name).flatMap(measured -> measured);
     }

@@ -1,8 +1,8 @@
 package org.dronewatch.sound;
 
 /**
- * The Faddeeva function {@code w(z) = exp(-z^2) erfc(-i z)}, by the rational series of J. A. C. Weideman (Computation of
- * the complex error function, SIAM Journal on Numerical Analysis 31, 1497, 1994). Its error is below 1e-12 of
+ * The Faddeeva function {@code w(z) = exp(-z^2) erfc(-i z)}, by the rational series of J. A. C. Weideman (Computation
+ * of the complex error function, SIAM Journal on Numerical Analysis 31, 1497, 1994). Its error is below 1e-12 of
  * {@code |w|} in the upper half plane.
  */
 final class Faddeeva {

@@ -2,8 +2,8 @@ package org.dronewatch.sound;
 
 /**
  * The mean energy of direct and ground-reflected sound together in an octave band: over equal parts of lg f, of
- * {@code a1^2 + a2^2 |Q|^2 + 2 a1 a2 |Q| C cos(k (R2 - R1) + arg Q)}, where Q is that of the {@link SphericalReflection} and C
- * the coherence. The caller accounts for spreading, air and directivity.
+ * {@code a1^2 + a2^2 |Q|^2 + 2 a1 a2 |Q| C cos(k (R2 - R1) + arg Q)}, where Q is that of the
+ * {@link SphericalReflection} and C the coherence. The caller accounts for spreading, air and directivity.
  *
  * @param ground what reflects
  * @param soundSpeed m/s, above 0

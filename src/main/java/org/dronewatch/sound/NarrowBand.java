@@ -20,9 +20,9 @@ public record NarrowBand(double frequency, double width, int octave) {
     private static final double HALF_OCTAVE = 0.15;
 
     /**
-     * The band of a line. The rotors of a drone never turn quite steadily, and less so in wind: the relative jitter of their
-     * speed, 0.5 % and 0.52 % more for each m/s of wind, is the relative width of all their lines (Heutschi and others, Acta
-     * Acustica 4, 24, 2020, at a height of 10 m).
+     * The band of a line. The rotors of a drone never turn quite steadily, and less so in wind: the relative jitter of
+     * their speed, 0.5 % and 0.52 % more for each m/s of wind, is the relative width of all their lines (Heutschi and
+     * others, Acta Acustica 4, 24, 2020, at a height of 10 m).
      *
      * @param frequency at which it is heard, Hz
      * @param wind speed, m/s, 0 or more
@@ -43,7 +43,9 @@ public record NarrowBand(double frequency, double width, int octave) {
         return width / octaveWidth(octave);
     }
 
-    /** How much less noise it lets in than its octave band, if its spectrum is flat, dB: {@code 10 lg(B_octave / B)}. */
+    /**
+     * How much less noise it lets in than its octave band, if its spectrum is flat, dB: {@code 10 lg(B_octave / B)}.
+     */
     public double gain() {
         return -Levels.ofRatio(fraction());
     }

@@ -13,9 +13,9 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * The sound that a drone radiated in flight over a line of microphones: octave-band levels 1 m from it by the angle from the
- * vertical, below it. Made from a table of third-octave bands by angle along the track and across it. A source has no
- * heading here, so each angle from the vertical has the energy mean over all headings that were measured at it.
+ * The sound that a drone radiated in flight over a line of microphones: octave-band levels 1 m from it by the angle
+ * from the vertical, below it. Made from a table of third-octave bands by angle along the track and across it. A source
+ * has no heading here, so each angle from the vertical has the energy mean over all headings that were measured at it.
  */
 final class NoiseHemisphere {
     /** Angles beyond this were not measured: the table has the levels at this one, 3.5 dB fainter for each step. */

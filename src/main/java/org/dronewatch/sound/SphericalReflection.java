@@ -1,10 +1,11 @@
 package org.dronewatch.sound;
 
 /**
- * How flat ground reflects a spherical wave: the Weyl-van der Pol solution {@code Q = Rp + (1 - Rp) F(w)}, with the plane
- * wave's {@code Rp = (cos t - 1/Z) / (cos t + 1/Z)}, the boundary loss factor {@code F = 1 + i sqrt(pi) w erfcx(-i w)} and
- * the numerical distance {@code w = sqrt(i k R2 / 2) (cos t + 1/Z)} (K. Attenborough, S. I. Hayek and J. M. Lawther, JASA
- * 68, 1493, 1980; C. F. Chien and W. W. Soroka, JSV 43, 9, 1975). Time goes as {@code exp(-i w t)}.
+ * How flat ground reflects a spherical wave: the Weyl-van der Pol solution {@code Q = Rp + (1 - Rp) F(w)}, with the
+ * plane wave's {@code Rp = (cos t - 1/Z) / (cos t + 1/Z)}, the boundary loss factor
+ * {@code F = 1 + i sqrt(pi) w erfcx(-i w)} and the numerical distance {@code w = sqrt(i k R2 / 2) (cos t + 1/Z)} (K.
+ * Attenborough, S. I. Hayek and J. M. Lawther, JASA 68, 1493, 1980; C. F. Chien and W. W. Soroka, JSV 43, 9, 1975).
+ * Time goes as {@code exp(-i w t)}.
  */
 final class SphericalReflection {
     private static final double ROOT_PI = Math.sqrt(Math.PI);

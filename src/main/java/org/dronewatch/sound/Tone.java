@@ -12,10 +12,11 @@ import java.util.OptionalDouble;
 public record Tone(int harmonic, double frequency, double share) {
 
     /**
-     * The frequency at which it is heard, Hz: {@code f / (1 - v / c)} (Doppler). Empty at and above the speed of sound, where its
-     * waves pile up into a shock.
+     * The frequency at which it is heard, Hz: {@code f / (1 - v / c)} (Doppler). Empty at and above the speed of sound,
+     * where its waves pile up into a shock.
      *
-     * @param approach speed of the drone towards the listener when it emitted the sound, m/s; negative when it flies away
+     * @param approach speed of the drone towards the listener when it emitted the sound, m/s; negative when it flies
+     *     away
      * @param soundSpeed in the air, m/s, above 0
      */
     public OptionalDouble heard(double approach, double soundSpeed) {

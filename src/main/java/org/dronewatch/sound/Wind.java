@@ -7,8 +7,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The wind over a site: its mean speed grows with the logarithm of the height over the ground, {@code ln(1 + z / z0)}, as
- * in a surface layer that is neither heated nor cooled from below.
+ * The wind over a site: its mean speed grows with the logarithm of the height over the ground, {@code ln(1 + z / z0)},
+ * as in a surface layer that is neither heated nor cooled from below.
  *
  * @param speed at a height of 10 m over the ground, 0 to 60 m/s
  * @param from where it blows from, clockwise from north, rad
@@ -60,8 +60,8 @@ public record Wind(
     }
 
     /**
-     * How fast its speed grows with height between two heights, in the mean: that of the linear profile that has the same
-     * speed at both, 1/s.
+     * How fast its speed grows with height between two heights, in the mean: that of the linear profile that has the
+     * same speed at both, 1/s.
      *
      * @param height over the ground, m
      * @param other over the ground, m

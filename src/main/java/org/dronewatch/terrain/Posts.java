@@ -1,8 +1,8 @@
 package org.dronewatch.terrain;
 
 /**
- * A rectangle of posts in the world frame: where their verticals are, and how high each is. Rows go south and columns east,
- * more or less. Posts without a height are holes.
+ * A rectangle of posts in the world frame: where their verticals are, and how high each is. Rows go south and columns
+ * east, more or less. Posts without a height are holes.
  */
 final class Posts {
     private final int columns;
@@ -44,8 +44,8 @@ final class Posts {
     }
 
     /**
-     * Whether the triangle of a square north-east of its diagonal, which joins the post and its neighbour south-east, has
-     * all its posts.
+     * Whether the triangle of a square north-east of its diagonal, which joins the post and its neighbour south-east,
+     * has all its posts.
      *
      * @param post the square's north-western one, not in the last column or row
      */

@@ -4,11 +4,14 @@ import java.util.function.IntConsumer;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * Finds the triangles of a terrain below a point or an area. A terrain has one height at each point: its triangles do not lie over
- * one another. Immutable.
+ * Finds the triangles of a terrain below a point or an area. A terrain has one height at each point: its triangles do
+ * not lie over one another. Immutable.
  */
 public final class TerrainGround {
-    /** How far beyond a triangle a point may lie that its corners, which are floats, miss, as a fraction of the triangle. */
+    /**
+     * How far beyond a triangle a point may lie that its corners, which are floats, miss, as a fraction of the
+     * triangle.
+     */
     private static final double ROUNDING = 1e-5;
 
     private final TriangleMesh mesh;

@@ -14,22 +14,24 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.PackagedSite;
 
 /**
- * The ground of a real place, from files of elevations: GeoTIFF, SRTM tiles (.hgt, also in .zip or .gz) or ESRI ASCII grids
- * (.asc). It lies about the scene's geographic origin, {@code world.origin}, which such a scene must give.
+ * The ground of a real place, from files of elevations: GeoTIFF, SRTM tiles (.hgt, also in .zip or .gz) or ESRI ASCII
+ * grids (.asc). It lies about the scene's geographic origin, {@code world.origin}, which such a scene must give.
  *
  * @param file the file of elevations, or {@code packaged:NAME} for one that comes with the library
- * @param files several files instead, which make one terrain; they must have the same grid of posts. Where they overlap, the
- *     first one that has a height there is used
- * @param crs coordinate reference system of the files by its EPSG code, such as EPSG:25832; omit it to use the one that the
- *     files state
- * @param radius how far from the origin the terrain reaches, 10 m to 100 km; it is cut along the rows and columns of its grid
- * @param accuracy greatest vertical error that thinning out the triangles may cause, 0 to 1000 m; at 0 every post is kept
+ * @param files several files instead, which make one terrain; they must have the same grid of posts. Where they
+ *     overlap, the first one that has a height there is used
+ * @param crs coordinate reference system of the files by its EPSG code, such as EPSG:25832; omit it to use the one that
+ *     the files state
+ * @param radius how far from the origin the terrain reaches, 10 m to 100 km; it is cut along the rows and columns of
+ *     its grid
+ * @param accuracy greatest vertical error that thinning out the triangles may cause, 0 to 1000 m; at 0 every post is
+ *     kept
  * @param surface what the heights describe: the bare ground (dtm), or roofs and treetops where there are any (dsm)
- * @param verticalOffset what is added to the heights of the files, -1000 to 1000 m: for files that count from another level than
- *     {@code world.origin.height} does
+ * @param verticalOffset what is added to the heights of the files, -1000 to 1000 m: for files that count from another
+ *     level than {@code world.origin.height} does
  * @param nodata a height that means "no data", in addition to those that the files state; omit it if there is no other
- * @param material name of the ground's material, to which {@code world.surfaces} assigns an acoustic surface; one that is in the
- *     table of surfaces itself needs no assignment
+ * @param material name of the ground's material, to which {@code world.surfaces} assigns an acoustic surface; one that
+ *     is in the table of surfaces itself needs no assignment
  */
 public record TerrainSettings(
         @FileName(unless = PackagedSite.PREFIX) Optional<String> file,
@@ -60,8 +62,8 @@ public record TerrainSettings(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException if a value is out of range, a text is empty, or the code of the coordinate reference
-     *     system is not known
+     * @throws IllegalArgumentException if a value is out of range, a text is empty, or the code of the coordinate
+     *     reference system is not known
      */
     public TerrainSettings {
         Limits.check(

@@ -25,9 +25,9 @@ import org.dronewatch.sensor.optics.PictureSettings;
 
 /**
  * The view of one camera: distances in blues, darker where nearer, the sky pale, the drone's pixels in orange, its
- * significant pixels framed, and the number of its pixels beside the number required. The frame of a distant drone is drawn
- * larger than it is; a large view magnifies it in a corner. For your own window, and for Swing's event thread as any of its
- * components:
+ * significant pixels framed, and the number of its pixels beside the number required. The frame of a distant drone is
+ * drawn larger than it is; a large view magnifies it in a corner. For your own window, and for Swing's event thread as
+ * any of its components:
  *
  * <pre>{@code
  * CameraVisual visual = CameraVisual.of("gate", cameraSettings, stage);

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Which time of a recorded run is shown. Time goes on by itself while it plays, as far as the run has been simulated. For
- * one thread.
+ * Which time of a recorded run is shown. Time goes on by itself while it plays, as far as the run has been simulated.
+ * For one thread.
  */
 final class Playback {
     /** Speeds to choose from; the last is as fast as possible. */

@@ -3,7 +3,9 @@ package org.dronewatch.viewer;
 import javax.swing.Action;
 import javax.swing.JMenuItem;
 
-/** An entry of a menu whose key works at once: Swing's own holds up the event thread to show how the entry is pressed. */
+/**
+ * An entry of a menu whose key works at once: Swing's own holds up the event thread to show how the entry is pressed.
+ */
 final class QuickItem extends JMenuItem {
     private static final long serialVersionUID = 1L;
 

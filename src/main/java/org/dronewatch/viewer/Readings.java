@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.dronewatch.sensor.Observation;
 
 /**
- * All that a sensor measured of a drone, in order of time. A very long run is thinned: once {@link #MOST} are kept, every other
- * one is forgotten. Guarded by its owner.
+ * All that a sensor measured of a drone, in order of time. A very long run is thinned: once {@link #MOST} are kept,
+ * every other one is forgotten. Guarded by its owner.
  */
 final class Readings {
     /** Maximum number kept: 3 MB. */

@@ -7,8 +7,8 @@ import java.awt.Font;
 import javax.swing.UIManager;
 
 /**
- * Sizes on screens of any density. What the system scales is in the graphics that components paint with; what the user scales,
- * by a larger font or {@code -Dflatlaf.uiScale}, is here.
+ * Sizes on screens of any density. What the system scales is in the graphics that components paint with; what the user
+ * scales, by a larger font or {@code -Dflatlaf.uiScale}, is here.
  */
 final class Scaled {
     private static final Font FALLBACK = new Font(Font.SANS_SERIF, Font.PLAIN, 12);

@@ -15,8 +15,8 @@ import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 
 /**
- * A window that shows a scene while it runs and afterwards. It listens to a run as a report does and changes nothing in it:
- * results are the same with it and without.
+ * A window that shows a scene while it runs and afterwards. It listens to a run as a report does and changes nothing in
+ * it: results are the same with it and without.
  *
  * <pre>{@code
  * SceneRunner runner = new SceneRunner(scene);
@@ -71,8 +71,8 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Opens the window, as the user last left it. The calling thread is expected to run the scene: if the window is closed
-     * while that thread is still reading models, it is interrupted.
+     * Opens the window, as the user last left it. The calling thread is expected to run the scene: if the window is
+     * closed while that thread is still reading models, it is interrupted.
      *
      * @param runner the runner that will run the scene; it also provides the settings and the stage of the view
      * @param threads number of threads that render
@@ -83,8 +83,8 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Opens the window as {@link #open(Scene, SceneRunner, int)}, with a menu that opens other scenes in it. The calling
-     * thread is expected to run them one after the other: {@link #awaitNext} returns the next.
+     * Opens the window as {@link #open(Scene, SceneRunner, int)}, with a menu that opens other scenes in it. The
+     * calling thread is expected to run them one after the other: {@link #awaitNext} returns the next.
      *
      * @param reader reads and checks a scene file; it throws InputException where there are mistakes
      * @throws IllegalStateException when there is no display
@@ -155,8 +155,8 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Waits until the user opens another scene or closes the window. Another scene then replaces the previous one, whose
-     * threads have ended; the caller is to run it.
+     * Waits until the user opens another scene or closes the window. Another scene then replaces the previous one,
+     * whose threads have ended; the caller is to run it.
      *
      * @return the other scene; empty when the window is closed
      */

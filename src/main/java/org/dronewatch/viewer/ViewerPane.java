@@ -18,8 +18,9 @@ import org.dronewatch.render.SiteState;
 import org.dronewatch.setting.InputException;
 
 /**
- * All that the window shows: the site, the cameras, the time line, tables, rays and log. {@link #tick} lets time go on; all
- * methods must be called on the event thread unless stated otherwise. It needs no window: it paints into a picture as well.
+ * All that the window shows: the site, the cameras, the time line, tables, rays and log. {@link #tick} lets time go on;
+ * all methods must be called on the event thread unless stated otherwise. It needs no window: it paints into a picture
+ * as well.
  */
 final class ViewerPane extends JPanel {
     private static final long serialVersionUID = 1L;

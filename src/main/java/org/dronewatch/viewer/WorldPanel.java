@@ -24,8 +24,8 @@ import org.dronewatch.world.WorldSettings;
 import org.jogamp.vecmath.Point2d;
 
 /**
- * The site in 3D. Dragging turns it, with the right button or Shift it moves, the wheel zooms towards the pointer, a double
- * click looks at what is there, a click on a symbol selects.
+ * The site in 3D. Dragging turns it, with the right button or Shift it moves, the wheel zooms towards the pointer, a
+ * double click looks at what is there, a click on a symbol selects.
  */
 final class WorldPanel extends JPanel {
     private static final long serialVersionUID = 1L;

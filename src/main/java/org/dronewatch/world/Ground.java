@@ -3,7 +3,8 @@ package org.dronewatch.world;
 import java.util.OptionalDouble;
 
 /**
- * The ground below a flight. {@link World#newGround()} gives that of a world; it is for one thread, while it creates paths: finished paths no longer query it.
+ * The ground below a flight. {@link World#newGround()} gives that of a world; it is for one thread, while it creates
+ * paths: finished paths no longer query it.
  */
 @FunctionalInterface
 public interface Ground {

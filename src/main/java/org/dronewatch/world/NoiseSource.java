@@ -13,15 +13,16 @@ import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.BandLevels;
 
 /**
- * A source of steady noise on the site, such as a plant or a road. Microphones hear it through the world, as they hear drones,
- * in addition to the background noise.
+ * A source of steady noise on the site, such as a plant or a road. Microphones hear it through the world, as they hear
+ * drones, in addition to the background noise.
  *
- * @param positions where it is, m: one position for a plant, or the corners of a line, such as a road, over whose length its
- *     sound is spread evenly
+ * @param positions where it is, m: one position for a plant, or the corners of a line, such as a road, over whose
+ *     length its sound is spread evenly
  * @param soundPowerLevel A-weighted sound power level of the whole source, -20 to 200 dB re 1 pW, in the energy model
- * @param shape spectrum of the sound power: the levels of the octave bands relative to one another, without weighting, dB
- * @param soundLevel initial level of its rays in the level model, -100 to 200 dB; if omitted, microphones with that model do
- *     not hear the source
+ * @param shape spectrum of the sound power: the levels of the octave bands relative to one another, without weighting,
+ *     dB
+ * @param soundLevel initial level of its rays in the level model, -100 to 200 dB; if omitted, microphones with that
+ *     model do not hear the source
  */
 public record NoiseSource(
         List<Position> positions,

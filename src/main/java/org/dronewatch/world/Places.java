@@ -13,16 +13,16 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.In;
 
 /**
- * Finds the positions of places on a map, or above the surface of a site, in its world frame. The site is only looked at for
- * heights above its surface. For one thread.
+ * Finds the positions of places on a map, or above the surface of a site, in its world frame. The site is only looked
+ * at for heights above its surface. For one thread.
  */
 public final class Places {
     /** How exactly the surface below a place is found, m. */
     private static final double EXACT = 1e-6;
 
     /**
-     * The frame's vertical and that of a place 100 km away differ by one degree, so each step makes the error at least ten times
-     * smaller on any ground less steep than 80 degrees; on a wall, it stays at one of both heights.
+     * The frame's vertical and that of a place 100 km away differ by one degree, so each step makes the error at least
+     * ten times smaller on any ground less steep than 80 degrees; on a wall, it stays at one of both heights.
      */
     private static final int MOST_STEPS = 20;
 
@@ -45,10 +45,11 @@ public final class Places {
     }
 
     /**
-     * The position of a place by latitude and longitude. A height above the surface counts along the vertical of that place.
+     * The position of a place by latitude and longitude. A height above the surface counts along the vertical of that
+     * place.
      *
-     * @throws IllegalArgumentException when the scene has no origin, there is no surface below a place above it, its height above
-     *     sea level has no meaning, or it is more than 100 km away
+     * @throws IllegalArgumentException when the scene has no origin, there is no surface below a place above it, its
+     *     height above sea level has no meaning, or it is more than 100 km away
      */
     public Position at(EarthPlace place) {
         Geodesy geodesy = geodesy();
@@ -125,7 +126,8 @@ public final class Places {
     }
 
     /**
-     * The position of a place at a height above what the origin's height counts from, or above 0 where that is not known.
+     * The position of a place at a height above what the origin's height counts from, or above 0 where that is not
+     * known.
      *
      * @param latitude rad
      * @param longitude rad
@@ -137,8 +139,8 @@ public final class Places {
     }
 
     /**
-     * The height of the highest surface on the place's own vertical, above what the origin's height counts from, or above 0
-     * where that is not known, m; empty in a hole and beyond the rim.
+     * The height of the highest surface on the place's own vertical, above what the origin's height counts from, or
+     * above 0 where that is not known, m; empty in a hole and beyond the rim.
      *
      * @param latitude rad
      * @param longitude rad

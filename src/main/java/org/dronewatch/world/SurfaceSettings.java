@@ -27,7 +27,10 @@ import org.dronewatch.sound.SurfaceMaterials;
  */
 public record SurfaceSettings(
         Map<String, String> materials, @Formerly("otherwise") String defaultSurface, Map<String, OwnSurface> own) {
-    /** No material is assigned a surface; all use the table's ordinary hard surface unless their own name is in the table. */
+    /**
+     * No material is assigned a surface; all use the table's ordinary hard surface unless their own name is in the
+     * table.
+     */
     @Defaults
     public static final SurfaceSettings DEFAULT = new SurfaceSettings(Map.of(), SurfaceMaterials.SOLID, Map.of());
 

@@ -9,11 +9,11 @@ import org.dronewatch.kdtree.RayTracer;
  *
  * <p>A surface that a segment meets within {@link #MARGIN} of an end is taken for the one on which the end lies, and
  * hides nothing: sensors on walls and microphones on the ground see and hear as they do just in front of it, and so do
- * drones that touch it. What is met farther away counts. So a sensor within the margin of a wall sees out on both sides of
- * the wall, and one farther behind it is blind to what lies in front of it. The margin is a length and not a fraction
- * of the segment, since neither the position of a sensor nor the rounding of coordinates becomes less exact with the
- * distance of what it looks at: whether a sensor on a wall is blind does not depend on the range. Nothing counts as
- * standing between points closer together than twice the margin.
+ * drones that touch it. What is met farther away counts. So a sensor within the margin of a wall sees out on both sides
+ * of the wall, and one farther behind it is blind to what lies in front of it. The margin is a length and not a
+ * fraction of the segment, since neither the position of a sensor nor the rounding of coordinates becomes less exact
+ * with the distance of what it looks at: whether a sensor on a wall is blind does not depend on the range. Nothing
+ * counts as standing between points closer together than twice the margin.
  *
  * <p>Whether two points of one oblique face see each other depends on the rounding of their coordinates;
  * {@link Clearance} moves points off their surfaces where that matters.

@@ -167,8 +167,8 @@ public final class World {
     }
 
     /**
-     * Whether the ground below the line between two points is known everywhere: what is not known may hide anything. In a
-     * world of models, all of it is.
+     * Whether the ground below the line between two points is known everywhere: what is not known may hide anything. In
+     * a world of models, all of it is.
      */
     public boolean isKnown(Position from, Position to) {
         return known.isEmpty() || known.get().containsLine(from.x(), from.y(), to.x(), to.y());

@@ -23,8 +23,8 @@ import org.dronewatch.terrain.TerrainSettings;
 /**
  * The site: its models, its surfaces, and the conditions in which sensors work.
  *
- * @param models the meshes, merged into one with the terrain and the buildings; at least one, unless there is terrain or
- *     there are buildings
+ * @param models the meshes, merged into one with the terrain and the buildings; at least one, unless there is terrain
+ *     or there are buildings
  * @param terrain the ground of a real place, from files of elevations; omit it for none. It needs the origin
  * @param buildings the buildings of a real place, from a map; omit it for none. They need the origin
  * @param backgroundNoise sound pressure level of the background, A-weighted, -20 to 140 dB re 20 uPa

@@ -13,8 +13,8 @@ import org.dronewatch.setting.PlainText;
 import tools.jackson.databind.JsonNode;
 
 /**
- * Reads buildings and their parts from CityJSON 1.1 and 2.0: solids and surfaces of the most detailed level up to 2, without
- * openings such as windows, which the third level adds.
+ * Reads buildings and their parts from CityJSON 1.1 and 2.0: solids and surfaces of the most detailed level up to 2,
+ * without openings such as windows, which the third level adds.
  */
 final class CityJsonFile {
     private static final Pattern CODE = Pattern.compile(".*EPSG(?:/\\d+/|::|:)(\\d{4,6})");

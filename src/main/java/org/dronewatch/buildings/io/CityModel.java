@@ -3,7 +3,8 @@ package org.dronewatch.buildings.io;
 import java.util.List;
 
 /**
- * Buildings with their walls and roofs, as a city model has them. The arrays are not copied: whoever is given one must not change it.
+ * Buildings with their walls and roofs, as a city model has them. The arrays are not copied: whoever is given one must
+ * not change it.
  *
  * @param vertices x, y and height of each vertex in turn, in the map's coordinates
  * @param solids in the order of the file
@@ -18,7 +19,8 @@ public record CityModel(double[] vertices, List<Solid> solids) {
      * What encloses a building, or should.
      *
      * @param id what the model calls it
-     * @param surfaces each with its outline, counter-clockwise as seen from outside, and its openings: numbers of vertices
+     * @param surfaces each with its outline, counter-clockwise as seen from outside, and its openings: numbers of
+     *     vertices
      */
     public record Solid(String id, List<List<int[]>> surfaces) {
         /** Copies the list: later changes by the caller have no effect. */

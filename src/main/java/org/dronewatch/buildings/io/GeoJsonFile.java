@@ -11,9 +11,9 @@ import org.dronewatch.setting.PlainText;
 import tools.jackson.databind.JsonNode;
 
 /**
- * Reads outlines from GeoJSON (RFC 7946): polygons and multipolygons, whose properties are taken as tags of OpenStreetMap
- * ({@code height}, {@code building:levels}, {@code levels}, ...). Every area is a building, unless {@code building} is
- * {@code no}.
+ * Reads outlines from GeoJSON (RFC 7946): polygons and multipolygons, whose properties are taken as tags of
+ * OpenStreetMap ({@code height}, {@code building:levels}, {@code levels}, ...). Every area is a building, unless
+ * {@code building} is {@code no}.
  */
 final class GeoJsonFile {
     private static final int MOST_DEPTH = 64;

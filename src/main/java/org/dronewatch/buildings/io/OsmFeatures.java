@@ -14,8 +14,8 @@ import java.util.Set;
 import org.dronewatch.setting.InputException;
 
 /**
- * Makes outlines of the elements of OpenStreetMap: closed ways, and multipolygons, whose ways are joined end to end. What lies
- * outside the area is dropped as soon as it is read.
+ * Makes outlines of the elements of OpenStreetMap: closed ways, and multipolygons, whose ways are joined end to end.
+ * What lies outside the area is dropped as soon as it is read.
  */
 final class OsmFeatures implements OsmElements {
     private static final int MOST_NODES = 30_000_000;
@@ -156,7 +156,10 @@ final class OsmFeatures implements OsmElements {
         return leftOut;
     }
 
-    /** The outlines: relations, which have courtyards, before ways, so that a way that is tagged as well is not built again. */
+    /**
+     * The outlines: relations, which have courtyards, before ways, so that a way that is tagged as well is not built
+     * again.
+     */
     List<MapFeature> features() {
         List<MapFeature> features = new ArrayList<>();
         Set<Set<Long>> built = new HashSet<>();
@@ -223,7 +226,9 @@ final class OsmFeatures implements OsmElements {
         return key;
     }
 
-    /** The ways of a role joined end to end into closed lines; those that do not close, or lack a node, are left out. */
+    /**
+     * The ways of a role joined end to end into closed lines; those that do not close, or lack a node, are left out.
+     */
     private List<long[]> joined(Relation relation, boolean isOuter) {
         boolean isMultipolygon = "multipolygon".equals(relation.tags.get("type"));
         List<long[]> closed = new ArrayList<>();

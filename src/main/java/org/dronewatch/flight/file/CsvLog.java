@@ -15,7 +15,10 @@ import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
-/** Reads a log in CSV: a header, then a row for each time. Columns are known by their names, in any order; others are left out. */
+/**
+ * Reads a log in CSV: a header, then a row for each time. Columns are known by their names, in any order; others are
+ * left out.
+ */
 final class CsvLog {
     private static final double HIGHEST = 100_000.0;
 

@@ -19,8 +19,8 @@ public interface FlightFromFile extends FlightPathSettings {
      *
      * @param path where it is
      * @param shown its name in messages and in the provenance of a run
-     * @throws org.dronewatch.setting.InputException when it cannot be read, is too large, or says what is not understood; the
-     *     message gives the line or the item
+     * @throws org.dronewatch.setting.InputException when it cannot be read, is too large, or says what is not
+     *     understood; the message gives the line or the item
      */
     FlightSource read(Path path, String shown);
 

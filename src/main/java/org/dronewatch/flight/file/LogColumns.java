@@ -11,7 +11,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Which columns of a log are read. A name may carry its unit: {@code altitude_m}, {@code height(feet)}, {@code time [ms]}.
+ * Which columns of a log are read. A name may carry its unit: {@code altitude_m}, {@code height(feet)},
+ * {@code time [ms]}.
  *
  * @param time if the log has times
  * @param height if the log has heights

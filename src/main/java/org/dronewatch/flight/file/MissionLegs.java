@@ -11,16 +11,16 @@ import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.Places;
 
 /**
- * Makes the legs of a mission from the points to which it leads. Between two points whose heights count from the surface, the drone
- * follows the surface as terrain-following flights do. For a single use.
+ * Makes the legs of a mission from the points to which it leads. Between two points whose heights count from the
+ * surface, the drone follows the surface as terrain-following flights do. For a single use.
  */
 final class MissionLegs {
     /** Nearer points are one, m. */
     private static final double SAME = 1e-3;
 
     /**
-     * Below this change of direction the drone does not stop: a line at one height above the sea bends with the earth, by 1e-4
-     * in a kilometre, and plans round places to a centimetre.
+     * Below this change of direction the drone does not stop: a line at one height above the sea bends with the earth,
+     * by 1e-4 in a kilometre, and plans round places to a centimetre.
      */
     private static final double STRAIGHT = 0.01;
 

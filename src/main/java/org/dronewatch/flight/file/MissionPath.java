@@ -60,7 +60,10 @@ record MissionPath(List<Leg> legs, Position start, double heading) implements Fl
         }
     }
 
-    /** The way of a leg: one straight line, nearly straight through several waypoints, or over the surface, straight in plan. */
+    /**
+     * The way of a leg: one straight line, nearly straight through several waypoints, or over the surface, straight in
+     * plan.
+     */
     static final class Course {
         private final Position[] points;
         private final double[] along;

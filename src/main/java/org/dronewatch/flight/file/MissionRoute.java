@@ -86,7 +86,10 @@ final class MissionRoute {
         }
     }
 
-    /** Straight up at home, and level to the place from there; a fixed-wing flies slantwise, but soon enough at the same height. */
+    /**
+     * Straight up at home, and level to the place from there; a fixed-wing flies slantwise, but soon enough at the same
+     * height.
+     */
     private void takeOff(MissionStep.TakeOff up) {
         EarthPoint start = here.isEmpty() ? home(up.where()) : null;
         if (start != null) {

@@ -17,8 +17,8 @@ import org.dronewatch.setting.file.JsonText;
 import tools.jackson.databind.JsonNode;
 
 /**
- * A plan of QGroundControl: a JSON file with a mission, whose items are commands of MAVLink. What moves the drone is understood, or
- * the file is refused; what does not move it is left out, and said.
+ * A plan of QGroundControl: a JSON file with a mission, whose items are commands of MAVLink. What moves the drone is
+ * understood, or the file is refused; what does not move it is left out, and said.
  *
  * @param hash its name and the hash of its bytes
  * @param home where the drone is launched; empty when the plan does not say

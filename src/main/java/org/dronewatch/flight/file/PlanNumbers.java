@@ -10,8 +10,8 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
 /**
- * Reads the numbers of a plan's items, of which each has seven parameters (MAVLink, MISSION_ITEM): the first four mean what the
- * command says, the others latitude, longitude and height.
+ * Reads the numbers of a plan's items, of which each has seven parameters (MAVLink, MISSION_ITEM): the first four mean
+ * what the command says, the others latitude, longitude and height.
  *
  * @param name what messages call the file
  */

@@ -16,8 +16,8 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Writes a flight as a plan of QGroundControl: take-off, waypoints and changes of speed, with heights above the launch, which is
- * the surface below the start.
+ * Writes a flight as a plan of QGroundControl: take-off, waypoints and changes of speed, with heights above the launch,
+ * which is the surface below the start.
  */
 public final class PlanWriter {
     /** The first line of every file that this writes. */

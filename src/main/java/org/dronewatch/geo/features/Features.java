@@ -96,12 +96,13 @@ public final class Features {
     }
 
     /**
-     * The place of this name: at a height that the caller gives, or else at that of the file, if that says what it counts from,
-     * or else on the surface.
+     * The place of this name: at a height that the caller gives, or else at that of the file, if that says what it
+     * counts from, or else on the surface.
      *
      * @param above height above the surface, m
      * @param height height above sea level, m
-     * @throws IllegalArgumentException when there is none, there are several, it is no point, or its height is not clear
+     * @throws IllegalArgumentException when there is none, there are several, it is no point, or its height is not
+     *     clear
      */
     public EarthPlace place(String name, Optional<Double> above, Optional<Double> height) {
         Feature feature = only(name);

@@ -14,7 +14,9 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.FileHash;
 import tools.jackson.databind.JsonNode;
 
-/** The numbers of a glTF file: buffers, views of them, and accessors, whose bounds are checked before anything is read. */
+/**
+ * The numbers of a glTF file: buffers, views of them, and accessors, whose bounds are checked before anything is read.
+ */
 final class GltfBuffers {
     private static final int BYTE = 5120;
     private static final int UNSIGNED_BYTE = 5121;

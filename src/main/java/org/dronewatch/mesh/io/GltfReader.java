@@ -13,8 +13,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Reads glTF 2.0, as one file (.glb) or as JSON (.gltf) with its buffers: the nodes of its scene with their transforms, their
- * triangles, and the names and base colours of materials. Textures, animations, skins and points have no effect.
+ * Reads glTF 2.0, as one file (.glb) or as JSON (.gltf) with its buffers: the nodes of its scene with their transforms,
+ * their triangles, and the names and base colours of materials. Textures, animations, skins and points have no effect.
  */
 public final class GltfReader implements MeshReader {
     private static final byte[] MAGIC = {'g', 'l', 'T', 'F'};

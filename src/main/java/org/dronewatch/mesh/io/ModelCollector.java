@@ -33,8 +33,8 @@ public final class ModelCollector {
     }
 
     /**
-     * Adds a vertex in the file's own coordinates, which are rounded to single precision only after it has been placed: those of a
-     * national grid lose nothing if the model's {@linkplain ModelSettings#origin() origin} lies on the site.
+     * Adds a vertex in the file's own coordinates, which are rounded to single precision only after it has been placed:
+     * those of a national grid lose nothing if the model's {@linkplain ModelSettings#origin() origin} lies on the site.
      *
      * @return its index, from 0 on
      * @throws InputException when it is not finite, or placed too far from the origin

@@ -11,8 +11,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Which model file to load and how to place it. The model is first moved so that the file's {@code origin} is at zero, then
- * turned upright, then scaled, then turned to its heading, then moved to its position, all in double precision.
+ * Which model file to load and how to place it. The model is first moved so that the file's {@code origin} is at zero,
+ * then turned upright, then scaled, then turned to its heading, then moved to its position, all in double precision.
  *
  * @param file path of a model file, such as an .obj file, or {@code packaged:NAME} for a model that comes with the
  *     library
@@ -22,7 +22,8 @@ import org.dronewatch.setting.SettingsForm;
  *     coordinates of a national grid a point on the site, so that nothing is lost when coordinates are stored as floats
  * @param position where the model's origin goes, m
  * @param heading rotation about the vertical, clockwise as seen from above, rad
- * @param role what kind of object it is on the site, so that reports can say what hides a drone; it has no meaning for a drone's model
+ * @param role what kind of object it is on the site, so that reports can say what hides a drone; it has no meaning for
+ *     a drone's model
  */
 public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,

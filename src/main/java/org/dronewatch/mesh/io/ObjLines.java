@@ -6,8 +6,8 @@ import java.io.Reader;
 import java.util.concurrent.CancellationException;
 
 /**
- * The statements of an OBJ or MTL file: continued lines joined, outer white space and trailing comments of vertices and faces
- * removed. Knows which line was read last, and never holds more than one line of bounded length.
+ * The statements of an OBJ or MTL file: continued lines joined, outer white space and trailing comments of vertices and
+ * faces removed. Knows which line was read last, and never holds more than one line of bounded length.
  */
 final class ObjLines extends BufferedReader {
     /** The longest line, continued ones joined, in characters. */
@@ -112,8 +112,9 @@ final class ObjLines extends BufferedReader {
     }
 
     /**
-     * Whether the statement is a comment, a vertex or a face: there a comment goes on to the end of its line, and a backslash
-     * in it, as at the end of a directory's name, continues nothing. Names, on the other hand, may hold a number sign.
+     * Whether the statement is a comment, a vertex or a face: there a comment goes on to the end of its line, and a
+     * backslash in it, as at the end of a directory's name, continues nothing. Names, on the other hand, may hold a
+     * number sign.
      */
     private boolean startsLikeNumbers() {
         int i = 0;

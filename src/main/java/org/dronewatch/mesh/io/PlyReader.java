@@ -15,8 +15,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Reads PLY files, text and binary: vertices with x, y and z, and faces. Other elements and properties, such as colours, have no
- * effect.
+ * Reads PLY files, text and binary: vertices with x, y and z, and faces. Other elements and properties, such as
+ * colours, have no effect.
  */
 public final class PlyReader implements MeshReader {
     private static final String MATERIAL = "default";

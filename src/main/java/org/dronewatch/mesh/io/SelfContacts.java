@@ -1,14 +1,17 @@
 package org.dronewatch.mesh.io;
 
 /**
- * Finds where the edges of a polygon cross or touch each other, by boxes around runs of edges. Clipping the ears of a polygon
- * that crosses itself gives a wrong area, after a time that may grow with the cube of its corners.
+ * Finds where the edges of a polygon cross or touch each other, by boxes around runs of edges. Clipping the ears of a
+ * polygon that crosses itself gives a wrong area, after a time that may grow with the cube of its corners.
  */
 final class SelfContacts {
     /** Pairs of edges that are looked at before the search is given up. */
     private static final long MAX_PAIRS = 200_000_000;
 
-    /** Contacts times corners up to which ears are clipped: bridges to holes touch, and cost a search of the polygon each. */
+    /**
+     * Contacts times corners up to which ears are clipped: bridges to holes touch, and cost a search of the polygon
+     * each.
+     */
     private static final long MAX_SEARCHES = 20_000_000;
 
     private static final int EDGES_IN_A_LEAF = 4;

@@ -17,8 +17,8 @@ import org.dronewatch.world.World;
  * org.dronewatch.world.Light}. Surfaces are matt; drones cast no shadows. No detection depends on it: the pixels that
  * a sensor counts are those whose centres show the drone, whatever a picture shows.
  *
- * <p>The site without drones is exposed once and kept, so further pictures of a camera that stands still cost little. Pixels
- * are the same for any number of {@link Workers}. One thread at a time.
+ * <p>The site without drones is exposed once and kept, so further pictures of a camera that stands still cost little.
+ * Pixels are the same for any number of {@link Workers}. One thread at a time.
  */
 public final class ColourCamera {
     /** The largest number of parts into which a pixel is divided along each axis. */

@@ -6,7 +6,10 @@ import org.dronewatch.sensor.optics.CameraObject;
 import org.jogamp.vecmath.Matrix4d;
 import org.jogamp.vecmath.Point2d;
 
-/** One drone in one picture: its surfaces, where it may appear, and the transformation into its model's space. Immutable. */
+/**
+ * One drone in one picture: its surfaces, where it may appear, and the transformation into its model's space.
+ * Immutable.
+ */
 final class DroneLayer {
     private final Drone drone;
     private final Surfaces surfaces;
@@ -69,7 +72,10 @@ final class DroneLayer {
         target[2] = m.m20 * vector[0] + m.m21 * vector[1] + m.m22 * vector[2] + last * m.m23;
     }
 
-    /** Writes the normal of a triangle in the world's frame, of any length: normals are transformed by the transposed inverse. */
+    /**
+     * Writes the normal of a triangle in the world's frame, of any length: normals are transformed by the transposed
+     * inverse.
+     */
     void normal(int triangle, double[] scratch, double[] target) {
         surfaces.normal(triangle, scratch);
         Matrix4d m = toModel;

@@ -4,8 +4,8 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.world.World;
 
 /**
- * The country around a site, of which nothing is known: a level, matt plane at the height of the site's lowest point, with
- * the reflectance of ordinary ground. In haze it fades into the sky at the horizon. Immutable.
+ * The country around a site, of which nothing is known: a level, matt plane at the height of the site's lowest point,
+ * with the reflectance of ordinary ground. In haze it fades into the sky at the horizon. Immutable.
  */
 final class OpenCountry {
     /** It is never nearer to a camera than the eyes of someone who stands there, m. */

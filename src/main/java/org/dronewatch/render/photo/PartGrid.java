@@ -3,7 +3,9 @@ package org.dronewatch.render.photo;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.optics.CameraObject;
 
-/** The rays through the centres of the parts into which pixels are divided; with 1 part, those of the pixels. Immutable. */
+/**
+ * The rays through the centres of the parts into which pixels are divided; with 1 part, those of the pixels. Immutable.
+ */
 final class PartGrid {
     private final Position from;
     private final double near;

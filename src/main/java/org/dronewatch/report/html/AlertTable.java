@@ -121,8 +121,8 @@ final class AlertTable {
     }
 
     /**
-     * The delay from the drone's coming into view to the alert; empty for an earlier alert, and for one raised only by sensors
-     * without a field of view.
+     * The delay from the drone's coming into view to the alert; empty for an earlier alert, and for one raised only by
+     * sensors without a field of view.
      */
     private OptionalDouble delay(AlertResult alert) {
         boolean byView = alert.sensors().stream()

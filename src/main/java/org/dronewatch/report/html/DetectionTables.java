@@ -16,7 +16,10 @@ import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;
 
-/** Detections of a run by sensor: a row for each sensor with each drone or swarm, and a collapsible section with each swarm's drones. */
+/**
+ * Detections of a run by sensor: a row for each sensor with each drone or swarm, and a collapsible section with each
+ * swarm's drones.
+ */
 final class DetectionTables {
     /** Maximum number of rows of a table. */
     static final int MAX_ROWS = 60;

@@ -16,12 +16,14 @@ import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.ConditionAdvice;
 
 /**
- * A self-contained HTML file for a browser or for printing: the verdict over all runs, which sensor detected which drone and
- * when, what was missed and why, the site, the settings, the limitations of the model, and the provenance of the results. It
- * loads no external resources. The same results and provenance give the same bytes.
+ * A self-contained HTML file for a browser or for printing: the verdict over all runs, which sensor detected which
+ * drone and when, what was missed and why, the site, the settings, the limitations of the model, and the provenance of
+ * the results. It loads no external resources. The same results and provenance give the same bytes.
  */
 public final class HtmlReport {
-    /** Expands every section for printing and collapses it again afterwards; without scripts, the style sheet does it. */
+    /**
+     * Expands every section for printing and collapses it again afterwards; without scripts, the style sheet does it.
+     */
     private static final String FOR_PRINT = " onbeforeprint=\"document.querySelectorAll('details:not([open])')"
             + ".forEach(function(d){d.open=true;d.dataset.shut='';})\""
             + " onafterprint=\"document.querySelectorAll('details[data-shut]')"

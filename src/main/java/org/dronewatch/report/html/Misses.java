@@ -14,8 +14,10 @@ import org.dronewatch.run.RunResult;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
 
-/** The drones that sensors of a run never detected, or lost and did not regain, and why: a row for each sensor with each
- * drone or swarm. */
+/**
+ * The drones that sensors of a run never detected, or lost and did not regain, and why: a row for each sensor with each
+ * drone or swarm.
+ */
 final class Misses {
     /** In a larger swarm, reasons are determined for this number of drones, evenly spaced in the list. */
     private static final int MAX_MEMBERS = 20;

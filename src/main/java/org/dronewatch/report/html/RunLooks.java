@@ -9,9 +9,15 @@ import org.dronewatch.run.Pointings;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
-/** The looks of one run: for each sensor and drone the best look and the number of detections, and where positioners pointed. */
+/**
+ * The looks of one run: for each sensor and drone the best look and the number of detections, and where positioners
+ * pointed.
+ */
 public final class RunLooks {
-    /** Intervals of a run in which positioners' last pointings are kept: ten for each instant that {@link Reasons} looks at. */
+    /**
+     * Intervals of a run in which positioners' last pointings are kept: ten for each instant that {@link Reasons} looks
+     * at.
+     */
     private static final int INTERVALS = 10 * Reasons.MOMENTS;
 
     private final Map<List<String>, BestLook> best = new HashMap<>();

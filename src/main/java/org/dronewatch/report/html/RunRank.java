@@ -33,7 +33,9 @@ record RunRank(long late, long missed, double warning, double range) {
         }
     }
 
-    /** Orders drones without an alert first, then those with a late one, the shortest warning time, the latest alert. */
+    /**
+     * Orders drones without an alert first, then those with a late one, the shortest warning time, the latest alert.
+     */
     static final Comparator<AlertResult> WORST_ALERT_FIRST = Comparator.comparing(
                     (AlertResult alert) -> alert.time().isPresent())
             .thenComparing(alert -> !isLate(alert))

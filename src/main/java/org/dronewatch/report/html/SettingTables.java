@@ -28,7 +28,10 @@ import org.dronewatch.setting.file.PackagedSite;
 import org.dronewatch.sound.Wind;
 import org.dronewatch.world.WorldSettings;
 
-/** The settings of the simulation: sensors with their costs, drones, the site, the alert rule, and the limitations of the model. */
+/**
+ * The settings of the simulation: sensors with their costs, drones, the site, the alert rule, and the limitations of
+ * the model.
+ */
 final class SettingTables {
     private final SceneResult result;
     private final SceneSettings settings;
@@ -99,7 +102,10 @@ final class SettingTables {
                         .orElse("altitude unknown");
     }
 
-    /** The sources of the sensors' settings: a row for each catalogue entry, and one for all sensors that are not in the catalogue. */
+    /**
+     * The sources of the sensors' settings: a row for each catalogue entry, and one for all sensors that are not in the
+     * catalogue.
+     */
     String sources() {
         Map<String, List<String>> users = new LinkedHashMap<>();
         settings.sensors().forEach((id, sensor) -> users.computeIfAbsent(

@@ -13,7 +13,9 @@ import org.dronewatch.run.RunResult;
 import org.dronewatch.scenario.SweepSettings;
 import org.dronewatch.scenario.SweptValue;
 
-/** The result of a sweep: in how many runs an alert was raised, in how many in time, and the verdict of the worst run. */
+/**
+ * The result of a sweep: in how many runs an alert was raised, in how many in time, and the verdict of the worst run.
+ */
 final class SweepVerdict {
     /** Maximum number of runs listed in a sentence; of more, only the number is given. */
     private static final int MAX_LISTED = 12;

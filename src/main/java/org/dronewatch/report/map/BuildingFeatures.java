@@ -68,7 +68,10 @@ final class BuildingFeatures {
         return ring;
     }
 
-    /** The world frame is a plane, and the level of the origin is not: far away it lies lower, and is reached along the vertical. */
+    /**
+     * The world frame is a plane, and the level of the origin is not: far away it lies lower, and is reached along the
+     * vertical.
+     */
     private GeoPoint onLevel(double x, double y) {
         double z = 0.0;
         GeoPoint corner = geodesy.at(new Position(x, y, z));

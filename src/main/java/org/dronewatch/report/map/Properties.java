@@ -7,7 +7,8 @@ import java.util.OptionalDouble;
 import org.dronewatch.geo.GeoPoint;
 
 /**
- * The properties of a feature, by name, in the order in which it was put: texts, numbers, truth values, and null for missing values.
+ * The properties of a feature, by name, in the order in which it was put: texts, numbers, truth values, and null for
+ * missing values.
  */
 final class Properties {
     private static final int DECIMALS = 6;

@@ -8,9 +8,10 @@ import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
 
 /**
- * A map of a run, for programs that show maps: sensors, their fields of view, the flights, and where each drone was when a
- * sensor detected or lost it. Longitude and latitude (WGS 84) are exact, in degrees; heights are metres above the sea,
- * or above the level of the scene's origin where its own height is not known. The same results give the same bytes.
+ * A map of a run, for programs that show maps: sensors, their fields of view, the flights, and where each drone was
+ * when a sensor detected or lost it. Longitude and latitude (WGS 84) are exact, in degrees; heights are metres above
+ * the sea, or above the level of the scene's origin where its own height is not known. The same results give the same
+ * bytes.
  */
 public final class SiteMap {
     /** The name of the GeoJSON file (RFC 7946). */

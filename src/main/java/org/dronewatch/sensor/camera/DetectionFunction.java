@@ -33,14 +33,18 @@ public interface DetectionFunction {
     }
 
     /**
-     * When chance decides, if it does: anew in each frame, with {@link #threshold(RandomGenerator)}, unless stated otherwise. Where it
-     * decides once per encounter, the value is the probability, and the camera's observer takes care of the rest.
+     * When chance decides, if it does: anew in each frame, with {@link #threshold(RandomGenerator)}, unless stated
+     * otherwise. Where it decides once per encounter, the value is the probability, and the camera's observer takes
+     * care of the rest.
      */
     default Chance chance() {
         return Chance.PER_LOOK;
     }
 
-    /** The probability that the drone is detected, 0 to 1: by one frame or, per encounter, by an observer; empty if not known. */
+    /**
+     * The probability that the drone is detected, 0 to 1: by one frame or, per encounter, by an observer; empty if not
+     * known.
+     */
     default OptionalDouble probability(DroneView view) {
         return OptionalDouble.empty();
     }

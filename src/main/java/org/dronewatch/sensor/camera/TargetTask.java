@@ -13,11 +13,11 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How likely it is that a person, or a program as good as one, can perform a task with a drone's image: notice it, recognise
- * it as a drone, or identify which drone it is. Johnson's criteria state how many line pairs across the target that takes
- * (Johnson 1958); the target transfer probability function gives the probability for more or fewer (Howe, in "The Infrared
- * and Electro-Optical Systems Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with {@code x = N / N50} and
- * {@code E = 2.7 + 0.7 x}.
+ * How likely it is that a person, or a program as good as one, can perform a task with a drone's image: notice it,
+ * recognise it as a drone, or identify which drone it is. Johnson's criteria state how many line pairs across the
+ * target that takes (Johnson 1958); the target transfer probability function gives the probability for more or fewer
+ * (Howe, in "The Infrared and Electro-Optical Systems Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with
+ * {@code x = N / N50} and {@code E = 2.7 + 0.7 x}.
  *
  * <p>The line pairs resolved are half the square root of the drone's pixels, fewer the weaker its contrast and the
  * faster it crosses the image: {@code N = sqrt(pixels) / 2 * (1 - Ct / C) * (1 + b^2)^(-1/4)}. C is its contrast
@@ -28,8 +28,8 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param task the task that the image must support
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when chance decides
- * @param byChance whether chance decides instead: an observer draws once per encounter whether the probability is enough for him, and
- *     then needs time to find the drone
+ * @param byChance whether chance decides instead: an observer draws once per encounter whether the probability is
+ *     enough for him, and then needs time to find the drone
  * @param contrast contrast of the drone against its background at close range, above 0 and at most 1
  * @param contrastThreshold least contrast that the camera can detect in good light, above 0 and below 1
  * @param shotNoiseIlluminance illuminance below which shot noise raises the contrast threshold, above 0, lx

@@ -36,12 +36,12 @@ public record ImageTransfer(Lens lens, Turbulence air) {
     }
 
     /**
-     * The finest detail that a camera resolves, as a fraction u of the finest that its pixels can show, which is a line pair
-     * across two of them. A camera that blurs nothing needs the contrast {@code needed / (1 - u)} there: a straight line in
-     * place of its measured curve of minimum resolvable contrast. Detail is resolved up to the frequency at which the contrast
-     * that is left, {@code seen * transfer}, falls to what is needed: the rule by which Johnson's criteria are applied with a measured
-     * curve (Ratches, "Static performance model for thermal imaging systems", Optical Engineering 15, 525, 1976). Without
-     * blur that is {@code 1 - needed / seen}.
+     * The finest detail that a camera resolves, as a fraction u of the finest that its pixels can show, which is a line
+     * pair across two of them. A camera that blurs nothing needs the contrast {@code needed / (1 - u)} there: a
+     * straight line in place of its measured curve of minimum resolvable contrast. Detail is resolved up to the
+     * frequency at which the contrast that is left, {@code seen * transfer}, falls to what is needed: the rule by which
+     * Johnson's criteria are applied with a measured curve (Ratches, "Static performance model for thermal imaging
+     * systems", Optical Engineering 15, 525, 1976). Without blur that is {@code 1 - needed / seen}.
      *
      * @param needed the least contrast, or signal-to-noise ratio, with which anything is resolved, above 0
      * @param seen contrast, or signal-to-noise ratio, of a large object of the same kind, 0 or more

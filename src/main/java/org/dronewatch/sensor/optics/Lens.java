@@ -17,8 +17,8 @@ public record Lens(OptionalDouble aperture, double wavelength) {
 
     /**
      * What diffraction at a round aperture D leaves of the modulation of a pattern:
-     * {@code 2/pi (acos x - x sqrt(1 - x^2))} with {@code x = wavelength f / D}, 0 from x = 1 (Goodman, "Introduction to
-     * Fourier Optics", section 6.3).
+     * {@code 2/pi (acos x - x sqrt(1 - x^2))} with {@code x = wavelength f / D}, 0 from x = 1 (Goodman, "Introduction
+     * to Fourier Optics", section 6.3).
      *
      * @param frequency f, of the pattern, 0 or more, cycles per radian
      * @return 0 to 1

@@ -51,7 +51,8 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     }
 
     /**
-     * These settings turned about the axis in which the camera points now, so that a vector points to the top of the image.
+     * These settings turned about the axis in which the camera points now, so that a vector points to the top of the
+     * image.
      *
      * @throws IllegalArgumentException when the vector is parallel to that axis
      */
@@ -127,8 +128,8 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
      * @param top top edge, m
      * @param near distance of the near plane, above 0, m
      * @param far distance of the far plane, m
-     * @throws IllegalArgumentException when the edges are in the wrong order, pixels would not be square to a millionth, or
-     *     a setting that follows is out of range
+     * @throws IllegalArgumentException when the edges are in the wrong order, pixels would not be square to a
+     *     millionth, or a setting that follows is out of range
      */
     default C withFrustum(double left, double right, double bottom, double top, double near, double far) {
         double wide = right - left;

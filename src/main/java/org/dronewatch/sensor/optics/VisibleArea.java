@@ -115,8 +115,8 @@ public final class VisibleArea {
     /**
      * How many pixels a ray of the bundle stands for; none outside the image.
      *
-     * @param cellArea area of the ray's cell in the plane across the direction to the drone, 1 m in front of the camera,
-     *     m2
+     * @param cellArea area of the ray's cell in the plane across the direction to the drone, 1 m in front of the
+     *     camera, m2
      */
     private double pixels(double rayX, double rayY, double rayZ, double cellArea) {
         double ahead = along(outline.forward(), rayX, rayY, rayZ);

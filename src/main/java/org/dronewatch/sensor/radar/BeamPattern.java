@@ -8,10 +8,10 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The beam of an antenna, in transmission and in reception: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the angles a
- * and e from its centre, with the beam widths A and E at half power (3GPP TR 38.901, table 7.3-1). An array that steers its
- * beam away from its axis by the angle s has less gain, by the factor {@code cos(s)^scanLoss} (R. J. Mailloux, Phased Array
- * Antenna Handbook).
+ * The beam of an antenna, in transmission and in reception: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the
+ * angles a and e from its centre, with the beam widths A and E at half power (3GPP TR 38.901, table 7.3-1). An array
+ * that steers its beam away from its axis by the angle s has less gain, by the factor {@code cos(s)^scanLoss} (R. J.
+ * Mailloux, Phased Array Antenna Handbook).
  *
  * @param azimuthBeamwidth width of the beam at half power in azimuth, 0.01 to 360 degrees, rad
  * @param elevationBeamwidth width of the beam at half power in elevation, 0.01 to 180 degrees, rad
@@ -50,8 +50,8 @@ public record BeamPattern(
     }
 
     /**
-     * A beam steered in both angles, with side lobes of -30 dB (3GPP TR 38.901, table 7.3-1) and a scan loss with the exponent
-     * 1.5, which is assumed.
+     * A beam steered in both angles, with side lobes of -30 dB (3GPP TR 38.901, table 7.3-1) and a scan loss with the
+     * exponent 1.5, which is assumed.
      */
     @Defaults({"azimuthBeamwidth", "elevationBeamwidth"})
     public static BeamPattern of(double azimuthBeamwidth, double elevationBeamwidth) {
@@ -74,8 +74,8 @@ public record BeamPattern(
     }
 
     /**
-     * The largest gain that so narrow a beam can have: {@code 4 pi / (A E)}, without losses and side lobes (Skolnik, Radar
-     * Handbook), dBi.
+     * The largest gain that so narrow a beam can have: {@code 4 pi / (A E)}, without losses and side lobes (Skolnik,
+     * Radar Handbook), dBi.
      */
     public double largestGain() {
         double wide = Math.min(azimuthBeamwidth, 2.0 * Math.PI);

@@ -5,9 +5,9 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How reliably an echo is distinguished from noise by a square-law detector: exact, for steady targets and Swerling's four
- * cases and any number of non-coherently integrated pulses. Signal-to-noise ratios are those of a single pulse, averaged
- * over the fluctuation.
+ * How reliably an echo is distinguished from noise by a square-law detector: exact, for steady targets and Swerling's
+ * four cases and any number of non-coherently integrated pulses. Signal-to-noise ratios are those of a single pulse,
+ * averaged over the fluctuation.
  */
 public final class Detectability {
     private Detectability() {}
@@ -36,8 +36,8 @@ public final class Detectability {
     }
 
     /**
-     * Signal-to-noise ratio that one look of a single pulse needs, dB; minus infinity for a probability that noise alone
-     * reaches.
+     * Signal-to-noise ratio that one look of a single pulse needs, dB; minus infinity for a probability that noise
+     * alone reaches.
      *
      * @param probability of detection, above 0 and below 1
      * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01

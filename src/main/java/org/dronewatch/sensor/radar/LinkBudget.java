@@ -31,8 +31,8 @@ public sealed interface LinkBudget {
     }
 
     /**
-     * The signal-to-noise ratio of each of a number of pulses, after coherent processing, dB, in clear air: a function of
-     * radar cross-section, m2, and range, m, above 0.
+     * The signal-to-noise ratio of each of a number of pulses, after coherent processing, dB, in clear air: a function
+     * of radar cross-section, m2, and range, m, above 0.
      *
      * @param frequency carrier, Hz
      * @param pulses how many pulses of a look are integrated non-coherently, 1 to 1000
@@ -87,8 +87,8 @@ public sealed interface LinkBudget {
         }
 
         /**
-         * Hardware with a noise figure of 5 dB (M. A. Richards, Fundamentals of Radar Signal Processing, section 2.3: 2 or 3 dB
-         * to 10 dB and more), losses of 6 dB, which are assumed, and a sweep of 10 MHz.
+         * Hardware with a noise figure of 5 dB (M. A. Richards, Fundamentals of Radar Signal Processing, section 2.3: 2
+         * or 3 dB to 10 dB and more), losses of 6 dB, which are assumed, and a sweep of 10 MHz.
          */
         @Defaults({"power", "gain", "integrationTime"})
         public static Hardware of(double power, double gain, double integrationTime) {
@@ -152,8 +152,8 @@ public sealed interface LinkBudget {
         }
 
         /**
-         * What the data sheet promises includes all processing: its target at its range has as much in each pulse as the
-         * pulses together need.
+         * What the data sheet promises includes all processing: its target at its range has as much in each pulse as
+         * the pulses together need.
          */
         @Override
         public DoubleBinaryOperator echo(double frequency, int pulses) {

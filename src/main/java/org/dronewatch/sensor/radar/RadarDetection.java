@@ -59,9 +59,9 @@ public sealed interface RadarDetection {
     }
 
     /**
-     * A fixed threshold, as in the thesis that this project grew from. A target that fluctuates needs more on average by
-     * the fluctuation loss (L. V. Blake, Radar Range-Performance Analysis, chapter 2): the difference between what it and a
-     * steady one need to be detected nine times of ten, with one false alarm in a million, by one pulse.
+     * A fixed threshold, as in the thesis that this project grew from. A target that fluctuates needs more on average
+     * by the fluctuation loss (L. V. Blake, Radar Range-Performance Analysis, chapter 2): the difference between what
+     * it and a steady one need to be detected nine times of ten, with one false alarm in a million, by one pulse.
      *
      * @param signalToNoise signal-to-noise ratio that a steady target must reach, -50 to 100 dB
      */

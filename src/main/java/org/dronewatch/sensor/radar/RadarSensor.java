@@ -30,8 +30,8 @@ import org.dronewatch.world.World;
 /**
  * A radar. Its value is the signal-to-noise ratio of the drone's echo; minus infinity for a drone that it does not look
  * for, because of the drone's position or radial speed, and for one that is wholly hidden. Of a partly hidden drone,
- * the visible fraction of the cross-section counts, or, where the settings ask for it, the wave that is diffracted round the
- * edges of the site on both ways.
+ * the visible fraction of the cross-section counts, or, where the settings ask for it, the wave that is diffracted
+ * round the edges of the site on both ways.
  */
 public final class RadarSensor implements AssessableSensor {
     private static final String UNIT = "dB";
@@ -202,7 +202,10 @@ public final class RadarSensor implements AssessableSensor {
                 .orElse(0.0);
     }
 
-    /** Amplitude of the antenna in the direction of a vector relative to that towards a drone; 0 outside the field of view. */
+    /**
+     * Amplitude of the antenna in the direction of a vector relative to that towards a drone; 0 outside the field of
+     * view.
+     */
     private double amplitude(Drone drone, Position way) {
         if (!field.contains(way)) {
             return 0.0;

@@ -42,11 +42,11 @@ import org.dronewatch.setting.SettingsForm;
  * @param budget what determines the signal-to-noise ratio of an echo
  * @param detection at which signal-to-noise ratio an echo is detected
  * @param accuracy how accurately it measures positions
- * @param groundReflection ground whose reflection interferes with the direct wave, both ways, if the reflected path lies
- *     within the field of view of the radar; none by default. The polarisation must then be horizontal or vertical
+ * @param groundReflection ground whose reflection interferes with the direct wave, both ways, if the reflected path
+ *     lies within the field of view of the radar; none by default. The polarisation must then be horizontal or vertical
  * @param beam shape of its beam; without one the gain is the same throughout its field of view
- * @param diffraction whether the wave goes round the edges of the site, both ways, as a radio receiver's does; otherwise the
- *     fraction of a drone counts that is in line of sight
+ * @param diffraction whether the wave goes round the edges of the site, both ways, as a radio receiver's does;
+ *     otherwise the fraction of a drone counts that is in line of sight
  */
 public record RadarSettings(
         Position position,
@@ -231,7 +231,7 @@ public record RadarSettings(
                 Math.atan2(axis.x(), axis.y()), tilt(axis), azimuthWidth, elevationWidth, minRange, maxRange);
     }
 
-    /** A gain that the beam cannot have, and a scan in which the beams of a hardware budget lack the time that they need. */
+    /** Rejects a gain that the beam cannot have, and a scan that is too fast for the beams of a hardware budget. */
     @Override
     public List<String> advice() {
         if (!(budget instanceof LinkBudget.Hardware hardware)) {

@@ -1,8 +1,9 @@
 package org.dronewatch.sensor.radar;
 
 /**
- * How long a radar takes to look in all directions of its field of view, one beam after the other. A beam of gain G fills the
- * solid angle {@code 4 pi / G} at best, without losses and side lobes (Skolnik, Radar Handbook): a real scan takes longer.
+ * How long a radar takes to look in all directions of its field of view, one beam after the other. A beam of gain G
+ * fills the solid angle {@code 4 pi / G} at best, without losses and side lobes (Skolnik, Radar Handbook): a real scan
+ * takes longer.
  */
 final class ScanTime {
     private ScanTime() {}

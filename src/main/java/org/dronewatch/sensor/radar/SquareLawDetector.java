@@ -9,11 +9,12 @@ import org.dronewatch.drone.RadarSignature.Fluctuation;
  *
  * <p>The sum of N pulses, in units of the mean noise of one, exceeds a threshold T for noise alone with the probability
  * {@code Q(N, T)}, the chance that a Poisson variable of mean T stays below N. With an echo it exceeds it with the
- * probability {@code sum over k of w(k) Q(N + k, T)}, where w is the Poisson distribution of mean {@code N S} for a steady
- * target (the noncentral chi-square distribution; Marcum's Q function for N = 1), and for a cross-section with the gamma
- * distribution of shape K the negative binomial distribution with that mean: K = 1, N, 2, 2 N in Swerling's cases 1 to 4
- * (D. A. Shnidman, "Radar detection probabilities and their calculation", IEEE Transactions on Aerospace and Electronic
- * Systems 31, 1995). All terms are positive. From some k on, Q is one, and what remains is the rest of the weights.
+ * probability {@code sum over k of w(k) Q(N + k, T)}, where w is the Poisson distribution of mean {@code N S} for a
+ * steady target (the noncentral chi-square distribution; Marcum's Q function for N = 1), and for a cross-section with
+ * the gamma distribution of shape K the negative binomial distribution with that mean: K = 1, N, 2, 2 N in Swerling's
+ * cases 1 to 4 (D. A. Shnidman, "Radar detection probabilities and their calculation", IEEE Transactions on Aerospace
+ * and Electronic Systems 31, 1995). All terms are positive. From some k on, Q is one, and what remains is the rest of
+ * the weights.
  */
 final class SquareLawDetector {
     /** The largest number of pulses. */
@@ -207,8 +208,8 @@ final class SquareLawDetector {
     }
 
     /**
-     * Where {@code Q(pulses, T)} is the false-alarm probability: by Newton's method on its logarithm, which is concave, so
-     * that the second and all later steps come from above.
+     * Where {@code Q(pulses, T)} is the false-alarm probability: by Newton's method on its logarithm, which is concave,
+     * so that the second and all later steps come from above.
      */
     private static double threshold(double falseAlarm, int pulses) {
         if (pulses == 1) {

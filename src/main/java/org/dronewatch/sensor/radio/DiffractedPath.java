@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The path of a radio wave round the obstacles in a section, on one side of the line: over the tops, or past one side. Its
- * knife edges are the corners of the mesh that stick out on that side; their loss is that of Deygout's construction for three
- * edges (J. Deygout, "Multiple knife-edge diffraction of microwaves", IEEE Transactions on Antennas and Propagation 14,
- * 1966; without a correction): the edge that obstructs the line most, and on
- * either side of it the one that obstructs the line from its top most.
+ * The path of a radio wave round the obstacles in a section, on one side of the line: over the tops, or past one side.
+ * Its knife edges are the corners of the mesh that stick out on that side; their loss is that of Deygout's construction
+ * for three edges (J. Deygout, "Multiple knife-edge diffraction of microwaves", IEEE Transactions on Antennas and
+ * Propagation 14, 1966; without a correction): the edge that obstructs the line most, and on either side of it the one
+ * that obstructs the line from its top most.
  */
 final class DiffractedPath {
     /** Corners that bend less than this are part of a smooth surface, rad. */
@@ -21,7 +21,10 @@ final class DiffractedPath {
     /** From this distance on, in wavelengths, the second counts in full. */
     private static final double TWO_EDGES = 50.0;
 
-    /** From this loss on, that of an edge which the line just touches, dB, the others count in full; they fade in up to it. */
+    /**
+     * From this loss on, that of an edge which the line just touches, dB, the others count in full; they fade in up to
+     * it.
+     */
     private static final double GRAZING = KnifeEdge.loss(0.0);
 
     private static final double ON_CHAIN = 1e-9;
@@ -77,7 +80,9 @@ final class DiffractedPath {
         return section.u(point) > 0.0 && section.u(point) < section.length();
     }
 
-    /** A taut string over all bodies that are in the way: those that cross the line, and those that cross the string. */
+    /**
+     * A taut string over all bodies that are in the way: those that cross the line, and those that cross the string.
+     */
     private boolean findChain() {
         boolean[] counted = new boolean[section.points()];
         for (int i = 0; i < section.points(); i++) {

@@ -7,10 +7,10 @@ import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
 /**
- * The path loss of a radio wave between two positions in a site: free-space loss, and diffraction at the edges of the mesh.
- * A wave is diffracted over an obstacle and past it on both sides, and the powers of the three paths add up (ITU-R P.526-15,
- * section 4.2, average loss of a screen of finite width). Where nothing blocks the line, edges that come near it attenuate
- * the wave, too. One per thread.
+ * The path loss of a radio wave between two positions in a site: free-space loss, and diffraction at the edges of the
+ * mesh. A wave is diffracted over an obstacle and past it on both sides, and the powers of the three paths add up
+ * (ITU-R P.526-15, section 4.2, average loss of a screen of finite width). Where nothing blocks the line, edges that
+ * come near it attenuate the wave, too. One per thread.
  */
 public final class RadioPath {
     private static final double LIGHT = 299_792_458.0;
@@ -44,7 +44,8 @@ public final class RadioPath {
     }
 
     /**
-     * The diffraction loss between two positions, dB; infinite where no path leads round the obstacle, as into a closed room.
+     * The diffraction loss between two positions, dB; infinite where no path leads round the obstacle, as into a closed
+     * room.
      *
      * @param from one antenna, m
      * @param to the other, m

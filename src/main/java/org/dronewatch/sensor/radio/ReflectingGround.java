@@ -10,12 +10,12 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * Ground that reflects radio waves: the direct wave and the wave reflected by the ground interfere.
  *
- * @param permittivity relative permittivity, 1 to 100: 3 for very dry, 15 for medium dry, 30 for wet ground, 80 for water
- *     (ITU-R P.527)
+ * @param permittivity relative permittivity, 1 to 100: 3 for very dry, 15 for medium dry, 30 for wet ground, 80 for
+ *     water (ITU-R P.527)
  * @param conductivity conductivity, 0 to 100 S/m: 0.001 for medium dry, 0.01 for wet ground, 5 for sea water
  * @param roughness standard deviation of the heights beyond what the mesh shows, 0 to 100 m
- * @param roundEarth whether the surface is curved as the earth with 4/3 of its radius, which spreads the reflected wave; the site
- *     itself stays flat
+ * @param roundEarth whether the surface is curved as the earth with 4/3 of its radius, which spreads the reflected
+ *     wave; the site itself stays flat
  */
 public record ReflectingGround(
         @In(value = Quantity.NUMBER, from = 1, to = 100) double permittivity,
@@ -54,10 +54,10 @@ public record ReflectingGround(
     }
 
     /**
-     * How the field at an antenna differs from that of the direct wave alone: {@code 20 lg |1 + A rho G exp(-j k d)|} with
-     * Fresnel's reflection coefficient G for the complex permittivity {@code e - j 60 s lambda} and the loss of coherence on a
-     * rough surface, {@code rho = exp(-8 (pi h sin(psi) / lambda)^2)} (W. S. Ament, Proceedings of the IRE 41, 1953; M. I.
-     * Skolnik, Radar Handbook, chapter on propagation).
+     * How the field at an antenna differs from that of the direct wave alone: {@code 20 lg |1 + A rho G exp(-j k d)|}
+     * with Fresnel's reflection coefficient G for the complex permittivity {@code e - j 60 s lambda} and the loss of
+     * coherence on a rough surface, {@code rho = exp(-8 (pi h sin(psi) / lambda)^2)} (W. S. Ament, Proceedings of the
+     * IRE 41, 1953; M. I. Skolnik, Radar Handbook, chapter on propagation).
      *
      * @param direct length of the direct path, m
      * @param longer by how much the reflected path is longer, 0 or more, m
@@ -65,7 +65,8 @@ public record ReflectingGround(
      * @param uneven standard deviation of the heights that the mesh shows, m
      * @param frequency Hz
      * @param isVertical whether the wave is polarised vertically, not horizontally
-     * @param share amplitude of the antenna towards the point of reflection relative to that towards the other end, 0 or more
+     * @param share amplitude of the antenna towards the point of reflection relative to that towards the other end, 0
+     *     or more
      * @return dB, one way; at most 6 where the share is at most 1
      */
     double factor(

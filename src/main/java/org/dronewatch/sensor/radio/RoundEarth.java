@@ -2,8 +2,8 @@ package org.dronewatch.sensor.radio;
 
 /**
  * Reflection from the earth as a sphere with 4/3 of its radius, on which waves in the standard atmosphere go straight
- * (ITU-R P.834; L. V. Blake, Radar Range-Performance Analysis, chapter 6). For distances that are short and heights that are low
- * against the radius.
+ * (ITU-R P.834; L. V. Blake, Radar Range-Performance Analysis, chapter 6). For distances that are short and heights
+ * that are low against the radius.
  */
 final class RoundEarth {
     /** m. */
@@ -12,8 +12,8 @@ final class RoundEarth {
     private RoundEarth() {}
 
     /**
-     * How far from the first of two places the reflected path meets the surface: the middle root of the cubic equation for equal
-     * angles, in its trigonometric form.
+     * How far from the first of two places the reflected path meets the surface: the middle root of the cubic equation
+     * for equal angles, in its trigonometric form.
      *
      * @param one height of the first, above 0, m
      * @param other height of the second, above 0, m
@@ -32,8 +32,8 @@ final class RoundEarth {
     }
 
     /**
-     * How much weaker the reflected field is than on a plane, because the sphere spreads it (D. E. Kerr, Propagation of Short Radio
-     * Waves, section 2.2): {@code (1 + 2 d1 d2 / (R (d1 + d2) sin(psi)))^(-1/2)}.
+     * How much weaker the reflected field is than on a plane, because the sphere spreads it (D. E. Kerr, Propagation of
+     * Short Radio Waves, section 2.2): {@code (1 + 2 d1 d2 / (R (d1 + d2) sin(psi)))^(-1/2)}.
      *
      * @param before distance from the first place to the reflection, m
      * @param beyond distance from there to the second, m

@@ -11,9 +11,9 @@ import org.dronewatch.world.World;
 
 /**
  * The section of a site in a plane through two points: the straight pieces in which the plane cuts triangles, in
- * coordinates u along the line from the first point to the second and t across it, m. Pieces that share an edge of the mesh
- * share a point; those that hang together are one body. A plane through corners is taken for one an infinitesimal distance
- * beside it. One per thread.
+ * coordinates u along the line from the first point to the second and t across it, m. Pieces that share an edge of the
+ * mesh share a point; those that hang together are one body. A plane through corners is taken for one an infinitesimal
+ * distance beside it. One per thread.
  */
 final class Section {
     /** Corners nearer to the plane than this, m, lie on it. */
@@ -228,7 +228,10 @@ final class Section {
         return blocks[whole];
     }
 
-    /** Whether a body goes on, above the line or below, beyond an end of it or beyond what was cut: no path leads round it. */
+    /**
+     * Whether a body goes on, above the line or below, beyond an end of it or beyond what was cut: no path leads round
+     * it.
+     */
     boolean isOpen(int whole, boolean above) {
         return above ? openAbove[whole] : openBelow[whole];
     }

@@ -9,11 +9,11 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The interference of the direct wave with the one that the ground of a site reflects. The reflecting surface is the line
- * that fits best, along the path, the heights of the site within the first Fresnel zone about the point of reflection; the
- * deviations from it count as roughness. No reflection is counted where the direct line is blocked, where there is no
- * ground, or where the ground hides the point of reflection from either end. On a round earth, the heights above that line are
- * those above a sphere. One per thread.
+ * The interference of the direct wave with the one that the ground of a site reflects. The reflecting surface is the
+ * line that fits best, along the path, the heights of the site within the first Fresnel zone about the point of
+ * reflection; the deviations from it count as roughness. No reflection is counted where the direct line is blocked,
+ * where there is no ground, or where the ground hides the point of reflection from either end. On a round earth, the
+ * heights above that line are those above a sphere. One per thread.
  */
 public final class TwoRays {
     private static final double LIGHT = 299_792_458.0;
@@ -68,8 +68,8 @@ public final class TwoRays {
      * @param to the drone or the pilot, m
      * @param frequency Hz
      * @param isVertical whether the wave is polarised vertically, not horizontally
-     * @param amplitude of the sensor's antenna in the direction of a vector, relative to that towards the drone or pilot; 0
-     *     where it does not look
+     * @param amplitude of the sensor's antenna in the direction of a vector, relative to that towards the drone or
+     *     pilot; 0 where it does not look
      */
     public double weighted(
             Position from, Position to, double frequency, boolean isVertical, ToDoubleFunction<Position> amplitude) {

@@ -25,8 +25,8 @@ import org.dronewatch.world.World;
 
 /**
  * A radio receiver. Its value is the signal-to-noise ratio of the stronger of a drone's own emission and its pilot's;
- * minus infinity for a drone that is silent, and for a carrier outside its frequencies. Keeps scratch memory: one thread
- * at a time.
+ * minus infinity for a drone that is silent, and for a carrier outside its frequencies. Keeps scratch memory: one
+ * thread at a time.
  */
 public final class RfSensor implements AssessableSensor {
     private static final String UNIT = "dB";
@@ -62,8 +62,8 @@ public final class RfSensor implements AssessableSensor {
     }
 
     /**
-     * Radio waves go round edges, so a drone behind something counts as hidden only if the stronger of its two emissions
-     * would be received without the diffraction loss.
+     * Radio waves go round edges, so a drone behind something counts as hidden only if the stronger of its two
+     * emissions would be received without the diffraction loss.
      */
     @Override
     public Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing) {

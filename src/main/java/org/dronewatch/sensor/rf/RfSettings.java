@@ -27,13 +27,13 @@ import org.dronewatch.setting.SettingsForm;
  * @param gain gain of its antenna, -50 to 60 dBi
  * @param bandwidth noise bandwidth, 1 to 1e10 Hz
  * @param noiseFigure noise figure of its electronics, 0 to 50 dB
- * @param clutter excess path loss from ground, plants and buildings that the site's models do not show, plus local noise, 0 to
- *     100 dB
+ * @param clutter excess path loss from ground, plants and buildings that the site's models do not show, plus local
+ *     noise, 0 to 100 dB
  * @param threshold signal-to-noise ratio at and above which a signal is detected, -50 to 100 dB
  * @param polarisation of the signals; it matters only where the ground reflects
  * @param groundReflection ground whose reflection interferes with the direct wave; none unless set
- * @param clutterIncludesEdges whether {@code clutter} is an allowance for everything in the way, the edges of the site's models
- *     included: then the greater of the two losses counts, otherwise their sum
+ * @param clutterIncludesEdges whether {@code clutter} is an allowance for everything in the way, the edges of the
+ *     site's models included: then the greater of the two losses counts, otherwise their sum
  */
 public record RfSettings(
         Position position,
@@ -108,7 +108,9 @@ public record RfSettings(
         return SettingsForm.with(this, "clutter", decibels);
     }
 
-    /** These settings with a clutter that includes the loss at the edges of the site's models, or comes on top of it. */
+    /**
+     * These settings with a clutter that includes the loss at the edges of the site's models, or comes on top of it.
+     */
     public RfSettings withClutterIncludingEdges(boolean included) {
         return SettingsForm.with(this, "clutterIncludesEdges", included);
     }

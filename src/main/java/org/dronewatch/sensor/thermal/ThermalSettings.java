@@ -37,8 +37,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param minSnr signal-to-noise ratio below which nothing is resolved, above 0 and at most 1000
  * @param task the task that the image must support
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when chance decides
- * @param byChance whether chance decides instead: an observer draws once per encounter whether the probability is enough for him, and
- *     then needs time to find the drone
+ * @param byChance whether chance decides instead: an observer draws once per encounter whether the probability is
+ *     enough for him, and then needs time to find the drone
  * @param positioner the positioner that turns it; omit it for a fixed mount
  */
 public record ThermalSettings(

@@ -17,8 +17,8 @@ final class FileNames {
     }
 
     /**
-     * Whether a file, each of a list, or one that may be left out is where a settings file may name it; adds a problem for
-     * each that is not.
+     * Whether a file, each of a list, or one that may be left out is where a settings file may name it; adds a problem
+     * for each that is not.
      *
      * @param field path of the setting
      */

@@ -22,8 +22,8 @@ public final class Kinds {
      * Another form in which files may write values of a type.
      *
      * @param parts what is written
-     * @param value the value that follows from it; empty when it cannot be known, since something else in the file is wrong.
-     *     An {@link IllegalArgumentException} says what is wrong with what is written
+     * @param value the value that follows from it; empty when it cannot be known, since something else in the file is
+     *     wrong. An {@link IllegalArgumentException} says what is wrong with what is written
      */
     public record OtherForm(Class<? extends Record> parts, Function<Record, Optional<?>> value) {}
 
@@ -72,11 +72,11 @@ public final class Kinds {
     }
 
     /**
-     * These, with another form in which files may write values of a type, by the parts of a record that have other names than
-     * its own.
+     * These, with another form in which files may write values of a type, by the parts of a record that have other
+     * names than its own.
      *
-     * @param value the value that follows from what is written; empty when it cannot be known, since something else in the
-     *     file is wrong
+     * @param value the value that follows from what is written; empty when it cannot be known, since something else in
+     *     the file is wrong
      */
     public <T, F extends Record> Kinds with(Class<T> type, Class<F> parts, Function<F, Optional<T>> value) {
         List<OtherForm> forms = new ArrayList<>(otherForms(type));

@@ -8,7 +8,10 @@ import java.util.Set;
 import org.dronewatch.setting.AsNumbers;
 import org.dronewatch.setting.SettingsForm;
 
-/** Reads values that are written in another form than their own, see {@link Kinds#with(Class, Class, java.util.function.Function)}. */
+/**
+ * Reads values that are written in another form than their own, see
+ * {@link Kinds#with(Class, Class, java.util.function.Function)}.
+ */
 final class OtherForms {
     private final Kinds kinds;
     private final Problems problems;
@@ -19,8 +22,8 @@ final class OtherForms {
     }
 
     /**
-     * The form in which a mapping stands for a record of this type: the one that knows most of its names, or the first when
-     * nothing in it has a name of the record; empty for its own.
+     * The form in which a mapping stands for a record of this type: the one that knows most of its names, or the first
+     * when nothing in it has a name of the record; empty for its own.
      */
     Optional<Kinds.OtherForm> of(Class<?> type, Node.Mapping mapping) {
         List<Kinds.OtherForm> forms = kinds.otherForms(type);

@@ -20,7 +20,10 @@ import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.setting.file.LinkOut;
 import org.dronewatch.setting.file.PackagedSite;
 
-/** Opens files of elevations by what they begin with, whatever they are called; only tiles of SRTM must have their names. */
+/**
+ * Opens files of elevations by what they begin with, whatever they are called; only tiles of SRTM must have their
+ * names.
+ */
 public final class ElevationFiles {
     private static final long MOST_BYTES = 1L << 33;
     private static final int MOST_ENTRIES = 1000;

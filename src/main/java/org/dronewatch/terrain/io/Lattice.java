@@ -1,8 +1,8 @@
 package org.dronewatch.terrain.io;
 
 /**
- * Where the posts of a grid are on the map: the post of column 0 and row 0, and the steps from column to column and from row
- * to row, all in the units of the map.
+ * Where the posts of a grid are on the map: the post of column 0 and row 0, and the steps from column to column and
+ * from row to row, all in the units of the map.
  *
  * @param x of the first post, to the east
  * @param y of the first post, to the north

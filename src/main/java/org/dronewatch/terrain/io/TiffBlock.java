@@ -12,9 +12,9 @@ import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /**
- * Decodes the strips or tiles of a TIFF file one at a time with TwelveMonkeys ImageIO: each is handed over as a small TIFF file
- * of a single strip. So only what is needed is decoded, a missing tile is a hole and not an error, and nothing else that a
- * damaged file may state reaches the library.
+ * Decodes the strips or tiles of a TIFF file one at a time with TwelveMonkeys ImageIO: each is handed over as a small
+ * TIFF file of a single strip. So only what is needed is decoded, a missing tile is a hole and not an error, and
+ * nothing else that a damaged file may state reaches the library.
  *
  * @param order in which the file has the bytes of a number
  * @param bits of a sample: 8, 16, 32 or 64

@@ -10,8 +10,9 @@ import java.util.Map;
 import org.dronewatch.setting.InputException;
 
 /**
- * The tags of the first image of a TIFF or BigTIFF file (TIFF revision 6.0, Adobe 1992; BigTIFF design, libtiff). Their values
- * are read when they are asked for. Everything that a file states is checked against its length before memory is taken.
+ * The tags of the first image of a TIFF or BigTIFF file (TIFF revision 6.0, Adobe 1992; BigTIFF design, libtiff). Their
+ * values are read when they are asked for. Everything that a file states is checked against its length before memory is
+ * taken.
  */
 final class TiffDirectory {
     private static final int CLASSIC = 42;

@@ -15,8 +15,8 @@ import org.dronewatch.sound.Levels;
  * @param microphones how many, 2 to 4096; at least 3 for a ring and 4 for a sphere
  * @param aperture from end to end of a line, or the diameter of a ring or a sphere, above 0 to 100 m
  * @param shape how they are arranged
- * @param accuracy standard deviation of a measured direction at any signal-to-noise ratio, from errors in the positions, phases
- *     and gains of the microphones and from the air, 0 to pi/6 rad; one degree is assumed
+ * @param accuracy standard deviation of a measured direction at any signal-to-noise ratio, from errors in the
+ *     positions, phases and gains of the microphones and from the air, 0 to pi/6 rad; one degree is assumed
  * @param axis the direction of a level line, clockwise from north, rad; it does not matter for the others
  */
 public record ArraySettings(
@@ -92,8 +92,8 @@ public record ArraySettings(
     }
 
     /**
-     * The width of the main lobe of a line between its half-power points, broadside, {@code 0.886 lambda / (N d)}; of the
-     * others about that of a line as long as their diameter, rad.
+     * The width of the main lobe of a line between its half-power points, broadside, {@code 0.886 lambda / (N d)}; of
+     * the others about that of a line as long as their diameter, rad.
      *
      * @param wavelength m, above 0
      */

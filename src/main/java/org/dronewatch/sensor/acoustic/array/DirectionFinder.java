@@ -10,14 +10,14 @@ import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * How accurately an array finds the direction of one sound in noise that is incoherent from microphone to microphone: by the
- * stochastic Cramer-Rao bound (P. Stoica and A. Nehorai, IEEE Trans. ASSP 38, 1783, 1990), which good methods reach once
- * the sound is detected. In a narrow band the inverse of the variance of an angle is {@code 2 T S k^2 D / (1 + 1 / (N S))},
- * with T snapshots, the signal-to-noise ratio S of one microphone, the wave number k, N microphones, and the sum D of the
- * squared distances of the microphones from their centre along the direction in which the sound's changes with the angle.
- * Bands add up, in each as many snapshots as its width times the duration of a look. Bands of which half a wavelength is
- * shorter than the distance between neighbouring microphones are left out, since their directions are ambiguous. The error of the
- * array itself is added in quadrature. Immutable.
+ * How accurately an array finds the direction of one sound in noise that is incoherent from microphone to microphone:
+ * by the stochastic Cramer-Rao bound (P. Stoica and A. Nehorai, IEEE Trans. ASSP 38, 1783, 1990), which good methods
+ * reach once the sound is detected. In a narrow band the inverse of the variance of an angle is
+ * {@code 2 T S k^2 D / (1 + 1 / (N S))}, with T snapshots, the signal-to-noise ratio S of one microphone, the wave
+ * number k, N microphones, and the sum D of the squared distances of the microphones from their centre along the
+ * direction in which the sound's changes with the angle. Bands add up, in each as many snapshots as its width times the
+ * duration of a look. Bands of which half a wavelength is shorter than the distance between neighbouring microphones
+ * are left out, since their directions are ambiguous. The error of the array itself is added in quadrature. Immutable.
  */
 public final class DirectionFinder {
     /** Width of an octave band over its midband frequency (IEC 61260-1, base ten). */
@@ -45,7 +45,8 @@ public final class DirectionFinder {
     /**
      * Inverse variance of the direction over the sum of squared distances, 1/m2, from all bands together.
      *
-     * @param ratios signal-to-noise ratio of one microphone in each octave band, dB; minus infinity where nothing is heard
+     * @param ratios signal-to-noise ratio of one microphone in each octave band, dB; minus infinity where nothing is
+     *     heard
      */
     double information(double[] ratios) {
         double sum = 0.0;

@@ -3,7 +3,10 @@ package org.dronewatch.sensor.acoustic.edge;
 import java.util.Arrays;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 
-/** Pieces of parabolas, which a plane cuts of surfaces that are bent, until they are divided into straight pieces. One per thread. */
+/**
+ * Pieces of parabolas, which a plane cuts of surfaces that are bent, until they are divided into straight pieces. One
+ * per thread.
+ */
 final class BentPieces {
     private static final int MOST_PARTS = 1000;
 
@@ -40,8 +43,8 @@ final class BentPieces {
     }
 
     /**
-     * Divides the pieces into parts that are nearly straight, and adds these to the outline. They are divided at every point
-     * of the mesh that lies on them, too: under a wall on bent ground there must be no gap.
+     * Divides the pieces into parts that are nearly straight, and adds these to the outline. They are divided at every
+     * point of the mesh that lies on them, too: under a wall on bent ground there must be no gap.
      */
     void divide(double curvature) {
         int ofMesh = outline.points();

@@ -1,9 +1,9 @@
 package org.dronewatch.sensor.acoustic.edge;
 
 /**
- * The directions in a plane in which the surfaces of an obstacle leave a point of its outline, as the narrowest cone that
- * contains them. If it is narrower than a half-plane, the point is a corner that a path can bend round; at the end of a
- * sheet the cone has no width.
+ * The directions in a plane in which the surfaces of an obstacle leave a point of its outline, as the narrowest cone
+ * that contains them. If it is narrower than a half-plane, the point is a corner that a path can bend round; at the end
+ * of a sheet the cone has no width.
  */
 final class Cone {
     private static final double STRAIGHT = 1e-9;
@@ -57,7 +57,9 @@ final class Cone {
         return !empty && !tooWide && Math.hypot(firstU + lastU, firstV + lastV) > STRAIGHT;
     }
 
-    /** By which angle the outline bends at the point: 0 for a straight outline, pi for the end of a sheet; of a corner. */
+    /**
+     * By which angle the outline bends at the point: 0 for a straight outline, pi for the end of a sheet; of a corner.
+     */
     double bend() {
         double width = Math.atan2(Math.max(0.0, firstU * lastV - firstV * lastU), firstU * lastU + firstV * lastV);
         return Math.PI - width;

@@ -3,8 +3,8 @@ package org.dronewatch.sensor.acoustic.edge;
 import java.util.Arrays;
 
 /**
- * The outline of obstacles in a plane: straight pieces in coordinates u along a line and v across it. Pieces that end at
- * the same coordinates share a point. One per thread.
+ * The outline of obstacles in a plane: straight pieces in coordinates u along a line and v across it. Pieces that end
+ * at the same coordinates share a point. One per thread.
  */
 final class CutOutline {
     private double[] u = new double[256];

@@ -9,11 +9,11 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
- * The shortest path round the obstacles between two points, over any number of edges: a rubber band in that plane through
- * both points in which it is shortest. {@value #PLANES} planes are tried, more if no path is found, and the best ones are
- * rotated until the path gets no shorter. For a single straight edge this is the globally shortest path; over several it
- * is what the standards compute, which separate propagation into planes. A path through an opening that none of the planes
- * intersects is not found.
+ * The shortest path round the obstacles between two points, over any number of edges: a rubber band in that plane
+ * through both points in which it is shortest. {@value #PLANES} planes are tried, more if no path is found, and the
+ * best ones are rotated until the path gets no shorter. For a single straight edge this is the globally shortest path;
+ * over several it is what the standards compute, which separate propagation into planes. A path through an opening that
+ * none of the planes intersects is not found.
  *
  * <p>Short detours are searched first, so that only obstacles near the straight line are examined where that is enough.
  * Exchanging the points gives the same path. One per thread.
@@ -118,8 +118,8 @@ public final class EdgePath {
     }
 
     /**
-     * How much longer the path found last is than the straight line, 0 or more, m: where sound travels in arcs, in the time that
-     * it takes, at the speed of sound on the straight line.
+     * How much longer the path found last is than the straight line, 0 or more, m: where sound travels in arcs, in the
+     * time that it takes, at the speed of sound on the straight line.
      */
     public double pathDifference() {
         return pathDifference;
@@ -132,8 +132,9 @@ public final class EdgePath {
     }
 
     /**
-     * How much longer its arcs from edge to edge are than the arc from end to end that nothing would hide, m. Sound that bends
-     * travels faster on its way up, so this is more than {@link #pathDifference}; CNOSSOS-EU uses it where sound bends down.
+     * How much longer its arcs from edge to edge are than the arc from end to end that nothing would hide, m. Sound
+     * that bends travels faster on its way up, so this is more than {@link #pathDifference}; CNOSSOS-EU uses it where
+     * sound bends down.
      */
     public double arcDifference() {
         return arcDifference;

@@ -12,8 +12,8 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
- * The edges close to an unobstructed line of sight that would obstruct it if it passed on their other side. There is an edge
- * only where the outline of an obstacle bends: seams in flat surfaces and valleys are not edges. One per thread.
+ * The edges close to an unobstructed line of sight that would obstruct it if it passed on their other side. There is an
+ * edge only where the outline of an obstacle bends: seams in flat surfaces and valleys are not edges. One per thread.
  */
 public final class NearEdges {
     /**
@@ -145,8 +145,8 @@ public final class NearEdges {
     }
 
     /**
-     * By how much the triangles of an edge bend in the plane through both ends of the line and a point of the edge; 0 where
-     * they would not obstruct a line on the other side of it.
+     * By how much the triangles of an edge bend in the plane through both ends of the line and a point of the edge; 0
+     * where they would not obstruct a line on the other side of it.
      */
     private double bend(
             Position source,

@@ -7,11 +7,11 @@ import org.dronewatch.kdtree.EllipsoidQuery;
 /**
  * The outline of a world in a plane through two points, near those points: the straight pieces in which the plane cuts
  * triangles, in coordinates u along the line from the first point to the second and v across it. Pieces that share a
- * corner or an edge of the mesh, by its coordinates, share an end. A plane that runs through corners is taken for one an
- * infinitesimal distance beside it, so that each triangle is cut in one piece or not at all.
+ * corner or an edge of the mesh, by its coordinates, share an end. A plane that runs through corners is taken for one
+ * an infinitesimal distance beside it, so that each triangle is cut in one piece or not at all.
  *
- * <p>Where sound travels in arcs, the outline is bent the other way, so that the arcs are straight lines in it; its pieces are
- * divided, as a flat ground becomes a bulge. One per thread.
+ * <p>Where sound travels in arcs, the outline is bent the other way, so that the arcs are straight lines in it; its
+ * pieces are divided, as a flat ground becomes a bulge. One per thread.
  */
 final class PlaneCut {
     /** Corners nearer to the plane than this, m, lie on it: shorter pieces would have no meaningful direction. */
@@ -150,7 +150,9 @@ final class PlaneCut {
         }
     }
 
-    /** Finds where the plane cuts a bent side: once between corners on either side of it, otherwise twice or not at all. */
+    /**
+     * Finds where the plane cuts a bent side: once between corners on either side of it, otherwise twice or not at all.
+     */
     private void crossBent(int one, int other, double vertical) {
         double[] from = corner[one];
         double[] to = corner[other];
@@ -206,7 +208,9 @@ final class PlaneCut {
         return vector[0] * unit.x() + vector[1] * unit.y() + vector[2] * unit.z();
     }
 
-    /** The point at which the plane cuts a side, the same from either end and for both triangles that share the side. */
+    /**
+     * The point at which the plane cuts a side, the same from either end and for both triangles that share the side.
+     */
     private int crossing(int one, int other) {
         double[] p = corner[one];
         double[] q = corner[other];

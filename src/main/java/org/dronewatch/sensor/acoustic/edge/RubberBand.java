@@ -3,9 +3,9 @@ package org.dronewatch.sensor.acoustic.edge;
 import java.util.Arrays;
 
 /**
- * The shortest path between two points round the outline of obstacles in a plane: a taut string. It is straight from corner
- * to corner of the outline, and touches the outline at each without crossing it; found by A* over such legs. One per
- * thread.
+ * The shortest path between two points round the outline of obstacles in a plane: a taut string. It is straight from
+ * corner to corner of the outline, and touches the outline at each without crossing it; found by A* over such legs. One
+ * per thread.
  */
 final class RubberBand {
     /**
@@ -18,8 +18,8 @@ final class RubberBand {
     private static final double TOUCHING = 1e-3;
 
     /**
-     * A search that compares legs with pieces more often than this is abandoned: paths in a cathedral need some thousand
-     * comparisons, and the limit bounds the time that it takes to establish that there is no path out of a closed building.
+     * A search that compares legs with pieces more often than this is abandoned: there may be no path, as out of a
+     * closed building. Paths in a cathedral need some thousand comparisons.
      */
     private static final int MOST_COMPARISONS = 50_000;
 

@@ -35,8 +35,8 @@ final class Air {
 
     /**
      * Deducts what the air absorbs over a distance. Rays spend much of their time here: up to a few hundred metres the
-     * fraction left is that of the nearest whole metre times a short Taylor series, whose error is below 1e-12 (0.3 dB/m, more
-     * than in any air, is an exponent of 0.035 over half a metre).
+     * fraction left is that of the nearest whole metre times a short Taylor series, whose error is below 1e-12 (0.3
+     * dB/m, more than in any air, is an exponent of 0.035 over half a metre).
      *
      * @param energies in each band
      * @param distance m

@@ -5,8 +5,8 @@ import org.dronewatch.sensor.acoustic.imagesource.SpecularLeg;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
- * How a ray from the sensor reached the surface that it hits: its legs between scatterings, straight, over walls or through
- * them. One per thread.
+ * How a ray from the sensor reached the surface that it hits: its legs between scatterings, straight, over walls or
+ * through them. One per thread.
  */
 final class Arrival {
     private final SpecularLeg leg = new SpecularLeg();
@@ -117,8 +117,8 @@ final class Arrival {
     }
 
     /**
-     * The sum of the inverse densities of those legs so far at which the same path could also be connected, if rays from the
-     * source reached them.
+     * The sum of the inverse densities of those legs so far at which the same path could also be connected, if rays
+     * from the source reached them.
      *
      * @param scatterings how many times the rest of the path is scattered before it comes here
      * @param surfaces how many surfaces the rest of the path hits
@@ -128,8 +128,8 @@ final class Arrival {
     }
 
     /**
-     * The sum of the inverse densities of the legs before the ray was scattered last: where the ray passes the source after
-     * specular reflections, rays from the source can be connected at these. 0 if they cannot reach them.
+     * The sum of the inverse densities of the legs before the ray was scattered last: where the ray passes the source
+     * after specular reflections, rays from the source can be connected at these. 0 if they cannot reach them.
      */
     double inverseDensityBefore() {
         return leg.isThroughWalls() ? Connections.NEVER : sum(1, LEGS, 0);

@@ -17,8 +17,9 @@ import org.dronewatch.world.World;
 /**
  * One ray traced backward from the sensor. A surface absorbs part of its energy; the rest goes on as one ray, reflected
  * specularly, scattered by Lambert's law or transmitted through the wall, drawn at random so that the mean is right.
- * Where the ray is scattered, it is connected to the source; where it passes the source after specular reflections, it is
- * counted in a sphere around the source, unless its path is computed exactly or was connected before. One per thread.
+ * Where the ray is scattered, it is connected to the source; where it passes the source after specular reflections, it
+ * is counted in a sphere around the source, unless its path is computed exactly or was connected before. One per
+ * thread.
  */
 final class BackwardRay {
     /**

@@ -6,8 +6,8 @@ import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * The decay of sound at a sensor after the source stops, in each octave band and in all of them: received energy by time of
- * arrival, integrated backward (Schroeder, "New method of measuring reverberation time", JASA 37, 1965).
+ * The decay of sound at a sensor after the source stops, in each octave band and in all of them: received energy by
+ * time of arrival, integrated backward (Schroeder, "New method of measuring reverberation time", JASA 37, 1965).
  */
 public final class DecayCurve {
     /** Width of a bin, s. */
@@ -71,8 +71,8 @@ public final class DecayCurve {
     }
 
     /**
-     * Remaining (backward-integrated) energy of all bands at the start of each bin, dB re the total; minus infinity after
-     * the last arrival and for silence.
+     * Remaining (backward-integrated) energy of all bands at the start of each bin, dB re the total; minus infinity
+     * after the last arrival and for silence.
      */
     public double[] levels() {
         return levels(0, BANDS);
@@ -94,8 +94,8 @@ public final class DecayCurve {
     }
 
     /**
-     * Reverberation time T30 of all bands, s: twice the time that the regression line from -5 to -35 dB takes (ISO 3382-1);
-     * empty when the curve does not fall that far.
+     * Reverberation time T30 of all bands, s: twice the time that the regression line from -5 to -35 dB takes (ISO
+     * 3382-1); empty when the curve does not fall that far.
      */
     public OptionalDouble t30() {
         return t30(levels());

@@ -9,9 +9,9 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Connects a point where a ray from the sensor is scattered to the source, and to the points where a ray from the source
- * was scattered first: straight, through the walls in between, and by the reflections of the image sources. Paths that are
- * connected here must not be counted again in the sphere. One per thread.
+ * Connects a point where a ray from the sensor is scattered to the source, and to the points where a ray from the
+ * source was scattered first: straight, through the walls in between, and by the reflections of the image sources.
+ * Paths that are connected here must not be counted again in the sphere. One per thread.
  */
 final class DiffuseConnection {
     private static final int BANDS = OctaveBands.COUNT;

@@ -12,13 +12,14 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * The attenuation of sound between two points by the edges of obstacles: of sound diffracted round them, where they hide the
- * source, and of direct sound that passes close to them.
+ * The attenuation of sound between two points by the edges of obstacles: of sound diffracted round them, where they
+ * hide the source, and of direct sound that passes close to them.
  *
- * <p>An edge at which the outline bends by less than {@value #FULL_BEND} degrees counts in proportion, up to N = {@value
- * #FULL_SHADOW} in its shadow, from where it counts in full: flat ground has no edges, and ground of many slight bends
- * attenuates little as long as it hides nothing. Several edges count as one until the path bends by {@value #FULL_TURN}
- * degrees at the first and at the last, so that an edge which the path just begins to touch causes no step. One per thread.
+ * <p>An edge at which the outline bends by less than {@value #FULL_BEND} degrees counts in proportion, up to N =
+ * {@value #FULL_SHADOW} in its shadow, from where it counts in full: flat ground has no edges, and ground of many
+ * slight bends attenuates little as long as it hides nothing. Several edges count as one until the path bends by
+ * {@value #FULL_TURN} degrees at the first and at the last, so that an edge which the path just begins to touch causes
+ * no step. One per thread.
  */
 final class EdgeLoss {
     private static final int BANDS = OctaveBands.COUNT;
@@ -84,8 +85,8 @@ final class EdgeLoss {
     }
 
     /**
-     * Looks for edges that the line between two points that see each other passes closely. Of several, that counts which
-     * takes most.
+     * Looks for edges that the line between two points that see each other passes closely. Of several, that counts
+     * which takes most.
      *
      * @param curvature of sound from the source to the sensor, 1/m
      */

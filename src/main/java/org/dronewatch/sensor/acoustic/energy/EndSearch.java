@@ -18,9 +18,9 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Finds the image sources that matter between a sensor and a source. Rays from either end find them, and purely specular
- * paths are constructed from them. In the open, where few rays pass an end, those are also kept by whose reflections most of
- * the sound that is scattered near one end reaches the other. One per thread.
+ * Finds the image sources that matter between a sensor and a source. Rays from either end find them, and purely
+ * specular paths are constructed from them. In the open, where few rays pass an end, those are also kept by whose
+ * reflections most of the sound that is scattered near one end reaches the other. One per thread.
  */
 final class EndSearch {
     private static final int RAYS_OF_SENSOR = 4000;
@@ -39,8 +39,8 @@ final class EndSearch {
     private static final int MOST_JOINED = 64;
 
     /**
-     * Image sources are left to the rays that happen to pass the source if they increase the relative variance of a reading
-     * by less than this.
+     * Image sources are left to the rays that happen to pass the source if they increase the relative variance of a
+     * reading by less than this.
      */
     private static final double NEGLIGIBLE = 3e-3;
 

@@ -5,7 +5,8 @@ import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 
 /**
- * The two ends of all paths of one look, and the image sources that join points near them to the rest of a path. Immutable.
+ * The two ends of all paths of one look, and the image sources that join points near them to the rest of a path.
+ * Immutable.
  *
  * @param source the drone's sound
  * @param sensor where the microphone is, m
@@ -14,7 +15,8 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
  * @param pureOfSource those found from the source: paths of specular reflections alone are exact
  * @param pureOfSensor those found from the sensor
  * @param exactly those of exact paths, from the source on, and their parents
- * @param known about what is heard without rays that pass the source, in all bands, as intensity over the source's power, 1/m2
+ * @param known about what is heard without rays that pass the source, in all bands, as intensity over the source's
+ *     power, 1/m2
  * @param curvature how air bends the paths of sound
  * @param isOpen whether an appreciable part of the sound leaves the site
  */
@@ -31,8 +33,8 @@ record Ends(
         boolean isOpen) {
 
     /**
-     * Maximum number of times that a ray from the source is scattered, and connected there. Indoors, where rays from the
-     * sensor hit everything, more than once is not worth the time.
+     * Maximum number of times that a ray from the source is scattered, and connected there. Indoors, where rays from
+     * the sensor hit everything, more than once is not worth the time.
      */
     int scatterings() {
         return isOpen ? Connections.FROM_SOURCE : 1;

@@ -25,8 +25,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * What a microphone hears in the energy model: the A-weighted sound pressure level, or the signal-to-noise ratio of the best
- * band. One thread at a time.
+ * What a microphone hears in the energy model: the A-weighted sound pressure level, or the signal-to-noise ratio of the
+ * best band. One thread at a time.
  */
 public final class EnergyHearing implements SoundTracer {
     private static final String UNIT = "dB";
@@ -126,7 +126,10 @@ public final class EnergyHearing implements SoundTracer {
         return new Signal(value >= threshold ? 1.0 : 0.0, value, UNIT, threshold, reading.standardError(), 0.0);
     }
 
-    /** The signal-to-noise ratio of the best line, if lines are listened for and there are any, or of the best octave band. */
+    /**
+     * The signal-to-noise ratio of the best line, if lines are listened for and there are any, or of the best octave
+     * band.
+     */
     private double ratio(EnergyReading reading, LineSpectrum lines) {
         if (model.criterion() == Criterion.NARROW_BAND) {
             Optional<HeardTone> best = lines.best(reading::energy, background());
@@ -149,7 +152,9 @@ public final class EnergyHearing implements SoundTracer {
         read(drone, random, recorder);
     }
 
-    /** In a space that retains at least half of the sound: its decay, and the reverberation time in each octave band. */
+    /**
+     * In a space that retains at least half of the sound: its decay, and the reverberation time in each octave band.
+     */
     @Override
     public List<Curve> curves(Drone drone, RandomGenerator random) {
         EnergyTracer patient =

@@ -29,8 +29,8 @@ import org.dronewatch.world.World;
  * @param roulette fraction of its initial energy below which a ray survives by chance only (Russian roulette), above 0
  *     and below 1
  * @param maxOrder how many surfaces a ray may hit before it is dropped, 0 to 10,000
- * @param imageSourceOrder order up to which paths of specular reflections alone are computed exactly, 1 to 50:
- *     all paths off one surface, and paths off several surfaces in turn if rays from the microphone or from the drone find
+ * @param imageSourceOrder order up to which paths of specular reflections alone are computed exactly, 1 to 50: all
+ *     paths off one surface, and paths off several surfaces in turn if rays from the microphone or from the drone find
  *     those surfaces
  * @param diffraction how diffraction round edges is computed
  * @param criterion which level is compared with the background
@@ -80,15 +80,18 @@ public record EnergyModel(
         /** The level in each band with that of the background; the best band decides. */
         BEST_BAND,
         /**
-         * The level in the band of each of the drone's tones, as wide as the line, with that of the background there; the best
-         * one decides. For a drone without tones as {@link #BEST_BAND}.
+         * The level in the band of each of the drone's tones, as wide as the line, with that of the background there;
+         * the best one decides. For a drone without tones as {@link #BEST_BAND}.
          */
         NARROW_BAND
     }
 
     /** How intensity is converted to sound pressure. */
     public enum Pressure {
-        /** With the reference impedance of the standards, 400 Pa s/m, at which pressure level and intensity level are equal. */
+        /**
+         * With the reference impedance of the standards, 400 Pa s/m, at which pressure level and intensity level are
+         * equal.
+         */
         REFERENCE,
         /** With the impedance of the scene's air: 0.1 dB more at 20 degrees Celsius, less on a mountain. */
         PHYSICAL
@@ -99,8 +102,8 @@ public record EnergyModel(
         /** Their energies add, as do those of all other paths. */
         INCOHERENT,
         /**
-         * They interfere: a spherical wave over the ground's impedance, averaged over each band, as far as turbulence leaves
-         * them coherent.
+         * They interfere: a spherical wave over the ground's impedance, averaged over each band, as far as turbulence
+         * leaves them coherent.
          */
         COHERENT
     }

@@ -44,8 +44,8 @@ public record EnergyReading(
     }
 
     /**
-     * This reading, without the contribution of rays if too few contributed: the exact paths alone, which have no standard
-     * error.
+     * This reading, without the contribution of rays if too few contributed: the exact paths alone, which have no
+     * standard error.
      */
     public EnergyReading settled() {
         return isConverged
@@ -79,8 +79,8 @@ public record EnergyReading(
     }
 
     /**
-     * A-weighted level of the direct and diffracted sound, dB; with {@code ground: coherent} the reflection from the ground is
-     * part of the direct sound, with which it interferes.
+     * A-weighted level of the direct and diffracted sound, dB; with {@code ground: coherent} the reflection from the
+     * ground is part of the direct sound, with which it interferes.
      */
     public double directLevel() {
         return aWeighted(band -> direct.get(band) + diffracted.get(band));

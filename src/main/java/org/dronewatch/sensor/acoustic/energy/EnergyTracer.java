@@ -25,8 +25,9 @@ import org.dronewatch.world.World;
 /**
  * The energy model. Deterministic paths come from {@link ExactPaths}. The rest is found by tracing rays backward from
  * the sensor: they reach what the sensor can hear, however far away the source is, and by reciprocity the fraction of
- * their energy that reaches the source is the fraction that the source would have sent to the sensor. The first few surfaces
- * of a path from the source are also sampled from there, and both parts are connected: see {@link Connections}.
+ * their energy that reaches the source is the fraction that the source would have sent to the sensor. The first few
+ * surfaces of a path from the source are also sampled from there, and both parts are connected: see
+ * {@link Connections}.
  *
  * <p>Rays are traced in batches, on the calling {@link Workers}. Each batch has a separate random stream, and batches
  * count in their order up to the one that makes the reading accurate: the reading is the same for any number of

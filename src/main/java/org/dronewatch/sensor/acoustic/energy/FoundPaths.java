@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * Paths that were found one by one: the sound that arrives along them, as intensity over the source's power in all bands,
- * 1/m2.
+ * Paths that were found one by one: the sound that arrives along them, as intensity over the source's power in all
+ * bands, 1/m2.
  */
 final class FoundPaths {
     private static final int BANDS = OctaveBands.COUNT;

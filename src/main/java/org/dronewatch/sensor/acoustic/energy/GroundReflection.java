@@ -15,11 +15,11 @@ import org.dronewatch.sound.TurbulentCoherence;
 import org.dronewatch.world.World;
 
 /**
- * What the ground below direct sound reflects of it: where the model says so, both interfere, unless walls dominate: where
- * other reflections carry more energy than both together, phases are taken as random, that of the ground reflection
- * included. It takes the place of the first-order reflections within the ground's Fresnel zone. Where air bends the paths,
- * those reflections come from here even if they do not interfere, since the straight paths meet the ground elsewhere. Sound
- * scattered by rough ground is left to the rays. One per thread.
+ * What the ground below direct sound reflects of it: where the model says so, both interfere, unless walls dominate:
+ * where other reflections carry more energy than both together, phases are taken as random, that of the ground
+ * reflection included. It takes the place of the first-order reflections within the ground's Fresnel zone. Where air
+ * bends the paths, those reflections come from here even if they do not interfere, since the straight paths meet the
+ * ground elsewhere. Sound scattered by rough ground is left to the rays. One per thread.
  */
 final class GroundReflection {
     private static final int BANDS = OctaveBands.COUNT;
@@ -28,8 +28,8 @@ final class GroundReflection {
     private static final double ZONE_FREQUENCY = 500.0;
 
     /**
-     * What is left at least, as a fraction of the free field, of sound that bends up: turbulence scatters as much into the
-     * deepest shadow and into the deepest interference at its border, {@value Barrier#LIMIT} dB.
+     * What is left at least, as a fraction of the free field, of sound that bends up: turbulence scatters as much into
+     * the deepest shadow and into the deepest interference at its border, {@value Barrier#LIMIT} dB.
      */
     static final double DEEPEST = Levels.toRatio(-Barrier.LIMIT);
 
@@ -56,8 +56,8 @@ final class GroundReflection {
     /**
      * Searches for the ground between a source and a sensor.
      *
-     * @param isFree whether there is a line of sight; without direct sound there is nothing for the ground reflection to
-     *     interfere with
+     * @param isFree whether there is a line of sight; without direct sound there is nothing for the ground reflection
+     *     to interfere with
      * @param curvature of sound from the source to the sensor, 1/m
      */
     void find(SoundSource source, Position sensor, boolean isFree, double curvature) {
@@ -84,8 +84,8 @@ final class GroundReflection {
     }
 
     /**
-     * What the ground found last makes of sound that grazes it, as a multiple of what arrives directly: 4 of hard ground
-     * with interference, 2 without.
+     * What the ground found last makes of sound that grazes it, as a multiple of what arrives directly: 4 of hard
+     * ground with interference, 2 without.
      *
      * @param length of the path, m
      */

@@ -14,11 +14,11 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * A sphere around the source in which passing rays from the sensor are counted, or one around the sensor for rays from the
- * source: each contributes its energy times the length of its chord, and the sum divided by the sphere's volume is the mean
- * intensity in it. In the open, where few rays pass, the sphere is wider, so that no single ray contributes much of the
- * total, but it is never large compared with the ray's length. Only the part in line of sight of its centre counts: the far
- * side of a wall does not. One per thread.
+ * A sphere around the source in which passing rays from the sensor are counted, or one around the sensor for rays from
+ * the source: each contributes its energy times the length of its chord, and the sum divided by the sphere's volume is
+ * the mean intensity in it. In the open, where few rays pass, the sphere is wider, so that no single ray contributes
+ * much of the total, but it is never large compared with the ray's length. Only the part in line of sight of its centre
+ * counts: the far side of a wall does not. One per thread.
  */
 final class ReceiverSphere {
     private static final int BANDS = OctaveBands.COUNT;
@@ -75,8 +75,8 @@ final class ReceiverSphere {
     /**
      * Centres the sphere at a point.
      *
-     * @param known estimate of what is heard without the passing rays, in all bands, as intensity over the source's power,
-     *     1/m2; infinite if the sphere is not to be widened, since enough rays pass
+     * @param known estimate of what is heard without the passing rays, in all bands, as intensity over the source's
+     *     power, 1/m2; infinite if the sphere is not to be widened, since enough rays pass
      */
     void surround(Position point, double known) {
         centre = point;
@@ -91,8 +91,8 @@ final class ReceiverSphere {
     }
 
     /**
-     * The volume in line of sight of the centre within a radius. A part that a surface cuts off contributes nothing, and is
-     * not part of the volume either: a drone just above a floor has half a sphere.
+     * The volume in line of sight of the centre within a radius. A part that a surface cuts off contributes nothing,
+     * and is not part of the volume either: a drone just above a floor has half a sphere.
      *
      * @param within at most the widest radius, m
      * @return m3
@@ -172,8 +172,8 @@ final class ReceiverSphere {
     }
 
     /**
-     * The inverse density of a leg that is found because it passes the centre (see {@link Connections}): as with a connected
-     * leg, a ray contributes its energy over this.
+     * The inverse density of a leg that is found because it passes the centre (see {@link Connections}): as with a
+     * connected leg, a ray contributes its energy over this.
      *
      * @param length of the leg, m
      */

@@ -9,8 +9,8 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.sensor.RayRecorder;
 
 /**
- * The reverberation time of sound from a drone at a microphone: groups of rays are traced until its standard error is small,
- * estimated by the jackknife over the groups (Tukey 1958; Efron and Stein, Annals of Statistics 9, 1981).
+ * The reverberation time of sound from a drone at a microphone: groups of rays are traced until its standard error is
+ * small, estimated by the jackknife over the groups (Tukey 1958; Efron and Stein, Annals of Statistics 9, 1981).
  */
 final class Reverberation {
     /** Rays of one group. */

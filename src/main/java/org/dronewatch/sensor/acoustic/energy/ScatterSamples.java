@@ -14,8 +14,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Where a few rays from a point are scattered: a rough picture of where the sound that is scattered to it comes from. One
- * per thread.
+ * Where a few rays from a point are scattered: a rough picture of where the sound that is scattered to it comes from.
+ * One per thread.
  */
 final class ScatterSamples {
     /** The same point has the same samples: they affect how sound is computed, not its expected value. */

@@ -15,8 +15,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Where one ray from the source is scattered. Each such point is a source for rays from the sensor: those rays alone almost
- * never hit the surfaces near the source when a drone flies low or lies on the ground. One per thread.
+ * Where one ray from the source is scattered. Each such point is a source for rays from the sensor: those rays alone
+ * almost never hit the surfaces near the source when a drone flies low or lies on the ground. One per thread.
  */
 final class ScatteredSound {
     private static final int BANDS = OctaveBands.COUNT;

@@ -14,8 +14,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Paths of specular reflections alone, exact: one for every wall, and those of the image sources of higher order that rays
- * from the sensor or from the source have found. One per thread.
+ * Paths of specular reflections alone, exact: one for every wall, and those of the image sources of higher order that
+ * rays from the sensor or from the source have found. One per thread.
  */
 final class SpecularPaths {
     private static final int BANDS = OctaveBands.COUNT;
@@ -95,8 +95,8 @@ final class SpecularPaths {
     }
 
     /**
-     * Adds paths that have one wall more than those added last, or one less: near a wall, a path that also hits that wall
-     * lies in so narrow a range of directions that rays may miss it.
+     * Adds paths that have one wall more than those added last, or one less: near a wall, a path that also hits that
+     * wall lies in so narrow a range of directions that rays may miss it.
      *
      * @param extra the walls that may be added
      * @param maxOrder maximum number of walls of a path

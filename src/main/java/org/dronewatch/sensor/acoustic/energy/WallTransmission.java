@@ -10,8 +10,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Transmission along straight lines and arcs: a sheet attenuates by its transmission loss, a solid once, where the line enters;
- * opaque surfaces transmit nothing. One per thread.
+ * Transmission along straight lines and arcs: a sheet attenuates by its transmission loss, a solid once, where the line
+ * enters; opaque surfaces transmit nothing. One per thread.
  */
 final class WallTransmission {
     private static final int BANDS = OctaveBands.COUNT;

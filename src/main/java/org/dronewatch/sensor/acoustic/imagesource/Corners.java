@@ -3,8 +3,8 @@ package org.dronewatch.sensor.acoustic.imagesource;
 import org.dronewatch.world.Visibility;
 
 /**
- * Where walls meet, rounding decides on which side of each other one a point in one of them lies. This looks a little away from
- * there. One per thread.
+ * Where walls meet, rounding decides on which side of each other one a point in one of them lies. This looks a little
+ * away from there. One per thread.
  */
 final class Corners {
     /** How far away, as a multiple of the planes' tolerance. */
@@ -19,8 +19,8 @@ final class Corners {
     }
 
     /**
-     * Whether another wall stands in the corner in which a leg begins: rounding may have put its beginning behind that wall, so
-     * that the leg does not cross it. The last leg came from the right side.
+     * Whether another wall stands in the corner in which a leg begins: rounding may have put its beginning behind that
+     * wall, so that the leg does not cross it. The last leg came from the right side.
      *
      * @param before where the last leg began, m
      * @param x of the beginning, on a wall, m

@@ -14,8 +14,8 @@ import org.dronewatch.world.World;
 
 /**
  * Finds the image sources of a point that matter: those by whose walls evenly spread rays from it are reflected (M.
- * Vorlaender, JASA 86, 172, 1989). An image source whose walls subtend a smaller solid angle than one ray may be missed. The
- * same point has the same image sources. One per thread.
+ * Vorlaender, JASA 86, 172, 1989). An image source whose walls subtend a smaller solid angle than one ray may be
+ * missed. The same point has the same image sources. One per thread.
  */
 public final class ImageSourceSearch {
     /** A ray that has less than this fraction of its energy left after reflections is abandoned. */
@@ -56,8 +56,8 @@ public final class ImageSourceSearch {
     }
 
     /**
-     * The image sources of a point. Where a ray has found one of higher order that few others have found, more rays are sent
-     * around it.
+     * The image sources of a point. Where a ray has found one of higher order that few others have found, more rays are
+     * sent around it.
      *
      * @param from the point, m
      * @param rays how many rays are spread over all directions

@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * The image sources of a point: the point mirrored in a sequence of walls, by which sound that leaves it is reflected
- * specularly, one after another. They form a tree: an image is its parent mirrored in one more wall; image 0 is the point
- * itself, and parents come before their children. Immutable.
+ * specularly, one after another. They form a tree: an image is its parent mirrored in one more wall; image 0 is the
+ * point itself, and parents come before their children. Immutable.
  */
 public final class ImageSources {
     /** The point itself, mirrored in no wall. */
@@ -174,7 +174,9 @@ public final class ImageSources {
         return z ^ (z >>> 31);
     }
 
-    /** Where the images of a point are, three coordinates each: the point mirrored in the first wall, then in the next. */
+    /**
+     * Where the images of a point are, three coordinates each: the point mirrored in the first wall, then in the next.
+     */
     public void positions(double x, double y, double z, WallPlanes planes, double[] images) {
         images[0] = x;
         images[1] = y;

@@ -46,7 +46,8 @@ public final class SpecularPath {
     }
 
     /**
-     * Sets how the air bends the paths that follow: each leg must be unobstructed as an arc, too. Without it, paths are straight.
+     * Sets how the air bends the paths that follow: each leg must be unobstructed as an arc, too. Without it, paths are
+     * straight.
      *
      * @param isSoundAhead whether sound travels from a path's beginning to its end, and not the other way
      */

@@ -13,8 +13,8 @@ import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.world.World;
 
 /**
- * The planes in which a mesh reflects specularly: all triangles that lie in one plane, of whatever material and winding,
- * count as one wall. Nothing here depends on the directions of the axes. Immutable.
+ * The planes in which a mesh reflects specularly: all triangles that lie in one plane, of whatever material and
+ * winding, count as one wall. Nothing here depends on the directions of the axes. Immutable.
  */
 public final class WallPlanes {
     /** The number of a triangle that reflects nothing specularly. */

@@ -24,13 +24,13 @@ import org.dronewatch.world.World;
  * @param attenuation loss of level in the air, 0 to 1000 dB/m
  * @param maxOrder how many surfaces a ray may hit before it ends, 0 to 100
  * @param rayBudget how many ray segments one look may trace, 1 to 50,000,000
- * @param listening {@code fast}: a look ends with the first ray that is loud enough; {@code thorough}: it traces all rays, and
- *     reports the highest level and the cumulative energy
- * @param diffraction fraction of the reflected and of the transmitted energy that is scattered, 0 to 1; the specular and the
- *     refracted ray carry the rest; without it all rays carry equal energy. It changes the cumulative energy, not the levels, which
- *     are not divided
- * @param transmittedRays rays that leave the far side of a wall that lets sound through, 1 to 10,000: one refracted, the others
- *     scattered
+ * @param listening {@code fast}: a look ends with the first ray that is loud enough; {@code thorough}: it traces all
+ *     rays, and reports the highest level and the cumulative energy
+ * @param diffraction fraction of the reflected and of the transmitted energy that is scattered, 0 to 1; the specular
+ *     and the refracted ray carry the rest; without it all rays carry equal energy. It changes the cumulative energy,
+ *     not the levels, which are not divided
+ * @param transmittedRays rays that leave the far side of a wall that lets sound through, 1 to 10,000: one refracted,
+ *     the others scattered
  */
 public record LevelModel(
         @In(value = Quantity.NUMBER, from = 1, to = 100_000) int initialRays,

@@ -4,6 +4,9 @@ package org.dronewatch.sensor.acoustic.level;
 public enum Listening {
     /** Until a ray arrives that is loud enough: the thesis's {@code listen}. */
     FAST,
-    /** Until all rays are too quiet, which gives the highest level and the cumulative energy: the thesis's {@code listenFully}. */
+    /**
+     * Until all rays are too quiet, which gives the highest level and the cumulative energy: the thesis's
+     * {@code listenFully}.
+     */
     THOROUGH
 }

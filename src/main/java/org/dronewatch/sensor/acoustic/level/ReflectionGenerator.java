@@ -66,9 +66,9 @@ public final class ReflectionGenerator {
     }
 
     /**
-     * The rays that leave a triangle that a ray hits. Every reflected ray has the level of the arriving ray minus the loss
-     * of the reflection, every transmitted one minus the loss of the wall; their energies divide what is reflected and what
-     * is transmitted.
+     * The rays that leave a triangle that a ray hits. Every reflected ray has the level of the arriving ray minus the
+     * loss of the reflection, every transmitted one minus the loss of the wall; their energies divide what is reflected
+     * and what is transmitted.
      *
      * @param ray the ray that arrives
      * @param distance from its origin to the triangle, m

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
 /**
- * An arc of sound between two points as straight pieces, end to end. The ends of pieces lie at no simple fraction of the
- * arc, so that none lies in a wall, where the pieces on both sides would miss it. One per thread.
+ * An arc of sound between two points as straight pieces, end to end. The ends of pieces lie at no simple fraction of
+ * the arc, so that none lies in a wall, where the pieces on both sides would miss it. One per thread.
  */
 public final class ArcLine {
     private static final double GOLDEN = 0.3819660112501051;
@@ -24,8 +24,8 @@ public final class ArcLine {
      * Lays the line from one point to another.
      *
      * @param bending curvature of sound on it, either way: {@link PathCurvature#along}, 1/m
-     * @param isBelow whether the pieces of an arc that bends up run just below it: then a surface that the arc only grazes
-     *     is met
+     * @param isBelow whether the pieces of an arc that bends up run just below it: then a surface that the arc only
+     *     grazes is met
      */
     public void lay(double x, double y, double z, double toX, double toY, double toZ, double bending, boolean isBelow) {
         fromX = x;

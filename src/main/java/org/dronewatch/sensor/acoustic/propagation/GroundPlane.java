@@ -6,9 +6,9 @@ import org.dronewatch.world.World;
 
 /**
  * The ground that reflects sound between two points, as a plane. Within the first Fresnel zone around the point of
- * reflection, where waves of one wavelength add up, a plane or, where that fits better, a surface that is convex along the
- * path is fitted to the ground; the plane is tangent to it at the point of reflection. The ground is what lies straight
- * below the line between the points and, within the zone, beside it. One per thread.
+ * reflection, where waves of one wavelength add up, a plane or, where that fits better, a surface that is convex along
+ * the path is fitted to the ground; the plane is tangent to it at the point of reflection. The ground is what lies
+ * straight below the line between the points and, within the zone, beside it. One per thread.
  */
 public final class GroundPlane {
     /** Samples of the surface along the line and on each side of it. */
@@ -73,7 +73,8 @@ public final class GroundPlane {
      * @param first a point, m
      * @param second another one, m
      * @param wavelength of the sound, which determines the size of the zone, m, above 0
-     * @param curvature of sound from one to the other, 1/m: arcs are straight lines over ground that is bent the other way
+     * @param curvature of sound from one to the other, 1/m: arcs are straight lines over ground that is bent the other
+     *     way
      * @return whether there is ground that reflects, seen from both points; this object then holds its figures
      */
     public boolean find(Position first, Position second, double wavelength, double curvature) {

@@ -4,9 +4,9 @@ import org.dronewatch.sound.Atmosphere;
 
 /**
  * How wind and temperature bend the paths of sound: where the effective speed of sound, that of the air and of the wind
- * along the path, changes linearly with height by g, a path at an elevation gamma is an arc of the radius {@code c / (g cos
- * gamma)} (A. D. Pierce, Acoustics, section 8.3). The wind's profile is taken as linear between the heights of source and
- * microphone. Immutable.
+ * along the path, changes linearly with height by g, a path at an elevation gamma is an arc of the radius
+ * {@code c / (g cos gamma)} (A. D. Pierce, Acoustics, section 8.3). The wind's profile is taken as linear between the
+ * heights of source and microphone. Immutable.
  *
  * @param everywhere curvature by temperature, positive where it bends sound up, 1/m
  * @param eastward curvature by wind of sound that travels east, 1/m
@@ -46,8 +46,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * The curvature of sound that travels along a vector, 1/m: positive where it bends up, at most the reciprocal of the
-     * vector's length.
+     * The curvature of sound that travels along a vector, 1/m: positive where it bends up, at most the reciprocal of
+     * the vector's length.
      */
     public double along(double x, double y, double z) {
         double length = Math.sqrt(x * x + y * y + z * z);
@@ -59,9 +59,9 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * How much lower than the straight line an arc that bends up runs, or, the other way round, how much higher the ground
-     * is where arcs are drawn as straight lines, m: {@code k s (L - s) / 2}. That holds at any elevation, with lengths along
-     * the line.
+     * How much lower than the straight line an arc that bends up runs, or, the other way round, how much higher the
+     * ground is where arcs are drawn as straight lines, m: {@code k s (L - s) / 2}. That holds at any elevation, with
+     * lengths along the line.
      *
      * @param curvature 1/m; negative where the arc bends down, and runs higher
      * @param length of the straight line, m
@@ -83,8 +83,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * The sum of distances from both ends within which the surfaces lie that are within another sum where arcs are drawn
-     * straight, m.
+     * The sum of distances from both ends within which the surfaces lie that are within another sum where arcs are
+     * drawn straight, m.
      *
      * @param curvature 1/m
      * @param length of the straight line, m

@@ -22,7 +22,9 @@ public interface Propagation {
         return Double.POSITIVE_INFINITY;
     }
 
-    /** Whether what a microphone hears comes with the signal-to-noise ratio in each octave band, which directions need. */
+    /**
+     * Whether what a microphone hears comes with the signal-to-noise ratio in each octave band, which directions need.
+     */
     default boolean hasBands() {
         return false;
     }

@@ -14,8 +14,9 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.Tone;
 
 /**
- * The lines in a drone's sound at the frequencies at which they are heard. A line is attenuated on its way as its octave
- * band is on average; the spectra of noise, and of what is not in lines, are flat within each octave band. Immutable.
+ * The lines in a drone's sound at the frequencies at which they are heard. A line is attenuated on its way as its
+ * octave band is on average; the spectra of noise, and of what is not in lines, are flat within each octave band.
+ * Immutable.
  */
 public final class LineSpectrum {
     /** The spectrum of a drone without lines. */
