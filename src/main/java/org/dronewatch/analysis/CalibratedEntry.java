@@ -17,6 +17,7 @@ import org.dronewatch.catalog.CatalogEntry.Basis;
 import org.dronewatch.catalog.CatalogEntry.PublishedRange;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
@@ -65,6 +66,9 @@ public record CalibratedEntry(
     /** What every model that listens takes into account, whatever else it ignores of a drone's sound. */
     private static final String GLIDE_REDUCTION = "glideReduction";
 
+    /** How a drone's sound follows from its other settings: stated unless it is steady. */
+    private static final String EMISSION = "emission";
+
     private static final String POSITIONER = "positioner";
 
     /** Ranges are stated in whole millimetres. */
@@ -81,11 +85,12 @@ public record CalibratedEntry(
         Kinds kinds = SensorKinds.kinds(Catalog.packaged());
         // One of a swarm flies a path that no file can name.
         DroneSettings flying = settings.individualDrones().get(drone).withFlight(Hover.at(new Position(0, 0, 0)));
-        List<String> deciding = new ArrayList<>(heard());
+        List<String> deciding = new ArrayList<>(heard(flying));
         deciding.add("speed");
         Node.Mapping drones = SettingsFile.part(flying, DroneSettings.class, kinds, from, file)
                 .without(List.of("flight", "swarm", "label"))
                 .without(soundsBut(Set.of()))
+                .without(List.of(EMISSION))
                 .overlaidWith(only(deciding, SettingsFile.wholePart(flying, DroneSettings.class, kinds, from, file)));
         Node.Mapping world = SettingsFile.wholePart(settings.world(), WorldSettings.class, kinds, from, file)
                 .without(PLACE);
@@ -113,12 +118,21 @@ public record CalibratedEntry(
         return HEADING + SettingsFile.text(entry, kinds, file.toAbsolutePath().resolveSibling(""), file);
     }
 
-    /** The settings of a drone's sound by which the sensor hears it; none if it does not listen. */
-    private List<String> heard() {
+    /**
+     * The settings of a drone's sound by which the sensor hears it; none if it does not listen. All of them decide where the
+     * emission is not steady, since that may make anything of them.
+     */
+    private List<String> heard(DroneSettings flying) {
         SensorSettings<?> fitted = fit.sensor();
-        return fitted.as(SoundTracing.class).isEmpty()
-                ? List.of()
-                : soundsBut(fitted.description().ignoredConditions().keySet());
+        if (fitted.as(SoundTracing.class).isEmpty()) {
+            return List.of();
+        }
+        if (flying.emission() instanceof SteadyEmission) {
+            return soundsBut(fitted.description().ignoredConditions().keySet());
+        }
+        List<String> all = new ArrayList<>(soundsBut(Set.of()));
+        all.add(EMISSION);
+        return all;
     }
 
     /** The settings of a drone's sound except those that a model ignores. */

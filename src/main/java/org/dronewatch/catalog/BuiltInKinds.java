@@ -2,6 +2,8 @@ package org.dronewatch.catalog;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.dronewatch.drone.SoundEmission;
+import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.flight.Dive;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.flight.LowApproach;
@@ -30,7 +32,7 @@ import org.dronewatch.setting.KindGroup;
 public final class BuiltInKinds implements KindGroup {
     @Override
     public List<Kind<?>> kinds() {
-        return Stream.of(sensors(), detectionFunctions(), flights(), propagations())
+        return Stream.of(sensors(), detectionFunctions(), flights(), emissions(), propagations())
                 .<Kind<?>>flatMap(List::stream)
                 .toList();
     }
@@ -66,6 +68,14 @@ public final class BuiltInKinds implements KindGroup {
                 flight("recorded", Recorded.class, "flies as in an earlier run, from its flights.csv"),
                 flight("mission", Mission.class, "a mission planned with QGroundControl, from its .plan"),
                 flight("track", Track.class, "as a real drone flew, from a GPX track or a CSV log"));
+    }
+
+    private static List<Kind<?>> emissions() {
+        return List.of(Kind.of(
+                SoundEmission.class,
+                "steady",
+                SteadyEmission.class,
+                "the same sound however the drone flies, as its settings state it"));
     }
 
     private static List<Kind<?>> propagations() {

@@ -1,5 +1,6 @@
 package org.dronewatch.drone;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.dronewatch.flight.Attitude;
@@ -214,28 +215,26 @@ public final class Drone {
         return gliding.isEmpty();
     }
 
-    /** Its source level for the level model in its current state, dB: with its motors off it is quieter. */
+    /** Its source level for the level model as it flies now, dB. */
     public double soundLevel() {
-        return settings.soundLevel() - quieter();
+        return settings.emission().soundLevel(this);
     }
 
-    /** Its sound power levels by octave band as it flies now, dB re 1e-12 W: with its motors off it is quieter. */
+    /** Its sound power levels by octave band as it flies now, dB re 1e-12 W. */
     public List<Double> soundPower() {
-        return settings.soundPower(settings.soundPowerLevel() - quieter());
+        return Arrays.stream(settings.emission().soundPower(this).toArray())
+                .boxed()
+                .toList();
     }
 
-    /** The lines in its sound as it flies now: none with its motors off. */
+    /** The lines in its sound as it flies now. */
     public List<Tone> tones() {
-        return isPowered() ? settings.tones().map(RotorTones::lines).orElse(List.of()) : List.of();
+        return settings.emission().tones(this);
     }
 
     /** Its apparent temperature difference from the background as it flies now, K: with its motors off it cools. */
     public double heat() {
         return settings.heat().after(gliding.orElse(0.0));
-    }
-
-    private double quieter() {
-        return isPowered() ? 0.0 : settings.glideReduction();
     }
 
     /** The distance from a point to the drone's origin, m. */

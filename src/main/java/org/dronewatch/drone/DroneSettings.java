@@ -53,6 +53,7 @@ import org.dronewatch.world.World;
  *     one another, as in the table; {@code soundPowerLevel} sets how loud it is
  * @param directivity how the sound radiated depends on elevation, for the energy model
  * @param tones the lines in its spectrum, for {@code criterion: narrow-band} of the energy model; none if empty
+ * @param emission how its sound follows from these settings and its flight: steady, or a kind from another jar
  * @param swarm how many such drones fly in formation; a single drone if empty
  * @param label its role, purpose and properties, for readers of the results; no sensor uses it
  */
@@ -73,6 +74,7 @@ public record DroneSettings(
         Optional<BandLevels> spectrum,
         Directivity directivity,
         @Minor Optional<RotorTones> tones,
+        @Minor SoundEmission emission,
         Optional<Swarm> swarm,
         ThreatLabel label)
         implements Settings<Drone> {
@@ -103,6 +105,7 @@ public record DroneSettings(
                 spectrum,
                 directivity,
                 tones,
+                emission,
                 swarm,
                 label);
         spectrum.ifPresent(own -> Limits.check(
@@ -154,6 +157,7 @@ public record DroneSettings(
                 Optional.empty(),
                 Directivity.OMNIDIRECTIONAL,
                 Optional.empty(),
+                SteadyEmission.DEFAULT,
                 Optional.empty(),
                 ThreatLabel.DEFAULT);
     }
@@ -251,6 +255,11 @@ public record DroneSettings(
         return SettingsForm.with(this, "tones", Optional.of(Check.present("tones", other)));
     }
 
+    /** These settings with another emission, such as one of your own. */
+    public DroneSettings withEmission(SoundEmission other) {
+        return SettingsForm.with(this, "emission", Check.present("emission", other));
+    }
+
     /** These settings as a swarm. */
     public DroneSettings withSwarm(Swarm other) {
         return SettingsForm.with(this, "swarm", Optional.of(Check.present("swarm", other)));
@@ -272,7 +281,10 @@ public record DroneSettings(
                 .toList();
     }
 
-    /** Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's own loudness. */
+    /**
+     * Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's own loudness, as a drone of steady
+     * emission radiates it with its motors running.
+     */
     public List<Double> soundPower() {
         return soundPower(soundPowerLevel);
     }

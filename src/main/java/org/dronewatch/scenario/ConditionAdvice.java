@@ -160,9 +160,10 @@ public final class ConditionAdvice {
         return drone.soundPowerLevel() != DEFAULT.soundPowerLevel();
     }
 
-    /** The setting of the first drone that has it. */
+    /** The setting of the first drone that has it. What another emission makes of its settings is not known here. */
     private static Optional<String> ofDrone(SceneSettings scene, Condition condition, Predicate<DroneSettings> isSet) {
         return scene.drones().entrySet().stream()
+                .filter(drone -> drone.getValue().emission().equals(DEFAULT.emission()))
                 .filter(drone -> isSet.test(drone.getValue()))
                 .findFirst()
                 .map(drone -> "drones." + drone.getKey() + "."

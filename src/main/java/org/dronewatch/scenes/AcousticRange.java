@@ -3,6 +3,7 @@ package org.dronewatch.scenes;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.flight.FlightPathSettings.Approach;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.RunSettings;
@@ -43,15 +44,16 @@ public final class AcousticRange extends Scene {
         sweep("world.backgroundNoise", 30.0, 25.0, 20.0, 15.0, 10.0);
     }
 
-    /** The range at which the air has attenuated the drone's sound to the level of detection. */
+    /** The range at which the air has attenuated the drone's sound to the level of detection, if that sound is steady. */
     @Override
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
         if (!(settings.sensors().get(sensor) instanceof AcousticSettings microphone)) {
             return OptionalDouble.empty();
         }
-        double margin = settings.drones().get("quadrotor").soundLevel()
-                - microphone.detectionLevel(settings.world().backgroundNoise());
-        return microphone.propagation() instanceof LevelModel model
+        DroneSettings drone = settings.drones().get("quadrotor");
+        double margin =
+                drone.soundLevel() - microphone.detectionLevel(settings.world().backgroundNoise());
+        return microphone.propagation() instanceof LevelModel model && drone.emission() instanceof SteadyEmission
                 ? OptionalDouble.of(margin / model.attenuation())
                 : OptionalDouble.empty();
     }

@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aimed;
@@ -24,6 +25,8 @@ import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -63,6 +66,7 @@ class ForeignProjectTest {
                         "sensor              camera              sees drones in daylight, by the pixels that they cover; built in",
                         "sensor              spotter             someone with binoculars; " + jar,
                         "flight path         zigzag              southward, swaying; " + jar,
+                        "sound emission      hum                 louder the faster it flies; " + jar,
                         "propagation         spherical           spreading alone; " + jar,
                         "detection function  any-pixel           one pixel is enough; " + jar,
                         "model file          .off                Object File Format; " + jar);
@@ -104,33 +108,35 @@ class ForeignProjectTest {
         assertThat(looks).anyMatch(row -> number(row, names, "value") > 1.0);
     }
 
+    /** Of a drone of 55 dB that hums louder by 1 dB for each metre per second above 5. */
     private static void assertTheEarHearsSphericalSpreading(List<String> rows, List<String> names) {
         List<String> looks =
                 rows.stream().filter(row -> row.contains(",acoustic,")).toList();
         assertThat(looks).hasSizeGreaterThanOrEqualTo(300);
-        double atOneMetre =
-                number(looks.get(0), names, "value") + 20.0 * Math.log10(number(looks.get(0), names, "range_m"));
         assertThat(looks).allSatisfy(row -> assertThat(
                         number(row, names, "value") + 20.0 * Math.log10(number(row, names, "range_m")))
-                .isCloseTo(atOneMetre, within(1e-3)));
+                .isCloseTo(50.0 + Math.hypot(5.0, 3.0 * Math.cos(number(row, names, "time_s"))), within(1e-3)));
     }
 
-    /** A drone whose mesh and flight come from the other jar and whose sound is its own, beside one of the library. */
+    /**
+     * A drone whose mesh, flight and sound come from the other jar, beside one of the library: where it is, what it looks like
+     * and what it sounds like follow from its kinds' closed forms.
+     */
     @Test
     void aDroneOfForeignPartsFliesBesideAPackagedOne() throws IOException, InterruptedException {
-        copyTheScene();
         Files.writeString(directory.resolve("kite.off"), "OFF\n3 1 0\n-1 0 0\n1 0 0\n0 0 1.5\n3 0 1 2\n");
+        Files.writeString(
+                directory.resolve("far.off"), "OFF\n3 1 0\n30000 0 30000\n30001 0 30000\n30000 0 30002\n3 0 1 2\n");
         Files.writeString(
                 directory.resolve("kite.yaml"),
                 """
-                world: {models: [wall.off]}
+                world: {models: [{file: far.off, upAxis: z}]}
                 drones:
                   kite:
                     model: {file: kite.off, upAxis: z}
                     flight: {kind: zigzag, from: [0, 190, 20], sway: 3 m}
                     speed: 5 m/s
-                    sound: kite-motor
-                    spectrum: [0, 0, 0, 0, 10, 0, 0, 0]
+                    emission: {kind: hum, perSpeed: 3 dB}
                     soundPowerLevel: 80 dB
                   quadrotor:
                     model: packaged:quadrotor.obj
@@ -138,24 +144,157 @@ class ForeignProjectTest {
                     speed: 5 m/s
                 sensors:
                   ear: {kind: acoustic, position: [0, 0, 2], propagation: energy-model, rate: 1 Hz}
-                  camera: {kind: camera, position: [0, 0, 2], aim: {lookAt: [0, 190, 20]}, rate: 1 Hz}
+                  camera:
+                    kind: camera
+                    position: [0, 0, 2]
+                    aim: {lookAt: [0, 190, 20]}
+                    width: 960
+                    height: 540
+                    fov: 40 deg
+                    fovAxis: horizontal
+                    rate: 1 Hz
                 run: {duration: 20 s}
                 """);
 
         Program.Outcome outcome = run(List.of(jar), "run", "kite.yaml", "--observations", "--out", "kites");
 
         assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(Files.readString(directory.resolve("kites/report.html"))).contains("emission hum");
         List<String> rows = Files.readAllLines(directory.resolve("kites/observations.csv"));
         List<String> names = Arrays.asList(rows.get(0).split(","));
-        for (String drone : List.of("kite", "quadrotor")) {
-            for (String sensor : List.of("ear", "camera")) {
-                assertThat(rows.stream()
-                                .filter(row -> row.contains("," + sensor + ",") && row.contains("," + drone + ",")))
-                        .as("%s of %s", sensor, drone)
-                        .hasSizeGreaterThan(15)
-                        .anyMatch(row -> number(row, names, "value") > 0.0);
+        assertThat(rows.stream().filter(row -> row.contains(",kite,")))
+                .hasSizeGreaterThan(38)
+                .allSatisfy(row -> assertThat(number(row, names, "range_m"))
+                        .isCloseTo(new Position(0, 0, 2).distance(zigzag(number(row, names, "time_s"))), within(1e-3)));
+        assertThat(rows.stream().filter(row -> row.contains(",camera,camera,kite,")))
+                .hasSize(21)
+                .allSatisfy(row -> assertPixels(zigzag(number(row, names, "time_s")), number(row, names, "value")));
+        assertThat(rows.stream().filter(row -> row.contains(",ear,acoustic,kite,")))
+                .hasSizeGreaterThan(18)
+                .allSatisfy(row -> assertThat(number(row, names, "value"))
+                        .isCloseTo(hum(number(row, names, "time_s"), number(row, names, "range_m")), within(0.02)));
+        for (String sensor : List.of("ear", "camera")) {
+            assertThat(rows.stream().filter(row -> row.contains("," + sensor + ",") && row.contains(",quadrotor,")))
+                    .hasSizeGreaterThan(18)
+                    .allMatch(row -> number(row, names, "value") > 0.0);
+        }
+    }
+
+    /** Where the kite is. */
+    private static Position zigzag(double time) {
+        return new Position(3.0 * Math.sin(time), 190.0 - 5.0 * time, 20.0);
+    }
+
+    /**
+     * How loud the kite is at a distance: 80 dB and 3 dB more for each metre per second above 5, spreading on a sphere, and
+     * 5.0 dB/km in air of 20 degrees and 70 % at 1 kHz, where A-weighting is 0 dB (ISO 9613-2, table 2).
+     */
+    private static double hum(double time, double range) {
+        double speed = Math.hypot(5.0, 3.0 * Math.cos(time));
+        return 80.0 + 3.0 * (speed - 5.0) - 10.0 * Math.log10(4.0 * Math.PI * range * range) - 0.005 * range;
+    }
+
+    /**
+     * As many pixels as have their centres in the triangle's picture: counted one by one, but for those within a
+     * millionth of a pixel of an edge; and about as many as its picture has area, by Nosarzewska's inequality for the lattice points
+     * in a convex figure (Colloquium Mathematicum 1, 1948): between A - L/2 and A + L/2 + 1, where L is its perimeter.
+     */
+    private static void assertPixels(Position kite, double pixels) {
+        Position camera = new Position(0, 0, 2);
+        Position axis = new Position(0, 190, 18).unit();
+        Position up = new Position(0, -axis.z(), axis.y());
+        double focal = 480.0 / Math.tan(Math.toRadians(20.0));
+        double[][] corners = Stream.of(new Position(1, 0, 0), new Position(-1, 0, 0), new Position(0, 0, 1.5))
+                .map(corner -> kite.plus(corner).minus(camera))
+                .map(ray -> new double[] {
+                    480.0 + focal * ray.x() / ray.dot(axis), 270.0 - focal * ray.dot(up) / ray.dot(axis)
+                })
+                .toArray(double[][]::new);
+        double area = 0.0;
+        double perimeter = 0.0;
+        for (int i = 0; i < 3; i++) {
+            double[] a = corners[i];
+            double[] b = corners[(i + 1) % 3];
+            area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+            perimeter += Math.hypot(b[0] - a[0], b[1] - a[1]);
+        }
+        assertThat(pixels)
+                .isBetween((double) centresWithin(corners, -1e-6), (double) centresWithin(corners, 1e-6))
+                .isBetween(Math.abs(area) - 0.5 * perimeter, Math.abs(area) + 0.5 * perimeter + 1.0)
+                .isGreaterThan(50.0);
+    }
+
+    /** The number of pixel centres in a triangle, and in a border about it of a width, or within, if that is negative. */
+    private static int centresWithin(double[][] corners, double border) {
+        int count = 0;
+        for (int row = 0; row < 540; row++) {
+            for (int column = 0; column < 960; column++) {
+                double least = Double.POSITIVE_INFINITY;
+                double most = Double.NEGATIVE_INFINITY;
+                for (int i = 0; i < 3; i++) {
+                    double[] a = corners[i];
+                    double[] b = corners[(i + 1) % 3];
+                    double side = (b[0] - a[0]) * (row + 0.5 - a[1]) - (b[1] - a[1]) * (column + 0.5 - a[0]);
+                    double distance = side / Math.hypot(b[0] - a[0], b[1] - a[1]);
+                    least = Math.min(least, distance);
+                    most = Math.max(most, distance);
+                }
+                count += least >= -border || most <= border ? 1 : 0;
             }
         }
+        return count;
+    }
+
+    /**
+     * A listener of the other jar is not sure of what it hears. The probability asked for moves the threshold by the logit, in
+     * the closed form of that kind; and as many looks as asked for detect the drone at the range.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.5", "0.9", "0.05"})
+    void aSensorOfSlopingProbabilityIsCalibratedToAProbability(double probability)
+            throws IOException, InterruptedException {
+        Files.copy(PROJECT.resolve("wall.off"), directory.resolve("wall.off"));
+        String scene =
+                """
+                world: {models: [wall.off], backgroundNoise: 20}
+                drones:
+                  quadrotor:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: hover, position: [0, 80, 2]}
+                    emission: {kind: hum, perSpeed: 0 dB}
+                sensors:
+                  ear: %s
+                run: {duration: 200 s}
+                """;
+        String position = "position: [0, 0, 2], rate: 10 Hz";
+        Files.writeString(
+                directory.resolve("listener.yaml"),
+                scene.formatted("{kind: acoustic, propagation: {kind: spherical, slope: 2.5 dB}, " + position + "}"));
+        Program.Outcome outcome = run(
+                List.of(jar),
+                ("calibrate listener.yaml --sensor ear --drone quadrotor --range 80m --out fitted.yaml --probability "
+                                + probability)
+                        .split(" "));
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+
+        double logit = Math.log(probability / (1.0 - probability));
+        double threshold = 55.0 - 20.0 * Math.log10(80.0) - 20.0 - 2.5 * logit;
+        assertThat(Double.parseDouble(outcome.out().replaceFirst("(?s)threshold ([-0-9.]+) dB: 80\\.000 m.*", "$1")))
+                .isCloseTo(threshold, within(2e-6));
+
+        assertThat(Files.readString(directory.resolve("fitted.yaml")))
+                .as("by what sound the range holds")
+                .contains("kind: hum", "soundLevel: 55 dB");
+
+        Files.writeString(directory.resolve("again.yaml"), scene.formatted("{use: fitted, " + position + "}"));
+        outcome = run(List.of(jar), "run", "again.yaml", "--observations", "--out", "again");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        List<String> looks = Files.readAllLines(directory.resolve("again/observations.csv"));
+        long detected = looks.stream().filter(row -> row.contains(",dB,true,")).count();
+        // Of 2001 looks, as many as a binomial distribution gives within four standard deviations.
+        assertThat(looks).hasSize(2002);
+        double spread = Math.sqrt(2001 * probability * (1.0 - probability));
+        assertThat(detected / 1.0).isCloseTo(2001 * probability, within(4.0 * spread));
     }
 
     @Test
@@ -191,7 +330,8 @@ class ForeignProjectTest {
 
         Schema with = schema(run(List.of(jar), "schema"));
         assertThat(with.validate(scene, InputFormat.YAML)).isEmpty();
-        for (String part : List.of("kind: spotter", "propagation: spherical", "kind: zigzag", "any-pixel")) {
+        for (String part :
+                List.of("kind: spotter", "propagation: spherical", "kind: zigzag", "kind: hum", "any-pixel")) {
             assertThat(scene).contains(part);
             assertThat(with.validate(scene.replace(part, part + "s"), InputFormat.YAML))
                     .isNotEmpty();

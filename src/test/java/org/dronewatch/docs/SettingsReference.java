@@ -209,12 +209,10 @@ final class SettingsReference {
             return "`" + text + "`";
         }
         if (value instanceof Record settings) {
-            if (SettingsForm.of(value.getClass()).isNumbers()) {
-                return numbers(settings);
+            if (isOneOfSeveral(settings)) {
+                return "`" + Choices.nameOf(value.getClass()) + "`";
             }
-            return isOneOfSeveral(settings)
-                    ? "`" + Choices.name(value.getClass().getSimpleName()) + "`"
-                    : "see there";
+            return SettingsForm.of(value.getClass()).isNumbers() ? numbers(settings) : "see there";
         }
         if (value instanceof Optional<?> optional) {
             return optional.isEmpty() ? "none" : standard(optional.get());

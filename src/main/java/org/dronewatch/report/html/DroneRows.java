@@ -6,7 +6,9 @@ import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.RadarSignature;
+import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.Choices;
 
 /** The table of all drones and swarms. */
 final class DroneRows {
@@ -46,7 +48,10 @@ final class DroneRows {
     }
 
     private static String sound(DroneSettings drone) {
-        return ReadableNumbers.number(drone.soundPowerLevel()) + " dB(A) sound power; "
+        String levels = ReadableNumbers.number(drone.soundPowerLevel()) + " dB(A) sound power; "
                 + ReadableNumbers.number(drone.soundLevel()) + " dB in the level model";
+        return drone.emission().equals(SteadyEmission.DEFAULT)
+                ? levels
+                : levels + "; emission " + Choices.nameOf(drone.emission().getClass());
     }
 }

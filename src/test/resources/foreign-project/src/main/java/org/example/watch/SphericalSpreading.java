@@ -15,17 +15,21 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.World;
 
 /**
- * Sound spreads on a sphere and meets nothing.
+ * Sound spreads on a sphere and meets nothing. Who listens is not always attentive: a level near the threshold is noticed
+ * with a probability that rises with it by the logistic function.
  *
  * @param reference distance at which a drone has its sound level, m
+ * @param slope by how much the level must rise for odds of e to 1, dB; at 0 the threshold is sharp
  */
-public record SphericalSpreading(@In(value = Quantity.LENGTH, above = 0.0, to = 100.0) double reference)
+public record SphericalSpreading(
+        @In(value = Quantity.LENGTH, above = 0.0, to = 100.0) double reference,
+        @In(value = Quantity.LEVEL, from = 0.0, to = 20.0) double slope)
         implements Propagation {
     @Defaults
-    public static final SphericalSpreading DEFAULT = new SphericalSpreading(1.0);
+    public static final SphericalSpreading DEFAULT = new SphericalSpreading(1.0, 0.0);
 
     public SphericalSpreading {
-        Limits.check(SphericalSpreading.class, reference);
+        Limits.check(SphericalSpreading.class, reference, slope);
     }
 
     @Override
@@ -43,12 +47,17 @@ public record SphericalSpreading(@In(value = Quantity.LENGTH, above = 0.0, to = 
 
             @Override
             public Heard hear(Drone drone, RandomGenerator random) {
-                return new Heard(level(drone), threshold, Map.of());
+                double drawn = random.nextDouble();
+                double luck = slope == 0.0 ? 0.0 : slope * Math.log(drawn / (1.0 - drawn));
+                return new Heard(level(drone) + luck, threshold, Map.of());
             }
 
             @Override
             public Signal signal(Drone drone, RandomGenerator random) {
-                return Signal.certain(level(drone), "dB", threshold);
+                double level = level(drone);
+                return slope == 0.0
+                        ? Signal.certain(level, "dB", threshold)
+                        : Signal.of(1.0 / (1.0 + Math.exp((threshold - level) / slope)), level, "dB", threshold);
             }
 
             @Override
