@@ -4,10 +4,14 @@ import de.siegmar.fastcsv.reader.CsvParseException;
 import de.siegmar.fastcsv.reader.CsvReader;
 import de.siegmar.fastcsv.reader.FieldMismatchStrategy;
 import de.siegmar.fastcsv.reader.NamedCsvRecord;
+import de.siegmar.fastcsv.writer.CsvWriter;
+import de.siegmar.fastcsv.writer.LineDelimiter;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -212,6 +216,27 @@ public final class FlightsFile {
                         ? "has no flight of run " + run
                         : "has no flight of drone '" + drone + "' in run " + run + "; "
                                 + Spelling.closestMatches(drone, drones)));
+    }
+
+    /**
+     * Writes the flights of one run, with the header; a file of that name is replaced.
+     *
+     * @param run the run's number
+     * @param flights legs by id of the drone
+     * @throws InputException when the file cannot be written
+     */
+    public static void write(Path file, int run, Map<String, List<Leg>> flights) {
+        StringWriter text = new StringWriter();
+        CsvWriter rows = CsvWriter.builder().lineDelimiter(LineDelimiter.LF).build(text);
+        rows.writeRecord(COLUMNS);
+        flights.forEach((drone, legs) -> legs.forEach(leg -> rows.writeRecord(row(run, drone, leg))));
+        try {
+            rows.close();
+            Files.writeString(file, text.toString());
+        } catch (IOException e) {
+            throw new InputException(
+                    PlainText.value(file) + ": cannot be written: " + PlainText.value(e.toString()), e);
+        }
     }
 
     /** The row of a leg, which reads back as the same numbers. */

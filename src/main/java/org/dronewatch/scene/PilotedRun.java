@@ -1,12 +1,18 @@
 package org.dronewatch.scene;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import nl.tudelft.simulation.dsol.SimRuntimeException;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
+import org.dronewatch.flight.FlightPath;
+import org.dronewatch.flight.FlightsFile;
+import org.dronewatch.flight.Legs;
+import org.dronewatch.flight.SteeringClock;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
@@ -120,6 +126,19 @@ public final class PilotedRun {
         } catch (IllegalArgumentException e) {
             throw new InputException(here() + e.getMessage(), e);
         }
+    }
+
+    /**
+     * Writes how all drones have flown so far, as a run writes {@code flights.csv}: flights of the kind {@code recorded} repeat it.
+     *
+     * @param file a file of that name is replaced
+     * @throws InputException when it cannot be written
+     */
+    public void writeFlights(Path file) {
+        double now = time();
+        Map<String, FlightPath> flights = session.stage().flights();
+        SteeringClock.of(flights.values()).advance(now);
+        FlightsFile.write(file, session.info().run(), Legs.ofAll(flights, now));
     }
 
     /** The beginning of a message: when. */

@@ -315,10 +315,26 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
      * @throws IllegalStateException when no run is going on
      */
     public final DroneInFlight drone(String id) {
+        return running("drone '" + id + "' does not fly").drone(id);
+    }
+
+    /**
+     * Writes how all drones have flown so far in the run that is going on, as {@code flights.csv} of a run: for DSOL models
+     * that hold this scene. Flights of the kind {@code recorded} repeat it.
+     *
+     * @param file a file of that name is replaced
+     * @throws org.dronewatch.setting.InputException when it cannot be written
+     * @throws IllegalStateException when no run is going on
+     */
+    public final void writeFlights(Path file) {
+        running("no flights to write").writeFlights(file);
+    }
+
+    private PilotedRun running(String complaint) {
         if (session == null) {
-            throw new IllegalStateException("drone '" + id + "' does not fly: no run of the scene is going on");
+            throw new IllegalStateException(complaint + ": no run of the scene is going on");
         }
-        return new PilotedRun(session, getSimulator(), getClass()).drone(id);
+        return new PilotedRun(session, getSimulator(), getClass());
     }
 
     /** Opens a run, lets its pilot begin and schedules its first look; DSOL calls this for each replication. */

@@ -1,6 +1,8 @@
 package org.dronewatch.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
@@ -16,9 +18,13 @@ import nl.tudelft.simulation.dsol.experiment.SingleReplication;
 import nl.tudelft.simulation.dsol.model.AbstractDsolModel;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulator;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
+import org.dronewatch.flight.Attitude;
 import org.dronewatch.flight.FlightState;
+import org.dronewatch.flight.FlightsFile;
+import org.dronewatch.flight.FlownPath;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -149,6 +155,157 @@ class SteeredUnderDsolTest {
         assertThat(model.ends).singleElement().satisfies(state -> assertThat(
                         state.position().distance(new Position(0, 10 * (DURATION - 4 * Model.SIDE), 160)))
                 .isLessThan(1e-9));
+    }
+
+    /** A user's model: its hunter flies towards a prey that circles, ten times a second, by events of its own. */
+    private static final class Chase extends AbstractDsolModel<Double, DevsSimulatorInterface<Double>> {
+        private static final long serialVersionUID = 1L;
+
+        private final transient SceneFile scene;
+        private final transient Path flights;
+        private final boolean steers;
+
+        Chase(SceneFile scene, DevsSimulatorInterface<Double> simulator, Path flights, boolean steers) {
+            super(simulator);
+            this.scene = scene;
+            this.flights = flights;
+            this.steers = steers;
+        }
+
+        @Override
+        public void constructModel() {
+            scene.constructModel();
+            try {
+                if (steers) {
+                    steer();
+                }
+                getSimulator().scheduleEventRel(DURATION, () -> scene.writeFlights(flights));
+            } catch (SimRuntimeException e) {
+                throw new IllegalStateException(e);
+            }
+        }
+
+        private void steer() {
+            DroneInFlight hunter = scene.drone("hunter");
+            Position path =
+                    scene.drone("prey").state().position().minus(hunter.state().position());
+            hunter.fly(path.unit().times(25.0), new Attitude(Math.atan2(path.x(), path.y()), 0.1, -0.2));
+            try {
+                getSimulator().scheduleEventRel(0.1, this::steer);
+            } catch (SimRuntimeException e) {
+                throw new IllegalStateException(e);
+            }
+        }
+    }
+
+    /** What is observed when the hunter flies as it is told, under a simulator of the user's own. */
+    private List<Observation> chased(String flight, String flights, boolean steers)
+            throws IOException, InterruptedException {
+        Path file = directory.resolve("chase.yaml");
+        Files.writeString(
+                file,
+                """
+                world:
+                  models: [packaged:hill.obj]
+                  backgroundNoise: 5
+                drones:
+                  prey:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: orbit, centre: [0, 0, 175], radius: 40}
+                    speed: 15 m/s
+                  hunter: {model: packaged:quadrotor.obj, flight: %s, speed: 25 m/s}
+                sensors:
+                  camera: {kind: camera, position: [-40, -40, 160], rate: 7 Hz, aim: {lookAt: [-60, 40, 172]}}
+                  ear: {kind: acoustic, position: [40, 0, 150], rate: 4 Hz, propagation: {kind: energy-model, rays: 100}}
+                  far-ear: {kind: acoustic, position: [-300, 200, 160], rate: 1 Hz, propagation: {kind: energy-model, rays: 100}}
+                  radar: {use: blighter-a400, position: [100, 100, 165], aim: {azimuth: 315 deg}}
+                """
+                        .formatted(flight));
+        DevsSimulator<Double> simulator = new DevsSimulator<>("chase");
+        SceneFile scene = new SceneFile(file, simulator);
+        List<Observation> seen = new ArrayList<>();
+        scene.addListener(event -> seen.add((Observation) event.getContent()), Scene.OBSERVATION);
+        try {
+            CountDownLatch ended = new CountDownLatch(1);
+            Chase model = new Chase(scene, simulator, directory.resolve(flights), steers);
+            simulator.initialize(model, new SingleReplication<>("chase", 0.0, 0.0, DURATION));
+            simulator.addListener(event -> ended.countDown(), Replication.END_REPLICATION_EVENT);
+            simulator.start();
+            assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+        } finally {
+            simulator.cleanUp();
+        }
+        return seen;
+    }
+
+    /**
+     * A chase that a user's model steers is recorded at its end, and replayed without it: every observation is the same in all
+     * digits, those of microphones among them, which hear the hunter where it was.
+     */
+    @Test
+    void whatAUsersModelSteersIsRecordedAndReplayed() throws IOException, InterruptedException {
+        List<Observation> steered = chased("{kind: steered, start: [-120, 60, 170]}", "flights.csv", true);
+        List<Observation> replayed = chased("{kind: recorded, file: flights.csv}", "again.csv", false);
+
+        assertThat(replayed).isEqualTo(steered);
+        for (String sensor : List.of("camera", "ear", "far-ear", "radar")) {
+            assertThat(steered.stream()
+                            .filter(one ->
+                                    one.sensor().equals(sensor) && one.drone().equals("hunter")))
+                    .as(sensor)
+                    .hasSizeGreaterThan(1);
+        }
+        assertThat(steered.stream()
+                        .filter(one ->
+                                one.sensor().equals("camera") && one.drone().equals("hunter") && one.value() > 0.0))
+                .as("the camera sees the hunter")
+                .isNotEmpty();
+
+        List<String> rows = Files.readAllLines(directory.resolve("flights.csv"));
+        assertThat(rows.stream().filter(row -> row.startsWith("0,hunter,")))
+                .as("a leg for each command, and the end")
+                .hasSize(41);
+        assertThat(Files.readString(directory.resolve("again.csv")))
+                .isEqualTo(Files.readString(directory.resolve("flights.csv")));
+        FlownPath hunter = FlightsFile.read(directory.resolve("flights.csv"), "flights.csv")
+                .flight(0, "hunter");
+        assertThat(steered.stream()
+                        .filter(one ->
+                                one.sensor().endsWith("ear") && one.drone().equals("hunter")))
+                .allSatisfy(one -> {
+                    Position ear = one.sensor().equals("ear") ? new Position(40, 0, 150) : new Position(-300, 200, 160);
+                    double range = hunter.at(one.time()).position().distance(ear);
+                    assertThat(one.range()).isCloseTo(range, within(1e-9));
+                    // Sound in air of 20 degrees: 343.2 m/s (ISO 9613-1).
+                    assertThat(one.arrival() - one.time()).isCloseTo(range / 343.2, within(1e-3));
+                });
+    }
+
+    @Test
+    void flightsAreWrittenOnlyWhileARunGoesOnAndWhereAFileCanBe() throws IOException, InterruptedException {
+        SceneFile idle = scene(new DevsSimulator<>("idle"));
+        assertThatIllegalStateException()
+                .isThrownBy(() -> idle.writeFlights(directory.resolve("flights.csv")))
+                .withMessage("no flights to write: no run of the scene is going on");
+
+        DevsSimulator<Double> simulator = new DevsSimulator<>("nowhere");
+        SceneFile scene = scene(simulator);
+        try {
+            simulator.initialize(scene, new SingleReplication<>("nowhere", 0.0, 0.0, DURATION));
+            Path nowhere = directory.resolve("none").resolve("flights.csv");
+            assertThatThrownBy(() -> scene.writeFlights(nowhere))
+                    .isInstanceOf(InputException.class)
+                    .hasMessageStartingWith(nowhere + ": cannot be written: ");
+            scene.writeFlights(directory.resolve("start.csv"));
+            assertThat(Files.readAllLines(directory.resolve("start.csv")))
+                    .as("at the start there is one leg")
+                    .hasSize(2)
+                    .last()
+                    .asString()
+                    .startsWith("0,hunter,0.0,0.0,0.0,160.0,");
+        } finally {
+            simulator.cleanUp();
+        }
     }
 
     /** Where the square leads. */
