@@ -10,6 +10,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronewatch.app.Program.Outcome;
@@ -462,6 +464,28 @@ class CalibrateCommandTest {
         assertThat(outcome.code()).isEqualTo(2);
         assertThat(outcome.complaints()).containsExactly(message);
         assertThat(directory.resolve("fitted.yaml")).doesNotExist();
+    }
+
+    /** A refusal states what can be reached: up to there the camera is fitted, a little farther it is refused. */
+    @Test
+    void theIntervalOfARefusalIsWhatTheCameraCanReach() throws IOException {
+        Outcome refused = calibrate("camera", "5 km");
+        assertThat(refused.code()).isEqualTo(2);
+        Matcher interval = Pattern.compile(
+                        "--range 5 km: 5000 m cannot be reached by sensor 'camera': with detection.pixels from 2073600 px to"
+                                + " 1 px it detects drone 'drone' from 1 m to ([0-9.]+) m")
+                .matcher(refused.complaints().get(0));
+        assertThat(interval.matches()).as(refused.err()).isTrue();
+        double farthest = Double.parseDouble(interval.group(1));
+
+        assertThat(calibrate("camera", farthest + 0.01 + " m").code()).isEqualTo(2);
+        assertThat(directory.resolve("fitted.yaml")).doesNotExist();
+        Outcome fitted = calibrate("camera", farthest - 0.01 + " m");
+        assertThat(fitted.code()).as(fitted.err()).isZero();
+        assertThat(fitted.out()).contains("detection.pixels 1 px: " + interval.group(1) + " m (fitted)");
+        assertThat(firstRange(farthest + 0.002)).isBetween(farthest - LOOK, farthest + 0.001);
+        // With 10 degrees across 1920 pixels one is 30 cm wide at 3300 m, 5.5 cm at 600 m.
+        assertThat(farthest).isBetween(500.0, 4000.0);
     }
 
     @Test

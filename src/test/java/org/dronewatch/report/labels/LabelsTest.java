@@ -6,6 +6,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -410,11 +411,42 @@ class LabelsTest {
         one.forEach((name, bytes) -> assertThat(four.get(name)).as(name).isEqualTo(bytes));
     }
 
-    private Map<String, byte[]> bytes(String name, String[] command, String threads) throws IOException {
+    /** Rays added for the colours change pictures, and neither masks nor boxes, which are the sensor's own. */
+    @Test
+    void samplesSmoothColoursOnly() throws IOException {
+        String[] quick = {
+            "run",
+            "scenes/daylight.yaml",
+            "--set",
+            "run.duration=3",
+            "--set",
+            "sensors.west.width=480",
+            "--set",
+            "sensors.west.height=270",
+            "--threads",
+            "2",
+            "--labels",
+            "west",
+            "--samples"
+        };
+        Map<String, byte[]> one = bytes("one-sample", quick, "1");
+        Map<String, byte[]> three = bytes("three-samples", quick, "3");
+        assertThat(three).containsOnlyKeys(one.keySet());
+        one.forEach((name, bytes) -> {
+            if (name.equals("coco.json")) {
+                assertThat(three.get(name)).isEqualTo(bytes);
+                assertThat(new String(bytes, StandardCharsets.UTF_8)).contains("\"counts\"");
+            } else {
+                assertThat(three.get(name)).as(name).isNotEqualTo(bytes);
+            }
+        });
+    }
+
+    private Map<String, byte[]> bytes(String name, String[] command, String last) throws IOException {
         Path out = directory.resolve(name);
         run(
                 0,
-                Stream.concat(Stream.of(command), Stream.of(threads, "--out", out.toString()))
+                Stream.concat(Stream.of(command), Stream.of(last, "--out", out.toString()))
                         .toArray(String[]::new));
         Map<String, byte[]> bytes = new HashMap<>();
         bytes.put("coco.json", Files.readAllBytes(out.resolve("coco.json")));
