@@ -119,8 +119,8 @@ public record CalibratedEntry(
     }
 
     /**
-     * The settings of a drone's sound by which the sensor hears it; none if it does not listen. All of them decide where the
-     * emission is not steady, since that may make anything of them.
+     * The settings of a drone's sound by which the sensor hears it; none if it does not listen. All of them decide
+     * where the emission is not steady, since that may make anything of them.
      */
     private List<String> heard(DroneSettings flying) {
         SensorSettings<?> fitted = fit.sensor();

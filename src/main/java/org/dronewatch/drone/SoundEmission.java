@@ -5,13 +5,14 @@ import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Tone;
 
 /**
- * How the sound that a drone radiates follows from its settings and its flight; how it then travels is for the propagation
- * model of each microphone. Implementations are immutable records, asked by any thread; {@link org.dronewatch.setting.Kind}
- * explains how scene files can choose a new one. What they are asked about is the drone as it was when the sound left it:
- * its velocity, its attitude, and whether its motors run.
+ * How the sound that a drone radiates follows from its settings and its flight; how it then travels is for the
+ * propagation model of each microphone. Implementations are immutable records, asked by any thread; {@link
+ * org.dronewatch.setting.Kind} explains how scene files can choose a new one. What they are asked about is the drone as
+ * it was when the sound left it: its velocity, its attitude, and whether its motors run.
  *
- * <p>The settings of a drone's sound mean whatever the emission makes of them. One that changes only the loudness takes the
- * rest from {@link SteadyEmission}; how the sound radiated depends on the direction remains the setting {@code directivity}.
+ * <p>The settings of a drone's sound mean whatever the emission makes of them. One that changes only the loudness takes
+ * the rest from {@link SteadyEmission}; how the sound radiated depends on the direction remains the setting {@code
+ * directivity}.
  */
 public interface SoundEmission {
 
@@ -23,8 +24,8 @@ public interface SoundEmission {
     BandLevels soundPower(Drone drone);
 
     /**
-     * The source level for the level model, dB: that of the settings, quieter by the glide reduction with the motors off, unless
-     * overridden. Always finite.
+     * The source level for the level model, dB: that of the settings, quieter by the glide reduction with the motors
+     * off, unless overridden. Always finite.
      *
      * @param drone as it was when the sound left it
      */
@@ -33,8 +34,8 @@ public interface SoundEmission {
     }
 
     /**
-     * The lines in its sound, which are part of its sound power: those of the settings, none with the motors off, unless
-     * overridden.
+     * The lines in its sound, which are part of its sound power: those of the settings, none with the motors off,
+     * unless overridden.
      *
      * @param drone as it was when the sound left it
      */

@@ -24,8 +24,8 @@ public final class Legs {
     private Legs() {}
 
     /**
-     * The legs of all flights of a run, as {@link #of} gives them: sampled ten times a second, or less often in a long run with
-     * many drones.
+     * The legs of all flights of a run, as {@link #of} gives them: sampled ten times a second, or less often in a long
+     * run with many drones.
      *
      * @param flights by id of the drone
      * @param until the end of the run, s

@@ -129,7 +129,8 @@ public final class PilotedRun {
     }
 
     /**
-     * Writes how all drones have flown so far, as a run writes {@code flights.csv}: flights of the kind {@code recorded} repeat it.
+     * Writes how all drones have flown so far, as a run writes {@code flights.csv}: flights of the kind {@code
+     * recorded} repeat it.
      *
      * @param file a file of that name is replaced
      * @throws InputException when it cannot be written

@@ -319,8 +319,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * Writes how all drones have flown so far in the run that is going on, as {@code flights.csv} of a run: for DSOL models
-     * that hold this scene. Flights of the kind {@code recorded} repeat it.
+     * Writes how all drones have flown so far in the run that is going on, as {@code flights.csv} of a run: for DSOL
+     * models that hold this scene. Flights of the kind {@code recorded} repeat it.
      *
      * @param file a file of that name is replaced
      * @throws org.dronewatch.setting.InputException when it cannot be written

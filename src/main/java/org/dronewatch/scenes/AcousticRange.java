@@ -44,7 +44,9 @@ public final class AcousticRange extends Scene {
         sweep("world.backgroundNoise", 30.0, 25.0, 20.0, 15.0, 10.0);
     }
 
-    /** The range at which the air has attenuated the drone's sound to the level of detection, if that sound is steady. */
+    /**
+     * The range at which the air has attenuated the drone's sound to the level of detection, if that sound is steady.
+     */
     @Override
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
         if (!(settings.sensors().get(sensor) instanceof AcousticSettings microphone)) {
