@@ -38,7 +38,8 @@ class TracingSettingsTest {
         for (String scene : SCENES) {
             Path out = directory.resolve(scene + String.join("", settings).hashCode());
             List<String> words = new ArrayList<>(
-                    List.of("run", scene, "--observations", "--out", out.toString(), "--set", "run.duration=0.2 s"));
+                    List.of("run", scene, "--observations", "--out", out.toString(), "--set", "run.duration=0.1 s"));
+            words.addAll(List.of("--set", "sensors.camera.width=300", "--set", "sensors.camera.height=300"));
             for (String setting : settings) {
                 words.addAll(List.of("--set", setting));
             }

@@ -54,17 +54,17 @@ final class DocPictures {
                             + " --set sensors.west.width=800 --set sensors.west.height=450 --set sensors.west.fov=16deg"
                             + " --set world.light.sun.azimuth=300deg --set world.light.sun.elevation=-2deg"
                             + " --set world.light.illuminance=20 --out OUT"),
-            file(
+            slow(file(
                     "colour-church",
                     "render closed-space --camera camera --colour --samples 4"
-                            + " --set sensors.camera.width=600 --set sensors.camera.height=600 --out OUT"),
+                            + " --set sensors.camera.width=600 --set sensors.camera.height=600 --out OUT")),
             plot("range-over-fov", "run camera-range --out OUT", "range-over-sensors-camera-fov"),
-            plot(
+            slow(plot(
                     "closed-space-decay",
                     "run closed-space --observations --set sensors.microphone.propagation=energy-model"
                             + " --set run.duration=0.5 --out OUT",
-                    "decay-microphone-quadrotor"),
-            new DocPicture("ground-effect", directory -> GroundEffectPlot.draw()),
+                    "decay-microphone-quadrotor")),
+            new DocPicture("ground-effect", directory -> GroundEffectPlot.draw(), false),
             window("viewer", "multi-sensor", 25.3),
             window("cued-camera", "scenes/cued-camera.yaml", 4.0));
 
@@ -89,8 +89,9 @@ final class DocPictures {
      * A picture.
      *
      * @param name of its file, without {@code .png}
+     * @param isSlow whether drawing it takes half a minute
      */
-    record DocPicture(String name, Drawing drawing) {
+    record DocPicture(String name, Drawing drawing, boolean isSlow) {
         Path file() {
             return DocPictures.file(name);
         }
@@ -106,26 +107,36 @@ final class DocPictures {
         return DIRECTORY.resolve(name + ".png");
     }
 
+    private static DocPicture slow(DocPicture picture) {
+        return new DocPicture(picture.name(), picture.drawing(), true);
+    }
+
     /** A picture that a command writes. */
     private static DocPicture file(String name, String command) {
-        return new DocPicture(name, directory -> {
-            Path written = directory.resolve(name + ".png");
-            run(command, written);
-            return read(written);
-        });
+        return new DocPicture(
+                name,
+                directory -> {
+                    Path written = directory.resolve(name + ".png");
+                    run(command, written);
+                    return read(written);
+                },
+                false);
     }
 
     /** A plot among what a run writes. */
     private static DocPicture plot(String name, String command, String plot) {
-        return new DocPicture(name, directory -> {
-            run(command, directory);
-            return read(directory.resolve("plots").resolve(plot + ".png"));
-        });
+        return new DocPicture(
+                name,
+                directory -> {
+                    run(command, directory);
+                    return read(directory.resolve("plots").resolve(plot + ".png"));
+                },
+                false);
     }
 
     /** The window below its menus, at a time of the run, s. */
     private static DocPicture window(String name, String scene, double time) {
-        return new DocPicture(name, directory -> PaintedWindow.at(time, scene(scene), WIDTH, HEIGHT));
+        return new DocPicture(name, directory -> PaintedWindow.at(time, scene(scene), WIDTH, HEIGHT), false);
     }
 
     private static Scene scene(String name) {
