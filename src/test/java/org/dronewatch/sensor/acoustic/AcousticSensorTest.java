@@ -21,6 +21,7 @@ import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.DroneSound;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.Wind;
 import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
@@ -152,6 +153,46 @@ class AcousticSensorTest {
             Observation heard = observe(open(BackgroundNoise.of(noise)), FEW, 50.0);
             assertThat(heard.value() - heard.threshold()).isLessThan(over);
             over = heard.value() - heard.threshold();
+        }
+    }
+
+    /**
+     * Wind adds its noise to the background, band by band: Strasberg's formula in thirds of octaves, with a screen of 9 cm, for
+     * the wind at the height of the microphone, here 4.35 m/s.
+     */
+    @Test
+    void windAddsItsNoiseToTheBackground() {
+        BackgroundNoise background = BackgroundNoise.of(28.0);
+        TriangleMesh ground = TriangleMesh.of(
+                new float[] {-900, -900, -2, 900, -900, -2, 900, 900, -2, -900, 900, -2}, new int[] {0, 1, 2, 0, 2, 3});
+        World windy = new World(
+                KDTree.of(ground),
+                background,
+                SurfaceSettings.DEFAULT,
+                Atmosphere.STANDARD.withWind(new Wind(6.0, 0.0, 0.03)));
+        double speed = 6.0 * Math.log(1 + 2 / 0.03) / Math.log(1 + 10 / 0.03);
+        assertThat(speed).isCloseTo(4.35, within(0.01));
+        double all = 0;
+        double[] expected = new double[OctaveBands.COUNT];
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            double energy = Levels.toRatio(background.spectrum().level(band));
+            for (int third = -1; third <= 1; third++) {
+                double frequency = 1000 * Math.pow(10, 0.3 * (band - 4) + 0.1 * third);
+                energy += Levels.toRatio(40 * Math.log10(speed) - 23 * Math.log10(frequency * 0.09 / speed) + 15);
+            }
+            expected[band] = Levels.ofRatio(energy);
+            all += energy * Levels.toRatio(OctaveBands.aWeight(band));
+        }
+        Observation heard = observe(windy, FEW, 60.0);
+
+        assertThat(heard.threshold()).isCloseTo(Levels.ofRatio(all) + 15.0, within(1e-6));
+        assertThat(heard.figures().get("background_db")).isCloseTo(Levels.ofRatio(all), within(1e-6));
+        assertThat(Levels.ofRatio(all)).isGreaterThan(background.spectrum().aWeighted() + 1.0);
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            String name = OctaveBands.nominal(band) + "hz_db";
+            double noise =
+                    heard.figures().get("level_" + name) - heard.figures().get("snr_" + name);
+            assertThat(noise).as(name).isCloseTo(expected[band], within(1e-6));
         }
     }
 

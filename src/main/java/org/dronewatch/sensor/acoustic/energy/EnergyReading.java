@@ -44,14 +44,11 @@ public record EnergyReading(
     }
 
     /**
-     * This reading, without the contribution of rays if too few contributed: the exact paths alone, which have no
-     * standard error.
+     * This reading, without the contribution of rays if too few contributed: the exact paths alone. The standard error
+     * stays that of the whole: these paths are exact, but how much of the sound they carry is uncertain.
      */
     public EnergyReading settled() {
-        return isConverged
-                ? this
-                : SettingsForm.with(
-                        this, Map.of("reverberant", Collections.nCopies(OctaveBands.COUNT, 0.0), "standardError", 0.0));
+        return isConverged ? this : SettingsForm.with(this, "reverberant", Collections.nCopies(OctaveBands.COUNT, 0.0));
     }
 
     /** Energy in a band, relative to 20 uPa squared. */

@@ -3,10 +3,14 @@ package org.dronewatch.sensor.acoustic.energy;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.Levels;
@@ -69,6 +73,36 @@ class CanyonTest {
         }
         // 0.1 dB of the whole reading is 0.4 dB of this part, and 40 readings are averaged.
         assertThat(Levels.ofRatio(sum)).isCloseTo(22.95, within(0.2));
+    }
+
+    /**
+     * As a scene with default settings: the drone is never heard, and looks are within their stated errors. The 27.4 dB(A) over
+     * mirrors, the scattered 22.9 of an independent simulation and 14.3 round edges are 28.87 dB(A) together. (That
+     * simulation, another one than above, followed 10^9 rays with the scattering of 0.15 of these surfaces and found 28.6 dB(A)
+     * of mirrored and scattered sound, standard error 0.03.)
+     */
+    @Test
+    void asASceneItIsNeverHeard() {
+        List<Observation> looks = new ArrayList<>();
+        new SceneRunner(new SceneFile(Path.of("src/test/resources/org/dronewatch/sensor/acoustic/energy/canyon.yaml")))
+                .onFrame(frame -> looks.addAll(frame.observations()))
+                .run();
+
+        // None arrives in the first 0.2 s.
+        assertThat(looks).hasSize(18).noneMatch(Observation::isDetected);
+        double energy = 0;
+        double stated = 0;
+        int beyond = 0;
+        for (Observation look : looks) {
+            double error = look.figures().get("standard_error_db");
+            assertThat(look.figures()).containsEntry("converged", 1.0);
+            assertThat(look.value()).isLessThan(look.threshold());
+            energy += Levels.toRatio(look.value()) / looks.size();
+            stated += error / looks.size();
+            beyond += Math.abs(look.value() - 28.87) > 2 * error ? 1 : 0;
+        }
+        assertThat(Levels.ofRatio(energy)).isCloseTo(28.87, within(4 * stated / Math.sqrt(looks.size()) + 0.03));
+        assertThat(beyond).as("looks beyond two stated errors").isLessThanOrEqualTo(4);
     }
 
     private static EnergyReading read(SoundSites site, double[] microphone, double[] drone) {

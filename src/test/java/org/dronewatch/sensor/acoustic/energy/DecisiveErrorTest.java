@@ -58,13 +58,13 @@ class DecisiveErrorTest {
                 .isEqualTo(error(Criterion.BEST_BAND, flat, LineSpectrum.NONE));
     }
 
-    /** What is decided by exact paths alone has no error, whatever that of the rays was. */
+    /** What exact paths alone decide is as uncertain as the reading: the rays may have missed much, or found too much. */
     @Test
-    void ofExactPathsAloneThereIsNone() {
+    void ofExactPathsAloneItIsThatOfTheWhole() {
         List<Double> some = Collections.nCopies(8, 100.0);
         EnergyAudit audit = new EnergyAudit(0, 0, 0, 0, 0, 0, 0);
         EnergyReading few = new EnergyReading(some, some, some, some, 5, 3.0, false, audit, new DecayCurve());
-        assertThat(few.settled().standardError()).isZero();
+        assertThat(few.settled().standardError()).isEqualTo(3.0);
         assertThat(few.settled().level(0)).isLessThan(few.level(0));
         EnergyReading many = new EnergyReading(some, some, some, some, 5, 3.0, true, audit, new DecayCurve());
         assertThat(many.settled()).isEqualTo(many);

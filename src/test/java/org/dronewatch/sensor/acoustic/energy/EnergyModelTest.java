@@ -119,6 +119,25 @@ class EnergyModelTest {
     }
 
     /**
+     * In a corridor of 30 m whose walls scatter 0.3, at 63 Hz with its air: an independent simulation followed 10
+     * million rays from the drone and measured their chords in a ball of 0.25 m.
+     */
+    @Test
+    void aCorridorThatScattersAgreesWithAnIndependentSimulation() {
+        World corridor = Sites.world(Sites.room(30, 3, 2.5), SurfaceMaterial.uniform("wall", 0.2, 0.3));
+        Position source = new Position(2, 1, 1.5);
+        Position sensor = new Position(10, 2, 1.2);
+        EnergyModel model = EnergyModel.DEFAULT.withRays(60_000).withAccuracy(0.0);
+        EnergyReading reading = Sites.read(model, corridor, Sites.sound(source, LOWEST), sensor, 11);
+
+        double direct = LW - Levels.sphericalSpreading(source.distance(sensor));
+        assertThat(reading.standardError()).isLessThan(0.1);
+        assertThat(reading.totalLevel() - direct)
+                .as("standard error %f dB, seed 11", reading.standardError())
+                .isCloseTo(15.280, within(4 * Math.hypot(reading.standardError(), 0.010)));
+    }
+
+    /**
      * The same room with scattering walls, without air (here at 63 Hz, where air takes 0.09 dB/km). Means, standard errors
      * and T30 of an independent energy-conserving Monte Carlo simulation of 400,000 rays.
      */
@@ -138,7 +157,7 @@ class EnergyModelTest {
             double scattering, double x, double y, double z, double level, double error, double t30) {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, scattering));
         Position sensor = new Position(x, y, z);
-        EnergyReading reading = read(room, SOURCE, sensor, 0.4, 60_000, LOWEST, 11);
+        EnergyReading reading = read(room, SOURCE, sensor, 0.4, 30_000, LOWEST, 11);
 
         double direct = LW - Levels.sphericalSpreading(SOURCE.distance(sensor));
         double both = Math.hypot(reading.standardError(), error);
@@ -224,7 +243,7 @@ class EnergyModelTest {
         TriangleMesh rooms = World.merge(List.of(Sites.room(10, 8, 4), Sites.box(10.001, 0, 0, 16, 8, 4)));
         World site = Sites.world(rooms, wall);
         Position sensor = new Position(7, 5, 1.7);
-        EnergyModel model = EnergyModel.DEFAULT.withRays(20_000).withAccuracy(0.0);
+        EnergyModel model = EnergyModel.DEFAULT.withRays(10_000).withAccuracy(0.0);
         List<List<Double>> together = new ArrayList<>();
         for (int seed = 0; seed < READINGS; seed++) {
             together.add(Sites.read(model, site, Sites.broadband(SOURCE), sensor, seed)
@@ -261,13 +280,17 @@ class EnergyModelTest {
         return Math.sqrt(squares / values.length / (values.length - 1));
     }
 
-    /** At 8 kHz the air takes most of what comes late; the mirror images, each with its own way through the air, are exact. */
-    @Test
-    void lateReflectionsLoseTheirAir() {
-        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.05, 0));
-        Position sensor = new Position(7, 5, 1.7);
-        int band = OctaveBands.COUNT - 1;
-        EnergyReading reading = read(room, SOURCE, sensor, 0.4, 150_000, band, 7);
+    /**
+     * The mirror images, each with its own way through the air, are exact: at 8 kHz, where the air takes most of what comes
+     * late, and in a corridor of 30 m, along which sound does not become diffuse.
+     */
+    @ParameterizedTest
+    @CsvSource({"10, 8, 4, 0.05, 7", "30, 3, 2.5, 0.2, 3"})
+    void lateReflectionsAreImagesWithTheirAir(double x, double y, double z, double absorption, int band) {
+        World room = Sites.world(Sites.room(x, y, z), SurfaceMaterial.uniform("wall", absorption, 0));
+        Position source = new Position(2, 0.4 * y, 1.5);
+        Position sensor = new Position(x - 4, 0.7 * y, 1.2);
+        EnergyReading reading = read(room, source, sensor, 0.4, 100_000, band, 7);
 
         double loss = Atmosphere.STANDARD.attenuation(OctaveBands.midband(band));
         double sum = 0;
@@ -275,19 +298,19 @@ class EnergyModelTest {
         for (int i = -most; i <= most; i++) {
             for (int j = -most; j <= most; j++) {
                 for (int k = -most; k <= most; k++) {
-                    double x = image(i, 10, SOURCE.x()) - sensor.x();
-                    double y = image(j, 8, SOURCE.y()) - sensor.y();
-                    double z = image(k, 4, SOURCE.z()) - sensor.z();
-                    double way = Math.sqrt(x * x + y * y + z * z);
+                    double dx = image(i, x, source.x()) - sensor.x();
+                    double dy = image(j, y, source.y()) - sensor.y();
+                    double dz = image(k, z, source.z()) - sensor.z();
+                    double way = Math.sqrt(dx * dx + dy * dy + dz * dz);
                     int order = Math.abs(i) + Math.abs(j) + Math.abs(k);
-                    sum += Math.pow(0.95, order) * Levels.toRatio(-loss * way) / (4 * Math.PI * way * way);
+                    sum += Math.pow(1 - absorption, order) * Levels.toRatio(-loss * way) / (4 * Math.PI * way * way);
                 }
             }
         }
         assertThat(reading.totalLevel())
                 .as("standard error %f dB, seed 7", reading.standardError())
                 .isCloseTo(LW + Levels.ofRatio(sum), within(4 * reading.standardError() + 0.05));
-        assertThat(reading.standardError()).isLessThan(0.03);
+        assertThat(reading.standardError()).isLessThan(0.04);
     }
 
     /** Where the n-th image along an axis stands: every other one is mirrored. */

@@ -1,13 +1,20 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -47,6 +54,39 @@ class ReciprocityTest {
         assertThat(Math.sqrt(squares / differences.size()))
                 .as("differences over their stated errors, seed %d", SEED)
                 .isBetween(0.8, 1.25);
+    }
+
+    /**
+     * A drone behind a house and a microphone before it, between walls that mirror, over grass that scatters half: ten readings
+     * each way, so that their means are within the error of a tenth of a decibel.
+     */
+    @Test
+    void overGrassThatScattersBetweenWallsThatMirror() {
+        SurfaceMaterial grass = SurfaceMaterial.uniform("grass", 0.3, 0.5);
+        SurfaceMaterial wall = SurfaceMaterial.uniform("wall", 0.05, 0);
+        TriangleMesh walls = World.merge(List.of(Sites.box(-10, -15, 0, 0, 15, 10), Sites.box(20, -15, 0, 30, 15, 10)));
+        World world = Sites.world(List.of(Sites.square(400, 0), walls), List.of(grass, wall));
+        SoundSites site = new SoundSites(world, Collections.nCopies(OctaveBands.COUNT, Sites.LW));
+        Position drone = new Position(-40, 5, 12);
+        Position microphone = new Position(8, -3, 1.5);
+        double[] there = mean(site, drone, microphone);
+        double[] back = mean(site, microphone, drone);
+        assertThat(there[0]).isCloseTo(back[0], within(4 * Math.hypot(there[1], back[1])));
+        assertThat(Math.hypot(there[1], back[1])).isLessThan(0.15);
+    }
+
+    /** Level of the mean energy of ten readings, and its error, dB. */
+    private double[] mean(SoundSites site, Position drone, Position microphone) {
+        double sum = 0;
+        double squares = 0;
+        for (int i = 0; i < 10; i++) {
+            EnergyReading reading = read(site, drone, microphone);
+            double energy = Levels.toRatio(reading.aWeightedLevel());
+            sum += energy / 10;
+            squares += energy * energy / 10;
+        }
+        double relative = Math.sqrt((squares / (sum * sum) - 1) / 9);
+        return new double[] {Levels.ofRatio(sum), Levels.ofRatio(1 + relative)};
     }
 
     private void compare(String name, SoundSites site, int count, double[] low, double[] high) {

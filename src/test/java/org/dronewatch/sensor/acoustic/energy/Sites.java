@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -65,6 +66,28 @@ final class Sites {
 
     static World world(TriangleMesh mesh, SurfaceMaterial surface) {
         return new World(KDTree.of(mesh), BackgroundNoise.of(20), List.of(surface), Atmosphere.STANDARD);
+    }
+
+    /** Meshes of one surface each. */
+    static World world(List<TriangleMesh> meshes, List<SurfaceMaterial> surfaces) {
+        List<TriangleMesh> named = new ArrayList<>();
+        for (int i = 0; i < meshes.size(); i++) {
+            named.add(named(meshes.get(i), surfaces.get(i).name()));
+        }
+        return new World(KDTree.of(World.merge(named)), BackgroundNoise.of(20), surfaces, Atmosphere.STANDARD);
+    }
+
+    private static TriangleMesh named(TriangleMesh mesh, String material) {
+        float[] vertices = new float[3 * mesh.vertexCount()];
+        for (int i = 0; i < vertices.length; i++) {
+            vertices[i] = mesh.vertexCoordinate(i / 3, i % 3);
+        }
+        int[] corners = new int[3 * mesh.triangleCount()];
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] = mesh.vertexIndex(i / 3, i % 3);
+        }
+        int[] numbers = IntStream.range(0, mesh.triangleCount()).toArray();
+        return new TriangleMesh(vertices, corners, new int[numbers.length], numbers, List.of(material));
     }
 
     /** Nothing near. */

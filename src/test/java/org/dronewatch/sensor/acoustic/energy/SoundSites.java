@@ -84,7 +84,12 @@ record SoundSites(World world, List<Double> power) {
 
     /** What a microphone hears by the default settings. */
     EnergyTracer microphone(Position place) {
-        return new EnergyTracer(EnergyModel.DEFAULT, place, RADIUS, world);
+        return microphone(EnergyModel.DEFAULT, place);
+    }
+
+    /** What a microphone hears by other settings. */
+    EnergyTracer microphone(EnergyModel model, Position place) {
+        return new EnergyTracer(model, place, RADIUS, world);
     }
 
     /** Of the sphere in which rays are counted, as the settings of a microphone have it, m. */

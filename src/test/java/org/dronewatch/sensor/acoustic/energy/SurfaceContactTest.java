@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.SurfaceMaterials;
 import org.dronewatch.world.Clearance;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
@@ -25,8 +26,11 @@ class SurfaceContactTest {
     private static final double TWICE = 10 * Math.log10(2);
 
     private static double level(World world, Position source, Position sensor) {
-        return Sites.read(MODEL, world, Sites.sound(source, LOWEST), sensor, 250)
-                .totalLevel();
+        return read(world, source, sensor).totalLevel();
+    }
+
+    private static EnergyReading read(World world, Position source, Position sensor) {
+        return Sites.read(MODEL, world, Sites.sound(source, LOWEST), sensor, 250);
     }
 
     /** On rigid ground the mirror image is where the source is: twice the energy, either way round. */
@@ -59,6 +63,30 @@ class SurfaceContactTest {
         Position above = new Position(GROUND.x(), GROUND.y(), 0.001);
         assertThat(level(ground, ABOVE, GROUND)).as("microphone").isCloseTo(level(ground, ABOVE, above), within(0.05));
         assertThat(level(ground, GROUND, ABOVE)).as("drone").isCloseTo(level(ground, above, ABOVE), within(0.05));
+    }
+
+    /**
+     * Half of the power of a drone on a floor meets the floor where it stands. From there a part goes to the image, which is
+     * where the drone is, and a part by Lambert's law: {@code 1 + r (1 - s) + 2 r s cos t} times the direct energy, t from the
+     * normal. The same for a microphone on the floor.
+     */
+    @ParameterizedTest
+    @CsvSource({"solid", "limestone", "full"})
+    void onAFloorThatScattersTheEnergyIsThatOfTheContact(String name) {
+        SurfaceMaterial floor =
+                name.equals("full") ? SurfaceMaterial.uniform(name, 0.1, 1) : SurfaceMaterials.get(name);
+        World ground = Sites.world(Sites.square(500, 0), floor);
+        double reflected = floor.reflected(LOWEST);
+        double scattered = floor.scattering().get(LOWEST);
+        double cosine = ABOVE.z() / ABOVE.distance(GROUND);
+        double gain = 10 * Math.log10(1 + reflected * (1 - scattered) + 2 * reflected * scattered * cosine);
+        double alone = level(Sites.open(), ABOVE, GROUND);
+        for (EnergyReading reading : List.of(read(ground, ABOVE, GROUND), read(ground, GROUND, ABOVE))) {
+            assertThat(reading.standardError()).isLessThan(0.05);
+            assertThat(reading.totalLevel() - alone)
+                    .as("standard error %.3f dB", reading.standardError())
+                    .isCloseTo(gain, within(4 * reading.standardError() + 1e-3));
+        }
     }
 
     @Test
