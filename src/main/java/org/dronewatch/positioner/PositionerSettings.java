@@ -26,7 +26,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param maxTilt highest elevation; not below the lowest, -pi/2 to pi/2, rad
  * @param delay time from another sensor's detection until the positioner begins to turn, 0 to 60 s
  * @param hold how long it waits for a drone that it has lost sight of, 0 to 3600 s
- * @param lockPixels pixels on a drone that its own camera needs to track it, 1 or more
+ * @param lockPixels pixels on a drone that its own camera needs to track it, 1 or more; a camera that takes light and
+ *     weather into account must also detect it
  * @param search what it does until it is cued
  * @param zoom how its lens zooms; omit it for a fixed one
  */

@@ -23,9 +23,11 @@ package org.dronewatch.sensor;
  * a minute twice.
  *
  * @param index number of the encounter of this sensor with this drone, from 0
- * @param isFound whether the observer has found the drone
+ * @param isFollowed whether the observer knows where the drone is, so that a positioner can follow it: it is detected,
+ *     though perhaps not recognised or identified yet
+ * @param isFound whether the observer has performed the sensor's task
  */
-public record Encounter(long index, boolean isFound) {
+public record Encounter(long index, boolean isFollowed, boolean isFound) {
     /** Mean time of a search by an observer who is certain to succeed, s. */
     public static final double SEARCH_TIME = 3.4;
 
@@ -42,7 +44,7 @@ public record Encounter(long index, boolean isFound) {
     private static final String OBSERVER = "observer";
 
     /** The first encounter at its beginning. */
-    static final Encounter FIRST = new Encounter(0, false);
+    static final Encounter FIRST = new Encounter(0, false, false);
 
     /**
      * How long a drone may be out of sight of a sensor within one encounter, s.
@@ -53,9 +55,19 @@ public record Encounter(long index, boolean isFound) {
         return Math.max(GAP, LOOKS / rate);
     }
 
+    /** This encounter after a look in which the drone could be seen. */
+    Encounter with(Observation seen) {
+        return or(new Encounter(index, seen.sighting().isPresent(), seen.isDetected()));
+    }
+
+    /** What two observations of one look make of this encounter. */
+    Encounter or(Encounter other) {
+        return new Encounter(index, isFollowed || other.isFollowed, isFound || other.isFound);
+    }
+
     /** The encounter that follows this one. */
     Encounter next() {
-        return new Encounter(index + 1, false);
+        return new Encounter(index + 1, false, false);
     }
 
     /**
@@ -68,16 +80,17 @@ public record Encounter(long index, boolean isFound) {
     }
 
     /**
-     * What the probability of a look must reach for a detection: what the observer drew, if he has found the drone,
-     * finds it in this look, or could not find it anyway; infinite while he could, but has not.
+     * What the probability of a look must reach: what the observer drew, if he knows the drone, finds it in this look,
+     * or could not find it anyway; infinite while he could, but has not.
      *
+     * @param isKnown whether he need not search
      * @param drone name of the drone
      * @param rate looks per second, Hz
      * @param probability of the look, 0 to 1
      */
-    double threshold(Look look, String drone, double rate, double probability) {
+    double threshold(boolean isKnown, Look look, String drone, double rate, double probability) {
         double able = draw(look.seed(), look.sensor(), drone);
-        boolean isSearching = probability >= able && !isFound;
+        boolean isSearching = probability >= able && !isKnown;
         return isSearching && !isSuccessful(look, drone, rate, probability) ? Double.POSITIVE_INFINITY : able;
     }
 

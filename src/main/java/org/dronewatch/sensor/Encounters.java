@@ -1,7 +1,6 @@
 package org.dronewatch.sensor;
 
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -19,7 +18,12 @@ public final class Encounters {
      *
      * @param visible when the drone could last be seen, seconds since the start of the run
      */
-    private record Met(Encounter encounter, double visible) {}
+    private record Met(Encounter encounter, double visible) {
+        /** The later one; both together where they are of one look. */
+        Met latest(Met other) {
+            return other.visible > visible ? other : new Met(encounter.or(other.encounter), visible);
+        }
+    }
 
     private Encounters(Map<String, Met> latest) {
         this.latest = latest;
@@ -49,21 +53,13 @@ public final class Encounters {
      * @param observations of the look
      */
     public static Encounters after(Look look, double rate, List<Observation> observations) {
-        Map<String, Boolean> visible = new LinkedHashMap<>();
+        Map<String, Met> next = new HashMap<>(look.encounters().latest);
         for (Observation seen : observations) {
             if (!seen.isFalse() && seen.probability() > 0.0) {
-                visible.merge(seen.drone(), seen.isDetected(), Boolean::logicalOr);
+                Encounter now = look.encounter(seen.drone(), rate).with(seen);
+                next.merge(seen.drone(), new Met(now, look.time()), Met::latest);
             }
         }
-        if (visible.isEmpty()) {
-            return look.encounters();
-        }
-        Map<String, Met> next = new HashMap<>(look.encounters().latest);
-        visible.forEach((drone, isDetected) -> {
-            Encounter before = look.encounter(drone, rate);
-            Encounter now = new Encounter(before.index(), before.isFound() || isDetected);
-            next.put(drone, new Met(now, look.time()));
-        });
         return new Encounters(next);
     }
 }

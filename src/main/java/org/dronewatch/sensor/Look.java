@@ -79,6 +79,17 @@ public record Look(
      * @return above 0; infinite while the observer could find the drone, but has not
      */
     public double observerThreshold(String drone, double rate, double probability) {
-        return encounter(drone, rate).threshold(this, drone, rate, probability);
+        Encounter encounter = encounter(drone, rate);
+        return encounter.threshold(encounter.isFound(), this, drone, rate, probability);
+    }
+
+    /**
+     * As {@link #observerThreshold}, for the observer to know where the drone is, so that a positioner can follow it.
+     *
+     * @param probability of the task of detection, 0 to 1
+     */
+    public double followingThreshold(String drone, double rate, double probability) {
+        Encounter encounter = encounter(drone, rate);
+        return encounter.threshold(encounter.isFollowed(), this, drone, rate, probability);
     }
 }

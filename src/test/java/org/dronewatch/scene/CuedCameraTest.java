@@ -59,6 +59,20 @@ class CuedCameraTest {
                 .orElseThrow();
     }
 
+    /** 0.001 lx and 50 m of visibility: the radar points it, but it sees nothing that it could zoom in on and follow. */
+    @Test
+    void inFogAtNightItPointsThereButDoesNotFollow() {
+        List<Pointing> pointings = new ArrayList<>();
+        SceneResult result = runner().set("world.light.illuminance", "0.001")
+                .set("world.light.visibility", "50 m")
+                .onFrame(frame -> pointings.addAll(frame.pointings().values()))
+                .run();
+
+        assertThat(result.firstDetectionRange("cued", "intruder")).isEmpty();
+        assertThat(pointings).anyMatch(one -> one.contact().isPresent() && one.fov() < Math.toRadians(8.001));
+        assertThat(pointings).allMatch(one -> one.fov() >= Math.toRadians(7.999));
+    }
+
     @Test
     void withoutTheRadarItSeesNothing() {
         SceneResult blind = runner().set("sensors.radar.minRange", "7 km").run();

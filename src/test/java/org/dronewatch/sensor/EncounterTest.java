@@ -166,7 +166,7 @@ class EncounterTest {
             assertThat(watch.detects(drawn)).isTrue();
             assertThat(watch.detects(Math.nextDown(drawn))).isFalse();
         }
-        assertThat(watch.look().encounter(DRONE, 25.0)).isEqualTo(new Encounter(0, true));
+        assertThat(watch.look().encounter(DRONE, 25.0)).isEqualTo(new Encounter(0, false, true));
     }
 
     @Test
@@ -175,25 +175,25 @@ class EncounterTest {
         watch.first(t -> 1.0, 60.0);
         double last = watch.time() - 0.5;
         while (watch.time() <= last + Encounter.GAP) {
-            assertThat(watch.look().encounter(DRONE, 2.0)).isEqualTo(new Encounter(0, true));
+            assertThat(watch.look().encounter(DRONE, 2.0)).isEqualTo(new Encounter(0, false, true));
             assertThat(watch.detects(0.0)).isFalse();
         }
-        assertThat(watch.look().encounter(DRONE, 2.0)).isEqualTo(new Encounter(1, false));
+        assertThat(watch.look().encounter(DRONE, 2.0)).isEqualTo(new Encounter(1, false, false));
     }
 
     @Test
     void eachEncounterHasADrawOfItsOwn() {
         double[] draws = IntStream.range(0, 1000)
-                .mapToDouble(i -> new Encounter(i, false).draw(SEED, "camera", DRONE))
+                .mapToDouble(i -> new Encounter(i, false, false).draw(SEED, "camera", DRONE))
                 .sorted()
                 .toArray();
         // Kolmogorov and Smirnov: 1.95 / sqrt(n) at one in a thousand.
         for (int i = 0; i < draws.length; i++) {
             assertThat(draws[i]).isCloseTo((i + 0.5) / draws.length, within(1.95 / Math.sqrt(draws.length)));
         }
-        Encounter first = new Encounter(0, false);
+        Encounter first = new Encounter(0, false, false);
         assertThat(first.draw(SEED, "camera", DRONE))
-                .isEqualTo(new Encounter(0, true).draw(SEED, "camera", DRONE))
+                .isEqualTo(new Encounter(0, true, true).draw(SEED, "camera", DRONE))
                 .isNotEqualTo(first.draw(SEED, "camera", "other"))
                 .isNotEqualTo(first.draw(SEED, "other", DRONE))
                 .isNotEqualTo(first.draw(SEED + 1, "camera", DRONE));
@@ -237,13 +237,15 @@ class EncounterTest {
         Observation hidden = new Observation(look.id("camera"), "hidden", 9.0, new Reading(0.0, 0.5, ""));
         Observation nothing =
                 Observation.ofNothing(look.id("camera"), new Reading(1.0, 0.5, ""), java.util.Optional.empty());
-        assertThat(Encounters.after(look, 1.0, List.of(hidden, nothing))).isSameAs(Encounters.NONE);
+        Encounters none = Encounters.after(look, 1.0, List.of(hidden, nothing));
+        assertThat(none.with("hidden", 99.0, 1.0)).isEqualTo(new Encounter(0, false, false));
+        assertThat(none.with("", 99.0, 1.0)).isEqualTo(new Encounter(0, false, false));
 
         Observation found = new Observation(look.id("camera"), DRONE, 9.0, new Reading(0.9, 0.5, ""));
         Observation again = new Observation(look.id("camera"), DRONE, 9.0, new Reading(0.4, 0.5, ""))
                 .withFigures(Map.of(Observation.PROBABILITY, 0.4));
         Encounters after = Encounters.after(look, 1.0, List.of(found, again));
-        assertThat(after.with(DRONE, 2.0, 1.0)).isEqualTo(new Encounter(0, true));
+        assertThat(after.with(DRONE, 2.0, 1.0)).isEqualTo(new Encounter(0, false, true));
     }
 
     /** Sixteen draws predict what an unknown observer finds: within half of a sixteenth, since one of them lies beside P. */

@@ -110,8 +110,8 @@ public final class CameraSensor implements AssessableSensor {
         DroneView view = view(drone, pixels);
         Signal signal = signal(view);
         OptionalDouble probability = settings.detection().probability(view);
-        Reading reading = new Reading(signal.quantity(), threshold(drone, look, signal), signal.unit());
-        boolean sighted = reading.isDetected() || pixels >= settings.lockPixels();
+        Reading reading = new Reading(signal.quantity(), threshold(drone, look, signal.probability()), signal.unit());
+        boolean sighted = reading.isDetected() || pixels >= settings.lockPixels() && isFollowed(drone, view, look);
         return new Observation(
                 look.id(settings.kind()),
                 new GroundTruth(drone.id(), view.range(), look.time()),
@@ -121,10 +121,26 @@ public final class CameraSensor implements AssessableSensor {
     }
 
     /** What the value must reach in one frame. */
-    private double threshold(Drone drone, Look look, Signal signal) {
-        return settings.chance() == Chance.PER_ENCOUNTER
-                ? look.observerThreshold(drone.id(), settings.rate(), signal.probability())
+    private double threshold(Drone drone, Look look, double probability) {
+        return isWatched()
+                ? look.observerThreshold(drone.id(), settings.rate(), probability)
                 : settings.detection().threshold(look.random(drone.id(), Look.DETECTION));
+    }
+
+    private boolean isWatched() {
+        return settings.chance() == Chance.PER_ENCOUNTER;
+    }
+
+    /** Whether a drone with enough pixels is seen well enough for a positioner to follow it. */
+    private boolean isFollowed(Drone drone, DroneView view, Look look) {
+        OptionalDouble value = settings.detection().followingValue(view);
+        if (value.isEmpty()) {
+            return true;
+        }
+        double threshold = isWatched()
+                ? look.followingThreshold(drone.id(), settings.rate(), value.getAsDouble())
+                : threshold(drone, look, value.getAsDouble());
+        return value.getAsDouble() >= threshold;
     }
 
     private DroneView view(Drone drone, int pixels) {

@@ -50,6 +50,15 @@ public interface DetectionFunction {
     }
 
     /**
+     * The value that must reach the threshold for a positioner to follow the drone, besides the pixels that it needs
+     * ({@code lockPixels}); empty where those pixels alone decide. Unless stated otherwise, what is not detected is not
+     * followed.
+     */
+    default OptionalDouble followingValue(DroneView view) {
+        return OptionalDouble.of(value(view));
+    }
+
+    /**
      * Conditions of the site that would matter to a real camera but not to this decision; none by default.
      *
      * @return by condition what to do instead, in words

@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.camera;
 
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -31,6 +32,12 @@ public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) d
     @Override
     public double threshold() {
         return pixels;
+    }
+
+    /** A positioner counts pixels, too, with a threshold of its own. */
+    @Override
+    public OptionalDouble followingValue(DroneView view) {
+        return OptionalDouble.empty();
     }
 
     /** A count of pixels takes no account of weather and light. */

@@ -132,6 +132,12 @@ public record TargetTask(
         return OptionalDouble.of(value(view));
     }
 
+    /** What is detected can be followed, though it cannot be recognised or identified yet. */
+    @Override
+    public OptionalDouble followingValue(DroneView view) {
+        return OptionalDouble.of(Discrimination.DETECTION.probability(resolved(view)));
+    }
+
     @Override
     public Map<Condition, String> ignoredConditions() {
         return Map.of(Condition.RAIN, "lower world.light.visibility for the rain");

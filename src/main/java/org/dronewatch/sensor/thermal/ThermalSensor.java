@@ -10,6 +10,7 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Cover;
+import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Look;
@@ -96,13 +97,26 @@ public final class ThermalSensor implements AssessableSensor {
         figures.put("pixels", pixels);
         figures.put("signal_to_noise", ratio);
         figures.put(Observation.PROBABILITY, probability);
-        boolean sighted = probability >= threshold || pixels >= settings.lockPixels() && ratio > settings.minSnr();
+        boolean sighted = probability >= threshold
+                || pixels >= settings.lockPixels() && isFollowed(drone, resolved(pixels, ratio), look);
         return new Observation(
                 look.id(settings.kind()),
                 new GroundTruth(drone.id(), range, look.time()),
                 new Reading(probability, threshold, Quantity.RATIO.unit()),
                 figures,
                 sighted ? Optional.of(settings.sighting(drone.origin())) : Optional.empty());
+    }
+
+    /**
+     * Whether a drone with enough pixels is seen well enough for a positioner to follow it: it is detected, whatever
+     * the task.
+     */
+    private boolean isFollowed(Drone drone, double resolved, Look look) {
+        double probability = Discrimination.DETECTION.probability(resolved);
+        double threshold = settings.byChance()
+                ? look.followingThreshold(drone.id(), settings.rate(), probability)
+                : settings.probability();
+        return probability >= threshold;
     }
 
     /**
