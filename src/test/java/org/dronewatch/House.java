@@ -40,6 +40,7 @@ public final class House {
             new Storey("", "terrain.io"),
             new Storey("", "geo.features"),
             new Storey("", "mesh.io", "geo"),
+            new Storey("", "mesh.polygon"),
             new Storey("the ray kernel", "bvh", "raster"),
             new Storey("", "kdtree"),
             new Storey("the ground", "sound", "geometry", "parallel", "setting.."));

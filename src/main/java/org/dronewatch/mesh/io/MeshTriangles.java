@@ -4,6 +4,7 @@ import java.util.List;
 import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.mesh.polygon.PolygonCutter;
 
 /** The triangles of polygons, numbered as they come; those without area are left out but keep their numbers. */
 final class MeshTriangles {

@@ -1,4 +1,2 @@
-/**
- * Models read from files: their settings, a reader of OBJ files with material libraries, polygons cut into triangles.
- */
+/** Models read from files: their settings, and a reader for each format. */
 package org.dronewatch.mesh.io;

@@ -1,4 +1,4 @@
-package org.dronewatch.mesh.io;
+package org.dronewatch.mesh.polygon;
 
 /**
  * Finds where the edges of a polygon cross or touch each other, by boxes around runs of edges. Clipping the ears of a

@@ -1,4 +1,4 @@
-package org.dronewatch.mesh.io;
+package org.dronewatch.mesh.polygon;
 
 import org.dronewatch.geometry.Floats;
 

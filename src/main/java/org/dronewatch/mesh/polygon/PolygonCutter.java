@@ -1,4 +1,4 @@
-package org.dronewatch.mesh.io;
+package org.dronewatch.mesh.polygon;
 
 import java.util.List;
 import org.dronewatch.geometry.Floats;
@@ -10,7 +10,7 @@ import org.maplibre.earcut4j.Earcut;
  * as a convex one is, becomes a fan from there; any other that does not cross itself is cut by clipping ears in its
  * plane.
  */
-final class PolygonCutter {
+public final class PolygonCutter {
     /**
      * Maximum number of corners of a fan. All of its triangles meet in one corner, where no tree separates them: a ray
      * through a circle costs twice as much with a fan as with clipped ears at 256 corners, and ten times as much at
@@ -20,7 +20,7 @@ final class PolygonCutter {
 
     private final Floats vertices;
 
-    PolygonCutter(Floats vertices) {
+    public PolygonCutter(Floats vertices) {
         this.vertices = vertices;
     }
 
@@ -30,7 +30,7 @@ final class PolygonCutter {
      * @param polygon vertex indices of its corners in turn, 3 or more
      * @return whether they cover the polygon; false for one that crosses itself, which becomes a fan as well
      */
-    boolean cut(int[] polygon, Ints target) {
+    public boolean cut(int[] polygon, Ints target) {
         if (polygon.length == 3) {
             fan(polygon, target);
             return true;

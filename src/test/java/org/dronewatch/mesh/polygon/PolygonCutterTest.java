@@ -1,4 +1,4 @@
-package org.dronewatch.mesh.io;
+package org.dronewatch.mesh.polygon;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -13,6 +13,9 @@ import java.util.stream.IntStream;
 import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.mesh.io.LoadedModel;
+import org.dronewatch.mesh.io.ModelLoader;
+import org.dronewatch.mesh.io.ModelSettings;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;

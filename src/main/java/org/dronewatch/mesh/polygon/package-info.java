@@ -1,0 +1,2 @@
+/** Cuts the polygons of models into triangles. */
+package org.dronewatch.mesh.polygon;
