@@ -43,7 +43,7 @@ public final class House {
             new Storey("", "mesh.polygon"),
             new Storey("the ray kernel", "bvh", "raster"),
             new Storey("", "kdtree"),
-            new Storey("the ground", "sound", "geometry", "parallel", "setting.."));
+            new Storey("the ground", "sound", "sound.surface", "geometry", "parallel", "setting.."));
 
     private House() {}
 

@@ -19,7 +19,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Spelling;
 
 /** A table that comes with the library, by the names in its first column. */
-final class CsvTable<T> {
+public final class CsvTable<T> {
 
     private final String what;
     private final Map<String, T> rows;
@@ -29,7 +29,7 @@ final class CsvTable<T> {
      *
      * @param what the word for a row in messages
      */
-    CsvTable(String resource, String what, Function<NamedCsvRecord, T> toRow) {
+    public CsvTable(String resource, String what, Function<NamedCsvRecord, T> toRow) {
         this.what = what;
         Map<String, T> read = new LinkedHashMap<>();
         try (InputStream stream = Objects.requireNonNull(CsvTable.class.getResourceAsStream(resource));
@@ -44,15 +44,15 @@ final class CsvTable<T> {
         this.rows = Collections.unmodifiableMap(read);
     }
 
-    Set<String> names() {
+    public Set<String> names() {
         return rows.keySet();
     }
 
-    Optional<T> find(String name) {
+    public Optional<T> find(String name) {
         return Optional.ofNullable(rows.get(name));
     }
 
-    T get(String name) {
+    public T get(String name) {
         return find(name)
                 .orElseThrow(() -> new InputException(
                         "unknown " + what + " '" + name + "'; " + Spelling.closestMatches(name, rows.keySet())));

@@ -1,2 +1,2 @@
-/** Acoustic quantities: octave bands, atmosphere, surfaces. */
+/** Acoustic quantities: levels, octave bands, tones; the air; the sound of drones. */
 package org.dronewatch.sound;

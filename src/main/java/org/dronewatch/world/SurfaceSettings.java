@@ -11,9 +11,9 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.sound.OwnSurface;
-import org.dronewatch.sound.SurfaceMaterial;
-import org.dronewatch.sound.SurfaceMaterials;
+import org.dronewatch.sound.surface.OwnSurface;
+import org.dronewatch.sound.surface.SurfaceMaterial;
+import org.dronewatch.sound.surface.SurfaceMaterials;
 
 /**
  * The acoustic surfaces of the materials in the model files. A material that is not listed here but whose name is

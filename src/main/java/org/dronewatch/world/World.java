@@ -24,7 +24,7 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
-import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.terrain.KnownGround;
 import org.jogamp.vecmath.Point3d;
 

@@ -14,7 +14,7 @@ import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.sound.SurfaceMaterials;
+import org.dronewatch.sound.surface.SurfaceMaterials;
 import org.junit.jupiter.api.Test;
 
 class CathedralModelTest {

@@ -26,7 +26,7 @@ import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.sound.BandFractions;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.DroneSounds;
-import org.dronewatch.sound.SurfaceMaterials;
+import org.dronewatch.sound.surface.SurfaceMaterials;
 import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.NoiseSource;
 

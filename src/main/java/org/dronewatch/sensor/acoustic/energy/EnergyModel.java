@@ -15,7 +15,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
-import org.dronewatch.sound.TurbulentCoherence;
+import org.dronewatch.sound.surface.TurbulentCoherence;
 import org.dronewatch.world.World;
 
 /**

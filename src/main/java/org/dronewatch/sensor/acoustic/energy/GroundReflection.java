@@ -5,13 +5,13 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.GroundPlane;
 import org.dronewatch.sound.Barrier;
-import org.dronewatch.sound.GroundImpedance;
-import org.dronewatch.sound.GroundInterference;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
-import org.dronewatch.sound.SurfaceMaterial;
-import org.dronewatch.sound.SurfaceRoughness;
-import org.dronewatch.sound.TurbulentCoherence;
+import org.dronewatch.sound.surface.GroundImpedance;
+import org.dronewatch.sound.surface.GroundInterference;
+import org.dronewatch.sound.surface.SurfaceMaterial;
+import org.dronewatch.sound.surface.SurfaceRoughness;
+import org.dronewatch.sound.surface.TurbulentCoherence;
 import org.dronewatch.world.World;
 
 /**

@@ -2,11 +2,11 @@ package org.dronewatch.sensor.acoustic.level;
 
 import java.util.List;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
-import org.dronewatch.sound.AngularAbsorption;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
-import org.dronewatch.sound.SurfaceMaterial;
-import org.dronewatch.sound.SurfaceMaterial.Wall;
+import org.dronewatch.sound.surface.AngularAbsorption;
+import org.dronewatch.sound.surface.SurfaceMaterial;
+import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 import org.dronewatch.world.World;
 
 /** The surface properties that the level model uses: as it has no bands, the figures at 1 kHz, in flat arrays. */

@@ -1,10 +1,10 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
 import java.util.List;
-import org.dronewatch.sound.AngularAbsorption;
 import org.dronewatch.sound.OctaveBands;
-import org.dronewatch.sound.SurfaceMaterial;
-import org.dronewatch.sound.SurfaceMaterial.Wall;
+import org.dronewatch.sound.surface.AngularAbsorption;
+import org.dronewatch.sound.surface.SurfaceMaterial;
+import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 
 /** The surface properties that the energy model uses: fractions by material and band, in flat arrays. */
 public final class BandSurfaces {

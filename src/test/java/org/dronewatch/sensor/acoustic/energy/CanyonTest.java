@@ -15,8 +15,8 @@ import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
-import org.dronewatch.sound.SurfaceMaterial;
-import org.dronewatch.sound.SurfaceMaterials;
+import org.dronewatch.sound.surface.SurfaceMaterial;
+import org.dronewatch.sound.surface.SurfaceMaterials;
 import org.junit.jupiter.api.Test;
 
 /**

@@ -11,8 +11,8 @@ import org.dronewatch.sensor.acoustic.tone.LineSpectrum;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.BandLevels;
-import org.dronewatch.sound.SurfaceMaterial;
 import org.dronewatch.sound.Tone;
+import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 

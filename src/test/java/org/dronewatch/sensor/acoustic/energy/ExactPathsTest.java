@@ -18,7 +18,7 @@ import org.dronewatch.sound.Barrier;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
-import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

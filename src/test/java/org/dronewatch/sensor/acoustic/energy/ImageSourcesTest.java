@@ -11,7 +11,7 @@ import org.dronewatch.sensor.acoustic.imagesource.SpecularLeg;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
-import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 

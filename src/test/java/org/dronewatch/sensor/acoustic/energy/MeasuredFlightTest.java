@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSound;
 import org.dronewatch.sound.DroneSounds;
-import org.dronewatch.sound.SurfaceMaterials;
+import org.dronewatch.sound.surface.SurfaceMaterials;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -13,7 +13,7 @@ import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
-import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 

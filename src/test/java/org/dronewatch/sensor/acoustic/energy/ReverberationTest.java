@@ -9,8 +9,8 @@ import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sound.OctaveBands;
-import org.dronewatch.sound.SurfaceMaterial;
-import org.dronewatch.sound.SurfaceMaterial.Wall;
+import org.dronewatch.sound.surface.SurfaceMaterial;
+import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 

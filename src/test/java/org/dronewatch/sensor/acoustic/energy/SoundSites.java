@@ -12,7 +12,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.OctaveBands;
-import org.dronewatch.sound.SurfaceMaterial;
+import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.world.World;
 
 /**

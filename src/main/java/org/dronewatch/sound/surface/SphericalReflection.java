@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 /**
  * How flat ground reflects a spherical wave: the Weyl-van der Pol solution {@code Q = Rp + (1 - Rp) F(w)}, with the

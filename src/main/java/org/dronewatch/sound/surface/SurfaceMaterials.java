@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 import de.siegmar.fastcsv.reader.NamedCsvRecord;
 import java.util.ArrayList;
@@ -8,7 +8,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.dronewatch.sound.SurfaceMaterial.Wall;
+import org.dronewatch.sound.CsvTable;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 
 /**
  * The surfaces that come with the library, each with its source. The published tables begin at 125 Hz and end at 4 kHz:

@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 /**
  * How much of the reflected energy a rough surface scatters, as a function of the angle of incidence. Materials state

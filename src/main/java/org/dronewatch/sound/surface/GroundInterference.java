@@ -1,4 +1,6 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
+
+import org.dronewatch.sound.OctaveBands;
 
 /**
  * The mean energy of direct and ground-reflected sound together in an octave band: over equal parts of lg f, of

@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 /** A complex number. */
 record Complex(double re, double im) {

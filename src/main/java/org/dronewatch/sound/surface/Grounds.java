@@ -1,7 +1,8 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.sound.CsvTable;
 
 /** The impedances of the surfaces that come with the library and can be ground, each with its source. */
 public final class Grounds {

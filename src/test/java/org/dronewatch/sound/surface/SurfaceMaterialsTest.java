@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
@@ -8,7 +8,8 @@ import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.sound.SurfaceMaterial.Wall;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 import org.junit.jupiter.api.Test;
 
 class SurfaceMaterialsTest {

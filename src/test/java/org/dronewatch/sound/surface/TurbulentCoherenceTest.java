@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,7 +1,8 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.sound.OctaveBands;
 
 /**
  * Absorption as a function of the angle of incidence, from a table: linear between its angles, constant below the first

@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 import java.util.Arrays;
 import java.util.List;
@@ -10,7 +10,9 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
-import org.dronewatch.sound.SurfaceMaterial.Wall;
+import org.dronewatch.sound.BandFractions;
+import org.dronewatch.sound.BandLevels;
+import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 
 /**
  * An acoustic surface that a scene defines, beside those of the table. At most one of {@code absorption} and

@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 /**
  * The Faddeeva function {@code w(z) = exp(-z^2) erfc(-i z)}, by the rational series of J. A. C. Weideman (Computation

@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -6,7 +6,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronewatch.sound.SurfaceMaterial.Wall;
+import org.dronewatch.sound.BandFractions;
+import org.dronewatch.sound.BandLevels;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

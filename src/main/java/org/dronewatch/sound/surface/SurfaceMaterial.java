@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 import java.util.Collections;
 import java.util.List;
@@ -8,6 +8,8 @@ import java.util.OptionalDouble;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
 
 /**
  * The acoustic properties of a surface, by octave band. A fraction {@code 1 - absorption} of the incident energy is

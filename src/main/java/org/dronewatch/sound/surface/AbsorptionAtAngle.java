@@ -1,8 +1,9 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.sound.BandFractions;
 
 /**
  * What a surface absorbs of sound that arrives at an angle.

@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 /**
  * The coherence of direct and ground-reflected sound in turbulent air: the factor by which their interference is

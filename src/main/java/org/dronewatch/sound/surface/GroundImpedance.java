@@ -1,4 +1,4 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 /**
  * The acoustic impedance of ground from one number, its effective flow resistivity, by the fit of M. E. Delany and E.

@@ -1,9 +1,11 @@
-package org.dronewatch.sound;
+package org.dronewatch.sound.surface;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
