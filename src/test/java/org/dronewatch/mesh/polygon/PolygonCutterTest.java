@@ -23,7 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class PolygonCutterTest {
+public class PolygonCutterTest {
     /** Linear time needs seconds for the largest polygons together; 10,000,000,000 steps for each take far longer. */
     private static final Duration TIME_LIMIT = Duration.ofMinutes(2);
 
@@ -85,7 +85,7 @@ class PolygonCutterTest {
     }
 
     /** Area of all triangles of a mesh. */
-    static double area(TriangleMesh mesh) {
+    public static double area(TriangleMesh mesh) {
         double[] normal = new double[3];
         double area = 0.0;
         for (int i = 0; i < mesh.triangleCount(); i++) {
