@@ -1,30 +1,43 @@
 package org.dronewatch.positioner;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
- * What a positioner knows of the contact that it follows. Positions are smoothed and predicted by an alpha-beta filter:
- * the position is corrected by {@code alpha} times the difference between a sighting and its prediction, the velocity
- * by {@code beta} times that difference over the time between, with {@code beta = alpha^2 / (2 - alpha)} (Benedict and
- * Bordner 1962). Directions without a range are taken as they are. A sighting without a measured elevation keeps the
- * height that other sightings gave.
+ * What a positioner knows of the contact that it follows. Positions that sensors measured are smoothed and predicted by
+ * an {@link AlphaBeta} filter. Where there are directions only, two of them from different places give positions, which
+ * go through a filter of their own; one alone gives a line. A sighting without a measured elevation keeps the height
+ * that other sightings gave.
  */
 final class FollowedContact {
-    private static final double ALPHA = 0.5;
-    private static final double BETA = ALPHA * ALPHA / (2.0 - ALPHA);
-    private static final Position REST = new Position(0, 0, 0);
+    /** A crossing with a smaller error, as a fraction of the range, is a position. */
+    private static final double ACCURATE = 0.1;
+
+    /** Standard errors to either side within which a range lies. */
+    private static final double DEVIATIONS = 2.0;
+
+    /** Crossings that follow each other faster than this, s, would make velocities of their errors. */
+    private static final double SPACING = 0.2;
 
     private final int contact;
-    private Optional<Position> position = Optional.empty();
-    private Position velocity = REST;
+    private final double patience;
+    private final RangeSearch search;
+    private final Map<Position, Bearing> bearings = new LinkedHashMap<>();
+    private Bearing latest;
+    private Optional<AlphaBeta> measured = Optional.empty();
+    private Optional<AlphaBeta> crossed = Optional.empty();
+    private Optional<Crossing> crossing = Optional.empty();
     private boolean hasHeight;
-    private double positionTime;
-    private Direction direction;
     private double received;
 
-    FollowedContact(int contact, Sighting sighting, double time, double received) {
+    /** A contact after its first sighting; its positions are predicted for as long as the positioner waits for it. */
+    FollowedContact(int contact, Sighting sighting, double time, double received, PositionerSettings settings) {
         this.contact = contact;
+        this.patience = settings.hold() + settings.delay();
+        this.search = settings.rangeSearch();
         add(sighting, time, received);
     }
 
@@ -45,37 +58,73 @@ final class FollowedContact {
      */
     void add(Sighting sighting, double time, double now) {
         received = now;
-        Sighting placed = hasHeight && !sighting.hasElevation() && position.isPresent()
-                ? sighting.atHeightOf(position.get().plus(velocity.times(time - positionTime)))
+        Sighting placed = hasHeight && !sighting.hasElevation() && measured.isPresent()
+                ? sighting.atHeightOf(measured.get().at(time))
                 : sighting;
         hasHeight |= sighting.hasElevation() && sighting.range().isPresent();
-        direction = placed.direction();
-        placed.position().ifPresent(found -> add(found, time));
+        Bearing bearing = bearings.get(placed.from());
+        if (bearing == null) {
+            bearing = new Bearing(placed, time);
+            bearings.put(placed.from(), bearing);
+        } else {
+            bearing.add(placed, time, patience);
+        }
+        latest = bearing;
+        if (placed.range().isPresent()) {
+            crossing = Optional.empty();
+            measured = Optional.of(filtered(measured, placed.position().orElseThrow(), time));
+        } else {
+            cross(bearing, time);
+        }
     }
 
-    private void add(Position found, double time) {
-        double since = time - positionTime;
-        if (position.isPresent() && since > 0.0) {
-            Position expected = position.get().plus(velocity.times(since));
-            Position difference = found.minus(expected);
-            position = Optional.of(expected.plus(difference.times(ALPHA)));
-            velocity = velocity.plus(difference.times(BETA / since));
-        } else {
-            position = Optional.of(found);
-        }
-        positionTime = time;
+    private static AlphaBeta filtered(Optional<AlphaBeta> filter, Position position, double time) {
+        AlphaBeta result = filter.orElseGet(() -> new AlphaBeta(position, time));
+        result.add(position, time);
+        return result;
+    }
+
+    /** Where the new direction passes those from other places, as far as those are recent. */
+    private void cross(Bearing bearing, double time) {
+        crossing = bearings.values().stream()
+                .filter(other -> other != bearing && bearing.isDirectionOnly() && other.isDirectionOnly())
+                .filter(other -> Math.abs(time - other.time()) <= Bearing.LEAD)
+                .flatMap(other -> Crossing.of(bearing, other, time).stream())
+                .reduce((one, other) -> other.error() < one.error() ? other : one);
+        crossing.filter(found -> found.error() <= ACCURATE * found.range())
+                .filter(found -> crossed.isEmpty() || time - crossed.get().time() >= SPACING)
+                .ifPresent(found -> {
+                    Position place = bearing.from().plus(bearing.at(time).times(found.range()));
+                    boolean isFresh =
+                            crossed.isPresent() && time - crossed.get().time() <= patience;
+                    crossed = Optional.of(filtered(isFresh ? crossed : Optional.empty(), place, time));
+                });
     }
 
     /**
-     * The direction in which to look at a time.
-     *
-     * @param patience how old the last position may be, s: after that the last direction is better
+     * The predicted position at a time, s; empty if no sensor has measured one lately, nor two directions have given
+     * one.
      */
-    Direction from(Position from, double time, double patience) {
-        return position.filter(last -> time - positionTime <= patience)
-                .map(last -> last.plus(velocity.times(time - positionTime)).minus(from))
-                .filter(offset -> offset.length() > 0.0)
-                .map(Direction::of)
-                .orElse(direction);
+    Optional<Position> position(double time) {
+        return recent(measured, time).or(() -> recent(crossed, time)).map(filter -> filter.at(time));
+    }
+
+    private Optional<AlphaBeta> recent(Optional<AlphaBeta> filter, double time) {
+        return filter.filter(known -> time - known.time() <= patience);
+    }
+
+    /** The line on which it is, at a time, s, by the sensor that saw it last. */
+    SightLine line(double time) {
+        OptionalDouble size = latest.size();
+        double near = 0.0;
+        double far = Double.POSITIVE_INFINITY;
+        if (crossing.isPresent() && time - latest.time() <= Bearing.LEAD) {
+            near = crossing.get().range() - DEVIATIONS * crossing.get().error();
+            far = crossing.get().range() + DEVIATIONS * crossing.get().error();
+        } else if (size.isPresent()) {
+            near = search.nearest(size.getAsDouble(), latest.error());
+            far = search.farthest(size.getAsDouble(), latest.error());
+        }
+        return new SightLine(latest.from(), latest.at(time), latest.error(), near, far);
     }
 }

@@ -19,13 +19,26 @@ public final class Positioner {
 
     private static final double LOOKS = 1.5;
 
+    /** Standard errors of a direction to either side that a field of view has to hold. */
+    private static final double DEVIATIONS = 2.0;
+
+    /**
+     * It has turned to a direction when it points this near to it, rad, and zoomed to a field when that is this much
+     * wider.
+     */
+    private static final double TURNED = 1e-9;
+
+    private static final double ZOOMED = 1.05;
+
     private record Cue(double due, int contact, Sighting sighting, double time) {}
 
     private final PositionerSettings settings;
     private final Position position;
     private final Direction rest;
     private final double widest;
+    private final ImageShape shape;
     private final double fresh;
+    private final RangeScan scan;
     private final Deque<Cue> cues = new ArrayDeque<>();
 
     private double time;
@@ -36,7 +49,7 @@ public final class Positioner {
     private double ownTime = Double.NEGATIVE_INFINITY;
 
     /**
-     * A positioner at the start of a run.
+     * A positioner at the start of a run, of a sensor whose image is as wide as high.
      *
      * @param position where it stands, m
      * @param rest the direction of its sensor's own aim
@@ -44,10 +57,31 @@ public final class Positioner {
      * @param interval between two looks of its sensor, s
      */
     public Positioner(PositionerSettings settings, Position position, Direction rest, double widest, double interval) {
+        this(settings, position, rest, widest, ImageShape.SQUARE, interval);
+    }
+
+    /**
+     * A positioner at the start of a run.
+     *
+     * @param position where it stands, m
+     * @param rest the direction of its sensor's own aim
+     * @param widest its sensor's own field of view, rad
+     * @param shape of its sensor's image
+     * @param interval between two looks of its sensor, s
+     */
+    public Positioner(
+            PositionerSettings settings,
+            Position position,
+            Direction rest,
+            double widest,
+            ImageShape shape,
+            double interval) {
         this.settings = settings;
         this.position = position;
         this.rest = rest;
         this.widest = widest;
+        this.shape = shape;
+        this.scan = new RangeScan(settings, position, shape, interval);
         this.fresh = Math.max(MAX_OWN_AGE, LOOKS * interval);
         this.own = rest;
         this.direction = settings.tilted(settings.search().at(rest, 0.0));
@@ -81,8 +115,9 @@ public final class Positioner {
 
     private void follow(int contact, Sighting sighting, double seen, double received) {
         if (track.isEmpty()) {
-            track = Optional.of(new FollowedContact(contact, sighting, seen, received));
+            track = Optional.of(new FollowedContact(contact, sighting, seen, received, settings));
             ownTime = Double.NEGATIVE_INFINITY;
+            scan.reset();
         } else if (track.get().contact() == contact) {
             track.get().add(sighting, seen, received);
         }
@@ -98,15 +133,21 @@ public final class Positioner {
             }
         }
         boolean holds = track.isPresent() && now - ownTime <= fresh;
-        Direction seen = own;
-        Direction wanted = settings.tilted(
-                track.map(followed -> holds ? seen : followed.from(position, now, settings.hold() + settings.delay()))
-                        .orElseGet(() -> settings.search().at(rest, now)));
+        Optional<Direction> known = holds ? Optional.of(own) : predicted(now);
+        Optional<SightLine> line = track.filter(followed -> known.isEmpty()).map(followed -> followed.line(now));
+        double field = wantedField(holds, line);
+        Direction wanted = settings.tilted(known.or(() -> line.map(searched -> scan.at(searched, now, field)))
+                .orElseGet(() -> settings.search().at(rest, now)));
         double since = now - time;
         double turned = limited(Direction.turn(direction.azimuth(), wanted.azimuth()), settings.panSpeed() * since);
         double tilted = limited(wanted.elevation() - direction.elevation(), settings.tiltSpeed() * since);
         direction = direction.turned(turned, tilted);
-        settings.zoom().ifPresent(lens -> zoom(lens, holds, since));
+        settings.zoom().ifPresent(lens -> zoom(lens, field, since));
+        if (line.isEmpty()) {
+            scan.reset();
+        } else if (direction.unit().distance(wanted.unit()) <= TURNED && fov <= ZOOMED * field) {
+            scan.arrive(now);
+        }
         time = now;
         boolean moved = since > 0.0;
         return new Pointing(
@@ -117,9 +158,27 @@ public final class Positioner {
                 track.map(followed -> OptionalInt.of(followed.contact())).orElse(OptionalInt.empty()));
     }
 
+    /** The direction to where the contact is predicted to be; empty if no position is known. */
+    private Optional<Direction> predicted(double now) {
+        return track.flatMap(followed -> followed.position(now))
+                .map(place -> place.minus(position))
+                .filter(offset -> offset.length() > 0.0)
+                .map(Direction::of);
+    }
+
+    /** Zoomed to a contact as its positioner's settings say, but wide enough for the error of a line. */
+    private double wantedField(boolean holds, Optional<SightLine> line) {
+        if (settings.zoom().isEmpty() || track.isEmpty()) {
+            return widest;
+        }
+        ZoomSettings lens = settings.zoom().get();
+        double error = line.map(SightLine::error).orElse(0.0);
+        double fitting = shape.fitting(Math.min(Math.PI / 2, 2.0 * DEVIATIONS * error));
+        return holds ? lens.tracked() : Math.min(widest, Math.max(lens.cued(), fitting));
+    }
+
     /** The field of view changes by a constant factor per second. */
-    private void zoom(ZoomSettings lens, boolean holds, double since) {
-        double wanted = track.isEmpty() ? widest : holds ? lens.tracked() : lens.cued();
+    private void zoom(ZoomSettings lens, double wanted, double since) {
         double narrowest = Math.min(widest, Math.min(lens.cued(), lens.tracked()));
         double span = Math.log(widest / narrowest);
         // Without a span there is nothing to limit, and a very short time would make it infinite times 0.

@@ -10,6 +10,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
@@ -30,6 +31,7 @@ import org.dronewatch.setting.SettingsForm;
  *     weather into account must also detect it
  * @param search what it does until it is cued
  * @param zoom how its lens zooms; omit it for a fixed one
+ * @param rangeSearch how it finds a drone of which a sensor that stands elsewhere knows only the direction
  */
 public record PositionerSettings(
         List<String> cues,
@@ -41,7 +43,8 @@ public record PositionerSettings(
         @In(value = Quantity.DURATION, from = 0, to = 3600) double hold,
         @In(value = Quantity.PIXELS, from = 1, to = 1e6) @Formerly("lock") double lockPixels,
         SearchPattern search,
-        Optional<ZoomSettings> zoom) {
+        Optional<ZoomSettings> zoom,
+        @Minor RangeSearch rangeSearch) {
     /** What the model of a positioner leaves out, for a report. */
     public static final String LEFT_OUT =
             "Positioners accelerate instantly and do not vibrate; their own cameras measure directions without errors.";
@@ -61,7 +64,8 @@ public record PositionerSettings(
             3.0,
             6.0,
             new SearchPattern.Rest(),
-            Optional.empty());
+            Optional.empty(),
+            RangeSearch.DEFAULT);
 
     /**
      * Checks the limits and copies the list.
@@ -80,7 +84,8 @@ public record PositionerSettings(
                 hold,
                 lockPixels,
                 search,
-                zoom);
+                zoom,
+                rangeSearch);
         cues = List.copyOf(cues);
         if (new HashSet<>(cues).size() < cues.size()) {
             throw new IllegalArgumentException("cues " + cues + " must not name a sensor twice");
@@ -123,6 +128,11 @@ public record PositionerSettings(
     /** These settings with another search pattern. */
     public PositionerSettings withSearch(SearchPattern pattern) {
         return SettingsForm.with(this, "search", pattern);
+    }
+
+    /** These settings with another search along the lines of cues without a range. */
+    public PositionerSettings withRangeSearch(RangeSearch other) {
+        return SettingsForm.with(this, "rangeSearch", other);
     }
 
     /** These settings with a lens that zooms. */

@@ -170,7 +170,7 @@ class PositionerTest {
     }
 
     @Test
-    void aDirectionWithoutARangeIsTakenAsItIs() {
+    void aDirectionFromItsOwnPlaceIsTakenAsItIs() {
         Positioner mount = positioner(SETTINGS);
         mount.cue(1, new Sighting(PLACE, new Direction(rad(33), rad(7)), OptionalDouble.empty()), 0.0);
         mount.moveTo(0.5);
@@ -184,19 +184,30 @@ class PositionerTest {
     void anOldPlaceIsWorthLessThanANewDirection() {
         Positioner mount = positioner(SETTINGS);
         mount.cue(1, at(fromPlace(0, 0, 400)), 0.0);
-        for (int look = 0; look <= 10; look++) {
+        for (int look = 0; look <= 100; look++) {
             // Another camera sees it go on; the radar has lost it.
-            Direction seen = new Direction(rad(3.0 * look), 0);
-            mount.cue(1, new Sighting(PLACE, seen, OptionalDouble.empty()), 0.5 * look);
-            mount.moveTo(0.5 * look + 0.5);
+            Direction seen = new Direction(rad(0.6 * look), 0);
+            mount.cue(1, new Sighting(PLACE, seen, OptionalDouble.empty()), 0.1 * look);
+            mount.moveTo(0.1 * look + 0.5);
         }
-        assertThat(mount.moveTo(6.0).direction().azimuth()).isCloseTo(rad(30), within(1e-9));
+        // The last direction is half a second old, and it turns by 6 degrees a second.
+        assertThat(mount.moveTo(10.5).direction().azimuth()).isCloseTo(rad(63), within(rad(0.1)));
     }
 
     @Test
     void patienceBeginsWhenTheMountIsTold() {
         PositionerSettings slow = new PositionerSettings(
-                java.util.List.of("radar"), 1, 1, -1, 1, 5.0, 2.0, 6, new SearchPattern.Rest(), Optional.empty());
+                java.util.List.of("radar"),
+                1,
+                1,
+                -1,
+                1,
+                5.0,
+                2.0,
+                6,
+                new SearchPattern.Rest(),
+                Optional.empty(),
+                RangeSearch.DEFAULT);
         Positioner mount = positioner(slow);
         mount.cue(1, at(fromPlace(20, 0, 400)), 0.0);
 

@@ -117,7 +117,7 @@ public final class CameraSensor implements AssessableSensor {
                 new GroundTruth(drone.id(), view.range(), look.time()),
                 reading,
                 probability.isPresent() ? Map.of(Observation.PROBABILITY, probability.getAsDouble()) : Map.of(),
-                sighted ? Optional.of(settings.sighting(drone.origin())) : Optional.empty());
+                sighted ? Optional.of(settings.sighting(drone.origin(), pixels, picture.camera())) : Optional.empty());
     }
 
     /** What the value must reach in one frame. */

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Direction;
+import org.dronewatch.positioner.ImageShape;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Positioner;
 import org.dronewatch.positioner.PositionerSettings;
@@ -94,8 +95,13 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     @Override
     default Optional<Positioner> createPositioner() {
         return positioner()
-                .map(turning ->
-                        new Positioner(turning, position(), Direction.of(aim().from(position())), fov(), 1.0 / rate()));
+                .map(mount -> new Positioner(
+                        mount, position(), Direction.of(aim().from(position())), fov(), shape(), 1.0 / rate()));
+    }
+
+    private ImageShape shape() {
+        double ratio = (double) width() / height();
+        return fovAxis() == FieldOfView.HORIZONTAL ? new ImageShape(1.0, 1.0 / ratio) : new ImageShape(ratio, 1.0);
     }
 
     @Override
@@ -111,12 +117,21 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     }
 
     /**
-     * Where an image shows a drone: the direction, to a pixel or better, but no range.
+     * Where an image shows a drone: the direction, to a pixel or better, and how large it appears, but no range.
      *
      * @param drone its position, m
+     * @param pixels that it covers
+     * @param camera that made the image
      */
-    default Sighting sighting(Position drone) {
-        return new Sighting(position(), Direction.of(drone.minus(position())), OptionalDouble.empty());
+    default Sighting sighting(Position drone, double pixels, CameraObject camera) {
+        double[] view = new double[3];
+        camera.toView(drone.x(), drone.y(), drone.z(), view, 0);
+        double cosine = view[2] / drone.distance(position());
+        // Off the axis a pixel subtends a smaller solid angle, by the cube of the cosine.
+        double pixel = Math.pow(Math.max(0.0, cosine), 1.5) / camera.focalLength();
+        double size = pixel * Math.sqrt(Math.max(1.0, pixels));
+        Direction direction = Direction.of(drone.minus(position()));
+        return new Sighting(position(), direction, OptionalDouble.empty(), true, pixel, OptionalDouble.of(size));
     }
 
     /**

@@ -40,6 +40,11 @@ public final class VisibleArea {
         return visibility.world();
     }
 
+    /** The camera. */
+    public CameraObject camera() {
+        return camera;
+    }
+
     /** The area of a drone that is in the image and that no part of the site hides, in pixels. */
     public double of(Drone drone) {
         return of(drone, false);

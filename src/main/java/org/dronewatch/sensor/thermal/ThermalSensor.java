@@ -104,7 +104,7 @@ public final class ThermalSensor implements AssessableSensor {
                 new GroundTruth(drone.id(), range, look.time()),
                 new Reading(probability, threshold, Quantity.RATIO.unit()),
                 figures,
-                sighted ? Optional.of(settings.sighting(drone.origin())) : Optional.empty());
+                sighted ? Optional.of(settings.sighting(drone.origin(), pixels, area.camera())) : Optional.empty());
     }
 
     /**

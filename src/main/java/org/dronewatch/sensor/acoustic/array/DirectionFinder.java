@@ -138,8 +138,10 @@ public final class DirectionFinder {
         double elevation = hasElevation ? truth + elevationError * raise : 0.0;
         double limited = Math.max(-0.5 * Math.PI, Math.min(0.5 * Math.PI, elevation));
         Direction believed = new Direction(direction.azimuth() + turn, limited);
+        double across = bearingError * Math.cos(limited);
+        double error = hasElevation ? Math.max(across, elevationError) : across;
         return Optional.of(new Found(
-                new Sighting(array, believed, OptionalDouble.empty()),
+                new Sighting(array, believed, OptionalDouble.empty(), hasElevation, error, OptionalDouble.empty()),
                 bearingError,
                 hasElevation ? OptionalDouble.of(elevationError) : OptionalDouble.empty()));
     }

@@ -1,0 +1,28 @@
+package org.dronewatch.positioner;
+
+/**
+ * The proportions of a camera's image: tangents of half its fields of view, in multiples of that of the field that its
+ * settings state.
+ *
+ * @param width of the horizontal field
+ * @param height of the vertical field
+ */
+public record ImageShape(double width, double height) {
+    /** As wide as high. */
+    static final ImageShape SQUARE = new ImageShape(1.0, 1.0);
+
+    /** The horizontal field of view, rad, when the one that the settings state is zoomed to an angle. */
+    double across(double fov) {
+        return 2.0 * Math.atan(width * Math.tan(0.5 * fov));
+    }
+
+    /** The vertical field of view, rad. */
+    double upwards(double fov) {
+        return 2.0 * Math.atan(height * Math.tan(0.5 * fov));
+    }
+
+    /** The stated field of view at which the smaller of the two is as wide as an angle, less than pi, rad. */
+    double fitting(double angle) {
+        return 2.0 * Math.atan(Math.tan(0.5 * angle) / Math.min(width, height));
+    }
+}
