@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
@@ -22,6 +23,14 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronewatch.app.Main;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.KDTreeStats;
+import org.dronewatch.mesh.io.ModelLoader;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.mesh.io.UpAxis;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scenes.CameraRange;
+import org.dronewatch.scenes.ClosedSpace;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
@@ -162,11 +171,78 @@ class ThesisPageTest {
         }
     }
 
-    /** Whether there is a test, a command or a page to look at. */
+    /** Whether there is a command to run or a page to look at: the name of a test alone shows nobody anything. */
     private static boolean shows(String cells) {
         return LINK.matcher(cells).find()
-                || codeOf(cells).stream()
-                        .anyMatch(name -> name.endsWith("Test") || COMMANDS.contains(name.split(" ")[0]));
+                || codeOf(cells).stream().anyMatch(name -> COMMANDS.contains(name.split(" ")[0]));
+    }
+
+    /** The row about something, as it says what differs. */
+    private static String differs(String thesis) throws IOException {
+        List<Row> found = new ArrayList<>(rows());
+        found.removeIf(row -> !row.thesis().equals(thesis));
+        assertThat(found).as(thesis).hasSize(1);
+        return found.get(0).differs();
+    }
+
+    /** The range at which the camera of the packaged scene first detects the drone, in the first run of its sweep, m. */
+    private static double cameraRange(String... settings) {
+        SceneRunner runner = new SceneRunner(new CameraRange()).only(0).set("sensors.camera.detection", "target-task");
+        for (String setting : settings) {
+            runner.set(setting.replaceFirst("=.*", ""), setting.replaceFirst(".*=", ""));
+        }
+        return runner.run().firstDetectionRange("camera", "quadrotor").orElseThrow();
+    }
+
+    private static String metres(double range) {
+        return String.format(Locale.ROOT, "%.1f", range).replaceFirst("\\.0$", "") + " m";
+    }
+
+    /** What the rows say of light and visibility is what a run says. */
+    @Test
+    void theFiguresOfWeatherAndLightAreThoseOfARun() throws IOException {
+        String clear = metres(cameraRange());
+        assertThat(differs("dependence on light"))
+                .contains(metres(cameraRange("world.light.illuminance=0.3 lx")) + " instead of " + clear + " at 30°");
+        assertThat(differs("weather and light"))
+                .contains(metres(cameraRange("world.light.visibility=200 m")) + " instead of " + clear + " at 30°");
+    }
+
+    private static double cumulatedEnergy(String... settings) {
+        SceneRunner runner = new SceneRunner(new ClosedSpace())
+                .set("sensors.microphone.propagation.listening", "thorough")
+                .until(0.0);
+        for (String setting : settings) {
+            runner.set(setting.replaceFirst("=.*", ""), setting.replaceFirst(".*=", ""));
+        }
+        List<Double> energies = new ArrayList<>();
+        runner.onFrame(frame -> frame.observations().stream()
+                        .map(one -> one.figures().get("cumulated_energy"))
+                        .filter(Objects::nonNull)
+                        .forEach(energies::add))
+                .run();
+        return energies.get(0);
+    }
+
+    @Test
+    void theFiguresOfDividedEnergyAreThoseOfARun() throws IOException {
+        assertThat(differs("distribution of reflected sound by a ratio of diffraction"))
+                .contains(String.format(
+                        Locale.ROOT,
+                        "is %.3f instead of %.3f",
+                        cumulatedEnergy("sensors.microphone.propagation.diffraction=0.5"),
+                        cumulatedEnergy()));
+    }
+
+    /** The line that {@code bench} prints of the quadrotor's tree is on the page about the kernel. */
+    @Test
+    void theKernelsPageShowsTheTreeOfTheQuadrotor() throws IOException {
+        String page = Files.readString(Path.of("src/site/markdown/kernel.md"));
+        KDTree tree = KDTree.of(new ModelLoader(Path.of(""))
+                .load(ModelSettings.packaged("quadrotor.obj").withUpAxis(UpAxis.Z))
+                .mesh());
+        assertThat(page.lines().map(String::strip))
+                .contains(KDTreeStats.of(tree).toString());
     }
 
     @Test
