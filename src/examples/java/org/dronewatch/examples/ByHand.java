@@ -25,7 +25,7 @@ import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
-import org.dronewatch.sound.SurfaceMaterials;
+import org.dronewatch.sound.surface.SurfaceMaterials;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
