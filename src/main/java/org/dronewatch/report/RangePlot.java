@@ -150,8 +150,13 @@ final class RangePlot {
         return values.isEmpty() ? "" : ", " + values;
     }
 
+    /** Of the run of a number: in a sweep of which only some runs were made, that is not its index. */
     private SceneSettings settings(int run) {
-        return result.runs().get(run).settings();
+        return result.runs().stream()
+                .filter(one -> one.run() == run)
+                .findFirst()
+                .orElseThrow()
+                .settings();
     }
 
     /** Grey for the only threshold; that of the only curve it belongs to; or one that no curve has. */

@@ -15,6 +15,7 @@ import org.dronewatch.report.RunReport;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.Draws;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -95,6 +96,33 @@ class ProvenanceTest {
         }
         assertThat(summary.propertyNames())
                 .contains("threads", "load_s", "build_s", "wall_s", "looking_s", "real_time_factor");
+    }
+
+    /** Run 0 of a sweep has the seed as given, run k the one derived from it by the name "run" and its number. */
+    @Test
+    void theResultStatesTheSeedOfEveryRun() throws IOException {
+        long seed = 12_345L;
+        Path out = directory.resolve("swept");
+        Program.Outcome outcome = Program.run(
+                "run",
+                "camera-range",
+                "--set",
+                "run.duration=0.1",
+                "--set",
+                "run.seed=" + seed,
+                "--out",
+                out.toString());
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        JsonNode result = JSON.readTree(Files.readString(out.resolve("result.json")));
+
+        assertThat(result.get("seed").asLong()).isEqualTo(seed);
+        List<Long> seeds = new ArrayList<>();
+        result.get("seeds").forEach(one -> seeds.add(one.asLong()));
+        assertThat(seeds).hasSize(5);
+        assertThat(seeds.get(0)).isEqualTo(seed);
+        for (int k = 1; k < seeds.size(); k++) {
+            assertThat(seeds.get(k)).as("run %d", k).isEqualTo(Draws.derivedSeed(seed, "run", k));
+        }
     }
 
     @Test

@@ -18,6 +18,8 @@ import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.positioner.PositionerSettings;
+import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.RunSession;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
@@ -281,5 +283,52 @@ class CoverageTest {
                 .as("a cell that the microphone reaches, too, is redder")
                 .isGreaterThan(radarOnly.getRed());
         assertThat(picture.colour(1200, 900)).isEqualTo(Color.WHITE);
+    }
+
+    /**
+     * Sound is estimated with random rays: the second cell's are those of a run's second look, so field and run agree to
+     * the last bit. The drone hovers where the cell puts it; at the first look its sound has not arrived yet.
+     */
+    @Test
+    void theEstimateOfACellIsThatOfALookOfARunThere() throws IOException {
+        Path file = directory.resolve("ear.yaml");
+        Files.writeString(
+                file,
+                """
+                world: {models: [plain.obj], backgroundNoise: 20}
+                drones:
+                  one:
+                    model: packaged:quadrotor.obj
+                    flight: {kind: hover, position: [30, 65, 2]}
+                    soundLevel: 60
+                sensors:
+                  ear: {kind: acoustic, position: [3, -5, 2], rate: 1 Hz, propagation: {kind: energy-model}}
+                run: {duration: 1 s, seed: 5}
+                """);
+        CoverageGrid grid = new CoverageGrid(0, 35, 120, 2, 2);
+        assertThat(new double[] {grid.x(1), grid.y(0)}).containsExactly(30, 65);
+        SceneRunner runner = new SceneRunner(new SceneFile(file));
+        SceneSettings settings = runner.settings();
+        Coverage field = Coverage.of(settings, runner.stage(settings), "one", grid, points -> {});
+        Assessment assessed = field.assess("ear", 1, 0).orElseThrow();
+        List<Observation> looks;
+        try (RunSession session = new RunSession(settings, 5, new ModelCache(directory, note -> {}))) {
+            assertThat(session.advance().observations()).isEmpty();
+            looks = session.advance().observations();
+        }
+        Observation look = looks.get(0);
+
+        assertThat(look.look().index()).isEqualTo(1);
+        assertThat(assessed.standardError()).as("it is an estimate").isPositive();
+        assertThat(look.value()).isEqualTo(assessed.quantity());
+        assertThat(look.threshold()).isEqualTo(assessed.threshold());
+        assertThat(look.isDetected()).isEqualTo(assessed.cause() == Cause.DETECTED);
+        SceneSettings otherSeed = new SceneRunner(new SceneFile(file)).seed(6).settings();
+        assertThat(Coverage.of(otherSeed, runner.stage(otherSeed), "one", grid, points -> {})
+                        .assess("ear", 1, 0)
+                        .orElseThrow()
+                        .quantity())
+                .as("other rays, another estimate")
+                .isNotEqualTo(assessed.quantity());
     }
 }

@@ -1,8 +1,11 @@
 package org.dronewatch.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,6 +15,9 @@ import nl.tudelft.simulation.dsol.experiment.Replication;
 import nl.tudelft.simulation.dsol.experiment.SingleReplication;
 import nl.tudelft.simulation.dsol.simulators.DevsRealTimeAnimator;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulator;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Hover;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.ModelCache;
@@ -21,10 +27,13 @@ import org.dronewatch.run.RunSession;
 import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenes.CameraRange;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** A run is a function of settings and seed, whoever drives it. */
 class RunSessionTest {
@@ -62,7 +71,11 @@ class RunSessionTest {
     }
 
     private static RunResult driven(SceneSettings settings, long seed, SceneListener listener) {
-        try (RunSession session = new RunSession(settings, seed, models())) {
+        return driven(settings, seed, listener, models());
+    }
+
+    private static RunResult driven(SceneSettings settings, long seed, SceneListener listener, ModelCache models) {
+        try (RunSession session = new RunSession(settings, seed, models)) {
             session.listen(listener);
             while (session.nextTime().isPresent()) {
                 double next = session.nextTime().getAsDouble();
@@ -193,9 +206,9 @@ class RunSessionTest {
         assertThat(told.stage.dronesAt(0.0)).as("the site can still be asked").hasSize(2);
     }
 
-    /** Each of three runs, once, in its order; and no listener hears of a run whose world cannot be made. */
+    /** Each of three runs, once, in its order. */
     @Test
-    void theRunnerTellsOfARunOnceItsStageIsThere() {
+    void listenersHearOfARunOnceItsStageIsThere() {
         Scene scene = new HillScene() {
             @Override
             protected void build() {
@@ -218,5 +231,51 @@ class RunSessionTest {
                 .run();
         assertThat(started).containsExactly(0, 1, 2);
         assertThat(stages).doesNotHaveDuplicates();
+    }
+
+    /** Of three runs, the second has a world that cannot be made: its model is wrong. */
+    @Test
+    void noListenerHearsOfARunWhoseWorldCannotBeMade(@TempDir Path directory) throws IOException {
+        Files.writeString(directory.resolve("whole.obj"), "v -9 0 -9\nv 9 0 -9\nv 9 0 9\nf 3 2 1\n");
+        Files.writeString(directory.resolve("broken.obj"), "v -9 0 -9\nv 9 0 -9\nf 3 2 1\n");
+        List<SceneSettings> settings = List.of(inAWorldOf("whole.obj"), inAWorldOf("broken.obj"));
+        ModelCache models = new ModelCache(directory, note -> {});
+        Told told = new Told();
+        driven(settings.get(0), 1, told, models);
+        assertThat(told.lines).isNotEmpty();
+        List<String> before = List.copyOf(told.lines);
+
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> driven(settings.get(1), 1, told, models))
+                .withMessageContaining("broken.obj:3");
+        assertThat(told.lines).isEqualTo(before);
+
+        Told byRunner = new Told();
+        Scene scene = new Scene() {
+            @Override
+            public Path directory() {
+                return directory;
+            }
+
+            @Override
+            protected void build() {
+                loadWorld(load("broken.obj"));
+                add("drone", DroneSettings.of(loadPackaged("quadrotor.obj"), Hover.at(new Position(0, 20, 5))));
+                add("dice", new DiceSettings(new Position(0, 0, 5), 1.0, 0.5));
+                setRun(RunSettings.DEFAULT.withDuration(1.0));
+                sweep("sensors.dice.luck", 0.2, 0.4);
+            }
+        };
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> new SceneRunner(scene).listener(byRunner).run())
+                .withMessageContaining("broken.obj:3");
+        assertThat(byRunner.lines).isEmpty();
+    }
+
+    private static SceneSettings inAWorldOf(String model) {
+        return new SceneRunner(new HillScene())
+                .set("world.models.0.file", model)
+                .set("run.duration", "1")
+                .settings();
     }
 }

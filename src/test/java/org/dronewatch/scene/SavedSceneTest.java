@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.drone.DroneSettings;
@@ -15,12 +17,16 @@ import org.dronewatch.examples.GateWatch;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.report.RunReport;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scenes.AcousticRange;
 import org.dronewatch.scenes.CameraRange;
+import org.dronewatch.scenes.ClosedSpace;
+import org.dronewatch.scenes.MultiSensor;
 import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.camera.CameraSettings;
@@ -32,6 +38,7 @@ import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What is saved is read again as it was, and runs as it did. */
@@ -95,7 +102,7 @@ class SavedSceneTest {
                     RadarSettings.at(mast, LinkBudget.DataSheet.of(1234.5, 0.01))
                             .withFieldOfView(1.1, 0.3));
             add("eye", CameraSettings.at(mast).withHorizontalFov(Math.toRadians(33.3)));
-            add("off", Catalog.packaged().settings("spotterrf-c550", java.util.Map.of("position", mast)));
+            add("off", Catalog.packaged().settings("spotterrf-c550", Map.of("position", mast)));
             disable("off");
             setAlert(AlertSettings.DEFAULT);
             setRun(RunSettings.DEFAULT.withDuration(1.0).withSeed(123_456_789_012_345_678L));
@@ -119,6 +126,69 @@ class SavedSceneTest {
         List<Observation> all = new ArrayList<>();
         runner.onFrame((Frame frame) -> all.addAll(frame.observations())).run();
         return all;
+    }
+
+    /** Scenes, with how long they run and what brings something into range by then. */
+    static Stream<Arguments> shortRuns() {
+        return Stream.of(
+                Arguments.of(new CameraRange(), List.of("run.duration=2", "drones.quadrotor.flight.from.y=40 m")),
+                Arguments.of(new AcousticRange(), List.of("run.duration=2", "drones.quadrotor.speed=60 m/s")),
+                Arguments.of(new ClosedSpace(), List.of("run.duration=1")),
+                Arguments.of(new MultiSensor(), List.of("run.duration=6")),
+                Arguments.of(new GateWatch(), List.of("run.duration=5")),
+                Arguments.of(new Odd(), List.of()),
+                Arguments.of(new Swept(), List.of()));
+    }
+
+    @ParameterizedTest
+    @MethodSource("shortRuns")
+    void aSavedSceneRunsToTheSameBytes(Scene scene, List<String> changes) throws IOException {
+        SceneRunner runner = new SceneRunner(scene);
+        for (String change : changes) {
+            String[] parts = change.split("=", 2);
+            runner.set(parts[0], parts[1]);
+        }
+        Path file = directory.resolve(scene.name() + ".yaml");
+        Files.writeString(file, runner.text(runner.settings(), file));
+        Map<String, String> expected = written(scene, runner, "given");
+
+        assertThat(expected.get("observations.csv").lines()).as("looks").hasSizeGreaterThan(3);
+        Scene read = new SceneFile(file);
+        assertThat(written(read, new SceneRunner(read), "read")).isEqualTo(expected);
+    }
+
+    /** Only the number of the run differs: alone it is the first. */
+    @Test
+    void theThirdValueOfASweepRunsAloneToTheSameBytes() throws IOException {
+        Scene scene = new CameraRange();
+        SceneRunner sweep = new SceneRunner(scene)
+                .set("run.duration", "2")
+                .set("drones.quadrotor.flight.from.y", "40 m")
+                .only(2);
+        Path file = directory.resolve(scene.name() + ".yaml");
+        Files.writeString(file, sweep.text(sweep.settingsOfRuns().get(2), file));
+        Map<String, String> expected = new TreeMap<>(written(scene, sweep, "given"));
+        expected.replaceAll((name, text) -> name.endsWith(".csv") ? text.replaceAll("(?m)^2,", "0,") : text);
+        Scene read = new SceneFile(file);
+        Map<String, String> alone = written(read, new SceneRunner(read), "read");
+
+        assertThat(alone.get("detections.csv").lines()).hasSizeGreaterThan(1);
+        assertThat(alone.get("observations.csv")).isEqualTo(expected.get("observations.csv"));
+        assertThat(alone.get("detections.csv")).isEqualTo(expected.get("detections.csv"));
+        assertThat(alone.get("flights.csv")).isEqualTo(expected.get("flights.csv"));
+    }
+
+    /** The files of a run that depend on neither time nor place. */
+    private Map<String, String> written(Scene scene, SceneRunner runner, String name) throws IOException {
+        Path target = directory.resolve(name);
+        try (RunReport report = new RunReport(scene, target, true)) {
+            report.finish(runner.listener(report).run());
+        }
+        Map<String, String> texts = new TreeMap<>();
+        for (String file : List.of("observations.csv", "detections.csv", "flights.csv", "result.json")) {
+            texts.put(file, Files.readString(target.resolve(file)));
+        }
+        return texts;
     }
 
     @Test

@@ -10,8 +10,13 @@ import static org.dronewatch.sensor.Walls.wall;
 
 import java.util.Map;
 import java.util.Optional;
+import java.util.SplittableRandom;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.ModelRole;
+import org.dronewatch.terrain.KnownGround;
+import org.dronewatch.terrain.TerrainGround;
 import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
@@ -87,6 +92,45 @@ class AssessorTest {
         assertThat(cause(world, 0, 200)).isEqualTo(Cause.hiddenBy(role));
         assertThat(cause(world, 0, 501)).isEqualTo(Cause.OUT_OF_RANGE);
         assertThat(cause(world, 300, 200)).isEqualTo(Cause.OUT_OF_VIEW);
+    }
+
+    /** Ground that is known up to 400 m to either side, and up to 180 m to the north. */
+    private static World knownToTheNorthUpTo180(World world) {
+        float[] corners = {-400, -400, -50, 400, -400, -50, 400, 180, -50, -400, 180, -50};
+        TriangleMesh ground = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
+        return world.withKnownGround(new KnownGround(new TerrainGround(ground)));
+    }
+
+    /** Beyond the ground that is known, each of the others could hold as well: it is unknown all the same. */
+    @Test
+    void whatIsUnknownCountsBeforeAllOtherCauses() {
+        World wall = behind(wall(150, -99, 99), ModelRole.BUILDING);
+        World open = knownToTheNorthUpTo180(open());
+        assertThat(cause(open(), 0, 200)).isEqualTo(Cause.TOO_WEAK);
+        assertThat(cause(open, 0, 200)).isEqualTo(Cause.UNKNOWN);
+        assertThat(cause(wall, 0, 200)).isEqualTo(Cause.HIDDEN_BY_BUILDING);
+        assertThat(cause(knownToTheNorthUpTo180(wall), 0, 200)).isEqualTo(Cause.UNKNOWN);
+        assertThat(cause(open(), 0, 501)).isEqualTo(Cause.OUT_OF_RANGE);
+        assertThat(cause(open, 0, 501)).isEqualTo(Cause.UNKNOWN);
+        assertThat(cause(open(), 420, 100)).isEqualTo(Cause.OUT_OF_VIEW);
+        assertThat(cause(open, 420, 100)).isEqualTo(Cause.UNKNOWN);
+        assertThat(cause(open, 0, 170)).as("as long as it is known").isEqualTo(Cause.TOO_WEAK);
+    }
+
+    /** What a look would detect if nothing stood there is unknown, too, with the signal of that look. */
+    @Test
+    void whatIsUnknownCountsBeforeADetection() {
+        Drone near = cube(new Position(0, 50, 0));
+        float[] corners = {-9, -9, -50, 9, -9, -50, 9, 9, -50, -9, 9, -50};
+        TriangleMesh ground = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
+        World world = open().withKnownGround(new KnownGround(new TerrainGround(ground)));
+        Assessor assessor = new Assessor("guard", new Guard(HERE, true), world);
+        Assessment one = assessor.assess(near, Optional.empty(), new SplittableRandom(1));
+
+        assertThat(one.cause()).isEqualTo(Cause.UNKNOWN);
+        assertThat(one.margin()).isEqualTo(1.0);
+        assertThat(assessor.explainMiss(near, Optional.empty()).cause()).isEqualTo(Cause.UNKNOWN);
+        assertThat(Cause.values()[0]).isEqualTo(Cause.UNKNOWN);
     }
 
     @Test
