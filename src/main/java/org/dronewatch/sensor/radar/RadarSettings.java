@@ -1,13 +1,9 @@
 package org.dronewatch.sensor.radar;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
-import java.math.RoundingMode;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
@@ -234,51 +230,7 @@ public record RadarSettings(
     /** Rejects a gain that the beam cannot have, and a scan that is too fast for the beams of a hardware budget. */
     @Override
     public List<String> advice() {
-        if (!(budget instanceof LinkBudget.Hardware hardware)) {
-            return List.of();
-        }
-        return Stream.concat(gainAdvice(hardware).stream(), scanAdvice(hardware).stream())
-                .toList();
-    }
-
-    private Optional<String> gainAdvice(LinkBudget.Hardware hardware) {
-        return beam.filter(one -> hardware.gain() > one.largestGain())
-                .map(one -> String.format(
-                        "an antenna of %s dBi cannot have a beam of %s x %s deg: its gain is at most %s dBi",
-                        rounded(hardware.gain()),
-                        rounded(Math.toDegrees(one.azimuthBeamwidth())),
-                        rounded(Math.toDegrees(one.elevationBeamwidth())),
-                        rounded(one.largestGain())));
-    }
-
-    private Optional<String> scanAdvice(LinkBudget.Hardware hardware) {
-        // One wide antenna may serve several narrow beams of the other at once.
-        double gain = Math.min(hardware.gain(), hardware.receiveGain().orElse(hardware.gain()));
-        long beams = ScanTime.beams(azimuthWidth, elevationWidth, gain);
-        double scan = beams * hardware.integrationTime();
-        if (scan * rate <= 1.0 + 1e-9) {
-            return Optional.empty();
-        }
-        return Optional.of(String.format(
-                "an antenna of %s dBi needs at least %d beams for %s x %s deg: at an integrationTime of %s s each, a scan"
-                        + " takes %s s, not %s s; lower the rate to %s Hz, or the integrationTime to %s s",
-                rounded(gain),
-                beams,
-                rounded(Math.toDegrees(azimuthWidth)),
-                rounded(Math.toDegrees(elevationWidth)),
-                rounded(hardware.integrationTime()),
-                rounded(scan),
-                rounded(1.0 / rate),
-                rounded(1.0 / scan),
-                rounded(1.0 / (rate * beams))));
-    }
-
-    /** Three digits, rounded down, so that what is advised is enough. */
-    private static String rounded(double value) {
-        return new BigDecimal(value * (1.0 + 1e-12))
-                .round(new MathContext(3, RoundingMode.DOWN))
-                .stripTrailingZeros()
-                .toPlainString();
+        return RadarAdvice.on(this);
     }
 
     @Override

@@ -1,0 +1,133 @@
+package org.dronewatch.sensor.radar;
+
+import java.util.Optional;
+import java.util.function.DoubleBinaryOperator;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Direction;
+import org.dronewatch.sensor.radio.RadioPath;
+import org.dronewatch.sensor.radio.TwoRays;
+import org.dronewatch.world.Obstacle;
+import org.dronewatch.world.World;
+
+/** How strong the echoes of drones are that a radar receives in a world. One per thread. */
+final class RadarEcho {
+    /**
+     * What a radar receives from a drone.
+     *
+     * @param signal signal-to-noise ratio, dB; minus infinity without an echo
+     * @param groundReflection what the reflection from the ground contributes to it, both ways, dB
+     * @param edgeLoss what the edges of the site take of it, both ways, dB
+     */
+    record Received(double signal, double groundReflection, double edgeLoss) {
+        private static final Received NOTHING = new Received(Double.NEGATIVE_INFINITY, 0.0, 0.0);
+    }
+
+    private final RadarSettings settings;
+    private final FieldOfRegard field;
+    private final Direction axis;
+    private final World world;
+    private final DoubleBinaryOperator budget;
+    private final Optional<TwoRays> rays;
+    private final Optional<RadioPath> edges;
+
+    /** The echoes that a radar receives in a world. */
+    RadarEcho(RadarSettings settings, FieldOfRegard field, World world) {
+        this.settings = settings;
+        this.field = field;
+        this.axis = Direction.of(settings.aim().from(settings.position()));
+        this.world = world;
+        this.budget = settings.budget()
+                .echo(settings.frequency(), settings.detection().pulses());
+        this.rays = settings.groundReflection().map(ground -> new TwoRays(world, ground));
+        this.edges = settings.diffraction() ? Optional.of(new RadioPath(world)) : Optional.empty();
+    }
+
+    /** Direction of the radar's aim. */
+    Direction axis() {
+        return axis;
+    }
+
+    /**
+     * The echo of a drone.
+     *
+     * @param area its visible cross-section, m2; 0 for none
+     */
+    Received of(Drone drone, double area) {
+        return area == 0.0 ? Received.NOTHING : received(drone, area, edgeLoss(drone));
+    }
+
+    /**
+     * The echo that a drone would have if nothing hid it.
+     *
+     * @param area its whole cross-section, above 0, m2
+     */
+    Received inTheOpen(Drone drone, double area) {
+        return received(drone, area, 0.0);
+    }
+
+    /** With the attenuation by rain both ways. */
+    private Received received(Drone drone, double area, double loss) {
+        double range = range(drone);
+        double reflection = groundReflection(drone);
+        double clear = budget.applyAsDouble(area, range) - rainLoss(drone, range) + reflection;
+        double signal = settings.beam().isEmpty() ? clear : clear + 2.0 * beamGain(drone);
+        return new Received(signal - loss, reflection, loss);
+    }
+
+    /** Distance to a drone, above 0, m. */
+    double range(Drone drone) {
+        return Math.max(drone.origin().distance(settings.position()), Double.MIN_NORMAL);
+    }
+
+    /** Attenuation by rain on the way to a drone and back, dB. */
+    private double rainLoss(Drone drone, double range) {
+        double up = drone.origin().minus(settings.position()).z() / range;
+        double elevation = Math.asin(Math.max(-1.0, Math.min(1.0, up)));
+        double rain = Rain.attenuation(settings.frequency(), world.rain(), elevation, settings.polarisation());
+        return 2.0 * rain * range;
+    }
+
+    /** Gain of the beam towards a drone relative to that on its axis, one way, dB; 0 without a beam. */
+    double beamGain(Drone drone) {
+        Direction target = Direction.of(drone.origin().minus(settings.position()));
+        return settings.beam().map(beam -> beam.gain(axis, target, target)).orElse(0.0);
+    }
+
+    /** What the edges of the site take of the wave, both ways, dB; 0 where the visible fraction counts instead. */
+    private double edgeLoss(Drone drone) {
+        return edges.map(path -> 2.0 * path.obstacleLoss(drone.origin(), settings.position(), settings.frequency()))
+                .orElse(0.0);
+    }
+
+    /** The model whose edge obstructs most of the way to a drone; empty where none does, or no edges count. */
+    Optional<Obstacle> obstacle(Drone drone) {
+        return edges.flatMap(path -> path.obstacle(drone.origin(), settings.position(), settings.frequency()));
+    }
+
+    /** What the reflection from the ground adds to the echo, both ways, dB; 0 unless it is set. */
+    private double groundReflection(Drone drone) {
+        return rays.map(two -> 2.0
+                        * two.weighted(
+                                settings.position(),
+                                drone.origin(),
+                                settings.frequency(),
+                                settings.polarisation() == Rain.Polarisation.VERTICAL,
+                                way -> amplitude(drone, way)))
+                .orElse(0.0);
+    }
+
+    /** Amplitude of the antenna in the direction of a vector relative to that towards a drone; 0 outside the field of view. */
+    private double amplitude(Drone drone, Position way) {
+        if (!field.contains(way)) {
+            return 0.0;
+        }
+        if (settings.beam().isEmpty()) {
+            return 1.0;
+        }
+        BeamPattern beam = settings.beam().get();
+        Direction target = Direction.of(drone.origin().minus(settings.position()));
+        double less = beam.gain(axis, target, Direction.of(way)) - beam.gain(axis, target, target);
+        return Math.pow(10.0, less / 20.0);
+    }
+}
