@@ -154,6 +154,9 @@ final class SampleSite {
                 budget: {kind: hardware, power: 1, gain: 30, integrationTime: 0.01, sweepBandwidth: 10 MHz, noiseFigure: 3, losses: 2}
                 detection: {kind: chance, falseAlarm: 1e-6, pulses: 10}
                 accuracy: {range: 4 m, azimuth: 0.5 deg, elevation: 2 deg}
+                beam: {azimuthBeamwidth: 2 deg, elevationBeamwidth: 8 deg, sideLobes: 25 dB, steering: both, scanLoss: 1.5}
+                clutter: {ground: {kind: land-cover, cover: woods}, improvement: 40 dB, rainImprovement: 10 dB}
+                notch: {kind: high-pass, halfPowerSpeed: 1 m/s, order: 2}
               sheet:
                 kind: radar
                 position: [0, 1, 14]

@@ -1,6 +1,7 @@
 package org.dronewatch.jmh;
 
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneClass;
@@ -14,10 +15,13 @@ import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.radar.BeamPattern;
+import org.dronewatch.sensor.radar.Clutter;
 import org.dronewatch.sensor.radar.LinkBudget;
 import org.dronewatch.sensor.radar.RadarDetection;
 import org.dronewatch.sensor.radar.RadarSensor;
 import org.dronewatch.sensor.radar.RadarSettings;
+import org.dronewatch.sensor.radar.SurfaceReflectivity.LandCover;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.world.Ground;
 import org.dronewatch.world.World;
@@ -34,8 +38,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Time of a look of a radar at one drone over the hill; the goals are 20 us with one pulse, 100 us with reflecting ground. In all
- * cases the two stand where the ground does reflect.
+ * Time of a look of a radar at one drone over the hill; the goals are 20 us with one pulse, 100 us with reflecting ground and
+ * clutter. In all cases the two stand where the ground does reflect and is in sight below the drone.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -64,6 +68,10 @@ public class RadarLook {
     @Param({"false", "true"})
     public boolean edges;
 
+    /** Whether the echoes of the ground compete with that of the drone; the beam then has a width. */
+    @Param({"false", "true"})
+    public boolean clutter;
+
     private World world;
     private RadarSensor radar;
     private List<Drone> drones;
@@ -80,7 +88,7 @@ public class RadarLook {
                                 : RadarSignature.DEFAULT.withFluctuation(fluctuation));
         Drone model = new Drone("drone", drone, KDTree.of(Bench.worldMesh("quadrotor")));
         Ground heights = world.newGround();
-        // Where the ground reflects: elsewhere a look is over before that is computed.
+        // Where the ground reflects and scatters: elsewhere a look is over before that is computed.
         for (double east = -600.0; east <= 600.0 && drones == null; east += 50.0) {
             RadarSettings settings = RadarSettings.at(
                             new Position(
@@ -89,14 +97,20 @@ public class RadarLook {
                     .withFieldOfView(2.0 * Math.PI, Math.PI)
                     .withDetection(new RadarDetection.Chance(1e-6, pulses))
                     .withDiffraction(edges);
+            RadarSettings cluttered = settings.withBeam(BeamPattern.of(Math.toRadians(3.0), Math.toRadians(10.0)))
+                    .withClutter(Clutter.of(new LandCover(LandCover.Cover.FARMLAND), 40.0));
+            settings = clutter ? cluttered : settings;
             RadarSettings reflected = settings.withGroundReflection(ReflectingGround.DEFAULT);
             Position place = new Position(east, 0.0, heights.height(east, 0.0).orElseThrow() + 60.0);
             drones = List.of(model.at(new FlightState(place, new Position(0.0, -10.0, 0.0), 0.0)));
-            Observation seen = reflected
+            Map<String, Double> seen = cluttered
+                    .withGroundReflection(ReflectingGround.DEFAULT)
                     .create()
                     .observe(world, drones, Look.of(1L, "radar", 0, 0))
-                    .get(0);
-            if (seen.figures().get("ground_reflection_db") == 0.0) {
+                    .get(0)
+                    .figures();
+            boolean isShadow = Double.isInfinite(seen.get("clutter_to_noise_db"));
+            if (isShadow || seen.get("ground_reflection_db") == 0.0) {
                 drones = null;
             } else {
                 radar = (ground ? reflected : settings).create();

@@ -19,19 +19,22 @@ import org.dronewatch.setting.SettingsForm;
  * @param spread standard deviation in decibels of a cross-section that is log-normally distributed from look to look,
  *     above 0 and at most 20 dB; omit it for a {@code fluctuation}
  * @param droneClass a class of drones that gives {@code crossSection} and {@code spread}; omit it for your own
+ * @param rotorLevel by how much the echo of its rotors lies below that of its body, 0 to 100 dB: while its motors run, that
+ *     part of the cross-section passes a radar's {@code notch} even when the drone hovers; omit it for none
  */
 public record RadarSignature(
         @In(value = Quantity.AREA, from = 1e-9, to = 1e6) double crossSection,
         Fluctuation fluctuation,
         @In(value = Quantity.LEVEL, from = -100, to = 100) List<Double> aspects,
         @Minor @In(value = Quantity.LEVEL, above = 0, to = 20) Optional<Double> spread,
-        @Minor Optional<DroneClass> droneClass) {
+        @Minor Optional<DroneClass> droneClass,
+        @Minor @In(value = Quantity.LEVEL, from = 0, to = 100) Optional<Double> rotorLevel) {
     private static final double USUAL_AREA = 0.01;
 
     /** A small quadrotor: 0.01 m2, steady, the same from all sides. */
     @Defaults
-    public static final RadarSignature DEFAULT =
-            new RadarSignature(USUAL_AREA, Fluctuation.STEADY, List.of(0.0), Optional.empty(), Optional.empty());
+    public static final RadarSignature DEFAULT = new RadarSignature(
+            USUAL_AREA, Fluctuation.STEADY, List.of(0.0), Optional.empty(), Optional.empty(), Optional.empty());
 
     private static final int MAX_ASPECTS = 360;
 
@@ -62,7 +65,7 @@ public record RadarSignature(
      * @throws IllegalArgumentException if a value is out of range
      */
     public RadarSignature {
-        Limits.check(RadarSignature.class, crossSection, fluctuation, aspects, spread, droneClass);
+        Limits.check(RadarSignature.class, crossSection, fluctuation, aspects, spread, droneClass, rotorLevel);
         aspects = List.copyOf(aspects);
         if (aspects.isEmpty() || aspects.size() > MAX_ASPECTS) {
             throw new IllegalArgumentException(
@@ -107,6 +110,18 @@ public record RadarSignature(
     /** This signature with a log-normal distribution, standard deviation in dB. */
     public RadarSignature withSpread(double decibels) {
         return SettingsForm.with(this, "spread", Optional.of(decibels));
+    }
+
+    /** This signature with an echo of the rotors, dB below that of the body. */
+    public RadarSignature withRotorLevel(double decibels) {
+        return SettingsForm.with(this, "rotorLevel", Optional.of(decibels));
+    }
+
+    /** The fraction of the cross-section that its rotors have while they turn, 0 to 0.5. */
+    public double rotorFraction() {
+        return rotorLevel
+                .map(level -> 1.0 / (1.0 + Math.pow(10.0, 0.1 * level)))
+                .orElse(0.0);
     }
 
     /** The signature of a class of drones, the same from all sides. */

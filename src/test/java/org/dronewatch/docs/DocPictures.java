@@ -65,6 +65,7 @@ final class DocPictures {
                             + " --set run.duration=0.5 --out OUT",
                     "decay-microphone-quadrotor")),
             new DocPicture("ground-effect", directory -> GroundEffectPlot.draw(), false),
+            new DocPicture("radar-crossing", directory -> CrossingPlot.draw(), false),
             window("viewer", "multi-sensor", 25.3),
             window("cued-camera", "scenes/cued-camera.yaml", 4.0));
 

@@ -38,13 +38,17 @@ final class DroneRows {
     }
 
     private static String crossSection(RadarSignature radar) {
+        String rotors = radar.rotorLevel()
+                .map(level -> ", rotors " + ReadableNumbers.number(level) + " dB below")
+                .orElse("");
         return radar.droneClass()
-                .map(one -> ReadableNumbers.number(one.crossSection()) + " m\u00b2, spread "
-                        + ReadableNumbers.number(one.spread()) + " dB")
-                .orElseGet(() -> radar.crossSection() + " m\u00b2"
-                        + radar.spread()
-                                .map(one -> ", spread " + ReadableNumbers.number(one) + " dB")
-                                .orElse(""));
+                        .map(one -> ReadableNumbers.number(one.crossSection()) + " m\u00b2, spread "
+                                + ReadableNumbers.number(one.spread()) + " dB")
+                        .orElseGet(() -> radar.crossSection() + " m\u00b2"
+                                + radar.spread()
+                                        .map(one -> ", spread " + ReadableNumbers.number(one) + " dB")
+                                        .orElse(""))
+                + rotors;
     }
 
     private static String sound(DroneSettings drone) {

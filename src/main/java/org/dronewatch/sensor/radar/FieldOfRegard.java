@@ -11,11 +11,13 @@ import org.dronewatch.sensor.Outline;
 final class FieldOfRegard {
     private final RadarSettings settings;
     private final Outline.Sector outline;
+    private final double slowest;
     private final double fastest;
 
     FieldOfRegard(RadarSettings settings) {
         this.settings = settings;
         this.outline = settings.outline();
+        this.slowest = settings.notch().isPresent() ? 0.0 : settings.minSpeed();
         this.fastest = Math.min(settings.maxSpeed(), settings.budget().migrationSpeed());
     }
 
@@ -43,15 +45,16 @@ final class FieldOfRegard {
         if (hasSpeed(radial)) {
             return Optional.empty();
         }
-        boolean slow = Math.abs(radial) < settings.minSpeed();
+        boolean slow = Math.abs(radial) < slowest;
         return Optional.of(
-                slow
-                        ? Explanation.beyond(Cause.TOO_SLOW, settings.minSpeed())
-                        : Explanation.beyond(Cause.TOO_FAST, fastest));
+                slow ? Explanation.beyond(Cause.TOO_SLOW, slowest) : Explanation.beyond(Cause.TOO_FAST, fastest));
     }
 
-    /** Whether a drone approaches or recedes fast enough to be separated from the ground, and not too fast. */
+    /**
+     * Whether a drone approaches or recedes fast enough to be separated from the ground, and not too fast; a notch decides for
+     * itself what is too slow.
+     */
     boolean hasSpeed(double radial) {
-        return Math.abs(radial) >= settings.minSpeed() && Math.abs(radial) <= fastest;
+        return Math.abs(radial) >= slowest && Math.abs(radial) <= fastest;
     }
 }

@@ -10,17 +10,35 @@ import org.dronewatch.sensor.radio.TwoRays;
 import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
-/** How strong the echoes of drones are that a radar receives in a world. One per thread. */
+/** How strong the echoes of drones are that a radar receives in a world, and what competes with them. One per thread. */
 final class RadarEcho {
     /**
      * What a radar receives from a drone.
      *
-     * @param signal signal-to-noise ratio, dB; minus infinity without an echo
-     * @param groundReflection what the reflection from the ground contributes to it, both ways, dB
+     * @param signal signal-to-noise ratio of its echo before the notch, dB; minus infinity without an echo
+     * @param passed what the notch lets pass of it, 0 dB or less
+     * @param clutter ratio of the clutter behind the filters to the noise, dB; minus infinity without clutter
+     * @param groundReflection what the reflection from the ground contributes to the signal, both ways, dB
      * @param edgeLoss what the edges of the site take of it, both ways, dB
      */
-    record Received(double signal, double groundReflection, double edgeLoss) {
-        private static final Received NOTHING = new Received(Double.NEGATIVE_INFINITY, 0.0, 0.0);
+    record Received(double signal, double passed, double clutter, double groundReflection, double edgeLoss) {
+        private static final Received NOTHING =
+                new Received(Double.NEGATIVE_INFINITY, 0.0, Double.NEGATIVE_INFINITY, 0.0, 0.0);
+
+        /** Ratio of the signal to the sum of noise and clutter, dB. */
+        double ratio() {
+            return unfiltered() + passed;
+        }
+
+        /** The same if the notch let everything pass, dB. */
+        double unfiltered() {
+            return signal - 10.0 * Math.log10(1.0 + Math.pow(10.0, 0.1 * clutter));
+        }
+
+        /** Ratio of the signal to the clutter alone, dB. */
+        double signalToClutter() {
+            return signal == Double.NEGATIVE_INFINITY ? signal : signal + passed - clutter;
+        }
     }
 
     private final RadarSettings settings;
@@ -30,6 +48,7 @@ final class RadarEcho {
     private final DoubleBinaryOperator budget;
     private final Optional<TwoRays> rays;
     private final Optional<RadioPath> edges;
+    private final Optional<ClutterEcho> clutter;
 
     /** The echoes that a radar receives in a world. */
     RadarEcho(RadarSettings settings, FieldOfRegard field, World world) {
@@ -41,6 +60,7 @@ final class RadarEcho {
                 .echo(settings.frequency(), settings.detection().pulses());
         this.rays = settings.groundReflection().map(ground -> new TwoRays(world, ground));
         this.edges = settings.diffraction() ? Optional.of(new RadioPath(world)) : Optional.empty();
+        this.clutter = settings.clutter().map(one -> new ClutterEcho(settings, one, world));
     }
 
     /** Direction of the radar's aim. */
@@ -66,13 +86,53 @@ final class RadarEcho {
         return received(drone, area, 0.0);
     }
 
-    /** With the attenuation by rain both ways. */
+    /** With the attenuation by rain both ways, for the drone as for the clutter beside it. */
     private Received received(Drone drone, double area, double loss) {
         double range = range(drone);
         double reflection = groundReflection(drone);
-        double clear = budget.applyAsDouble(area, range) - rainLoss(drone, range) + reflection;
-        double signal = settings.beam().isEmpty() ? clear : clear + 2.0 * beamGain(drone);
-        return new Received(signal - loss, reflection, loss);
+        double rain = rainLoss(drone, range);
+        double beam = 2.0 * beamGain(drone);
+        double signal = budget.applyAsDouble(area, range) - rain + reflection + beam - loss;
+        double residue = clutter(drone, range);
+        double toNoise = residue > 0.0 ? budget.applyAsDouble(residue, range) - rain + beam : Double.NEGATIVE_INFINITY;
+        return new Received(signal, passed(drone), toNoise, reflection, loss);
+    }
+
+    /** What the notch lets pass of a drone's echo, dB: of its body by its radial speed, of its turning rotors all. */
+    private double passed(Drone drone) {
+        if (settings.notch().isEmpty()) {
+            return 0.0;
+        }
+        double ofBody = settings.notch().get().response(field.radialSpeed(drone));
+        double rotors = rotorFraction(drone);
+        return 10.0 * Math.log10(rotors + (1.0 - rotors) * ofBody);
+    }
+
+    /**
+     * The response of the notch that a drone needs.
+     *
+     * @param decibels by how much its echo may be weaker, 0 dB or less
+     */
+    double neededResponse(Drone drone, double decibels) {
+        double rotors = rotorFraction(drone);
+        return (Math.pow(10.0, 0.1 * decibels) - rotors) / (1.0 - rotors);
+    }
+
+    private static double rotorFraction(Drone drone) {
+        return drone.isPowered() ? drone.settings().radar().rotorFraction() : 0.0;
+    }
+
+    /** Radar cross-section of the clutter in a drone's resolution cell behind the filters, m2; 0 without any. */
+    private double clutter(Drone drone, double range) {
+        if (clutter.isEmpty()) {
+            return 0.0;
+        }
+        double azimuth = Direction.of(drone.origin().minus(settings.position())).azimuth();
+        return clutter.get().residue(azimuth, range, elevation -> {
+            Position way = new Direction(azimuth, elevation).unit().times(range);
+            double amplitude = amplitude(drone, way);
+            return amplitude * amplitude * amplitude * amplitude;
+        });
     }
 
     /** Distance to a drone, above 0, m. */

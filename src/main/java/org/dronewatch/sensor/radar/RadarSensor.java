@@ -25,8 +25,8 @@ import org.dronewatch.sensor.radar.RadarEcho.Received;
 import org.dronewatch.world.World;
 
 /**
- * A radar. Its value is the signal-to-noise ratio of the drone's echo; minus infinity for a drone that it does not look
- * for, because of the drone's position or radial speed, and for one that is wholly hidden. Of a partly hidden drone,
+ * A radar. Its value is the ratio of the drone's echo to the noise, or to the sum of noise and clutter where the settings ask
+ * for it, behind the notch if there is one; minus infinity for a drone that it does not look for, because of the drone's position or radial speed, and for one that is wholly hidden. Of a partly hidden drone,
  * the visible fraction of the cross-section counts, or, where the settings ask for it, the wave that is diffracted round the
  * edges of the site on both ways.
  */
@@ -66,8 +66,7 @@ public final class RadarSensor implements AssessableSensor {
     @Override
     public Signal signal(World site, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
         enter(site);
-        double echo =
-                echoes.of(drone, crossSection(drone, visibleFraction(drone))).signal();
+        double echo = received(drone).ratio();
         Decision decision = decision(drone);
         return Signal.of(decision.probability(echo), echo, UNIT, decision.evenThreshold());
     }
@@ -76,9 +75,24 @@ public final class RadarSensor implements AssessableSensor {
     public Explanation explainMiss(World site, Drone drone, Optional<Pointing> pointing) {
         enter(site);
         return field.miss(drone)
+                .or(() -> notched(drone))
                 .orElseGet(() -> settings.diffraction()
                         ? explainShadow(drone)
                         : cover.explain(drone, () -> visible.of(drone) == 0.0, () -> isDetectedInTheOpen(drone)));
+    }
+
+    /** A drone that would be detected if the notch let all of its echo pass is too slow for it, or has a blind speed. */
+    private Optional<Explanation> notched(Drone drone) {
+        if (settings.notch().isEmpty()) {
+            return Optional.empty();
+        }
+        Received received = received(drone);
+        double threshold = decision(drone).evenThreshold();
+        if (received.ratio() >= threshold || received.unfiltered() < threshold) {
+            return Optional.empty();
+        }
+        double needed = echoes.neededResponse(drone, threshold - received.unfiltered());
+        return Optional.of(settings.notch().get().miss(field.radialSpeed(drone), needed));
     }
 
     /** Where waves go round edges, a drone is hidden only if it would be detected without their loss. */
@@ -93,7 +107,7 @@ public final class RadarSensor implements AssessableSensor {
     }
 
     private boolean isDetectedInTheOpen(Drone drone) {
-        double echo = echoes.inTheOpen(drone, crossSection(drone, 1.0)).signal();
+        double echo = echoes.inTheOpen(drone, crossSection(drone, 1.0)).ratio();
         return echo >= decision(drone).evenThreshold();
     }
 
@@ -110,6 +124,10 @@ public final class RadarSensor implements AssessableSensor {
         return settings.diffraction() ? 1.0 : visible.of(drone);
     }
 
+    private Received received(Drone drone) {
+        return echoes.of(drone, crossSection(drone, visibleFraction(drone)));
+    }
+
     private double crossSection(Drone drone, double fraction) {
         return fraction * drone.settings().radar().towards(aspect(drone));
     }
@@ -118,7 +136,7 @@ public final class RadarSensor implements AssessableSensor {
         double fraction = visibleFraction(drone);
         double area = crossSection(drone, fraction);
         Received received = echoes.of(drone, area);
-        double echo = received.signal();
+        double echo = received.ratio();
         Decision decision = decision(drone);
 
         Map<String, Double> figures = new LinkedHashMap<>();
@@ -149,6 +167,13 @@ public final class RadarSensor implements AssessableSensor {
         }
         if (settings.groundReflection().isPresent()) {
             figures.put("ground_reflection_db", received.groundReflection());
+        }
+        if (settings.notch().isPresent()) {
+            figures.put("notch_db", received.passed());
+        }
+        if (settings.clutter().isPresent()) {
+            figures.put("clutter_to_noise_db", received.clutter());
+            figures.put("signal_to_clutter_db", received.signalToClutter());
         }
     }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
@@ -30,7 +31,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param elevationWidth vertical width of its field of view, 0.01 to 180 degrees, rad
  * @param minRange minimum range: nearer drones are masked by its own pulse, 0 to 1000 km, m
  * @param maxRange maximum range: farther drones are not detected, above 0 and at most 1000 km, m
- * @param minSpeed minimum radial speed: slower drones are taken for ground clutter, 0 to 10,000 m/s
+ * @param minSpeed minimum radial speed: slower drones are taken for ground clutter, 0 to 10,000 m/s; not used with a notch
  * @param maxSpeed largest radial speed: faster drones are not detected, above 0 and at most 10,000 m/s
  * @param rate scans per second, above 0, Hz
  * @param frequency carrier, 1 to 1000 GHz, Hz
@@ -43,6 +44,9 @@ import org.dronewatch.setting.SettingsForm;
  * @param beam shape of its beam; without one the gain is the same throughout its field of view
  * @param diffraction whether the wave goes round the edges of the site, both ways, as a radio receiver's does;
  *     otherwise the fraction of a drone counts that is in line of sight
+ * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam, whose
+ *     azimuthBeamwidth is the width of a resolution cell
+ * @param notch a filter that rejects what stands still, in place of minSpeed; none by default
  */
 public record RadarSettings(
         Position position,
@@ -62,7 +66,9 @@ public record RadarSettings(
         Accuracy accuracy,
         @Minor Optional<ReflectingGround> groundReflection,
         @Minor Optional<BeamPattern> beam,
-        @Minor boolean diffraction)
+        @Minor boolean diffraction,
+        @Minor Optional<Clutter> clutter,
+        @Minor Optional<DopplerFilter> notch)
         implements SensorSettings<RadarSensor>, Aimed, Outlined, DirectionFinding {
 
     /**
@@ -90,11 +96,18 @@ public record RadarSettings(
                 accuracy,
                 groundReflection,
                 beam,
-                diffraction);
+                diffraction,
+                clutter,
+                notch);
         if (groundReflection.isPresent() && polarisation == Rain.Polarisation.CIRCULAR) {
             throw new IllegalArgumentException(
                     "groundReflection needs the polarisation horizontal or vertical, not circular");
         }
+        if (clutter.isPresent() && beam.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "clutter needs a beam, whose azimuthBeamwidth is the width of a resolution cell");
+        }
+        clutter.ifPresent(one -> one.checkBandwidth(budget));
         checkTilt(tilt(aim.from(position)), maxTilt);
         if (minRange >= maxRange) {
             throw new IllegalArgumentException("minRange " + minRange + " m must be below maxRange " + maxRange + " m");
@@ -146,7 +159,9 @@ public record RadarSettings(
                 Accuracy.DEFAULT,
                 Optional.empty(),
                 Optional.empty(),
-                false);
+                false,
+                Optional.empty(),
+                Optional.empty());
     }
 
     @Override
@@ -219,6 +234,16 @@ public record RadarSettings(
         return SettingsForm.with(this, "diffraction", roundEdges);
     }
 
+    /** These settings with clutter; they need a beam. */
+    public RadarSettings withClutter(Clutter other) {
+        return SettingsForm.with(this, "clutter", Optional.of(other));
+    }
+
+    /** These settings with a filter that rejects what stands still, in place of a minimum radial speed. */
+    public RadarSettings withNotch(DopplerFilter filter) {
+        return SettingsForm.with(this, "notch", Optional.of(filter));
+    }
+
     /** Its field of view. */
     @Override
     public Outline.Sector outline() {
@@ -237,7 +262,19 @@ public record RadarSettings(
     public SensorDescription description() {
         return SensorDescription.measuring("signal-to-noise ratio")
                 .withWeakness("echo too weak")
-                .withLeavesOut("For radars, clutter, birds and the micro-Doppler of rotors are not modelled.");
+                .withLeavesOut(leavesOut());
+    }
+
+    private String leavesOut() {
+        String first = clutter.isPresent() ? "" : "clutter";
+        String last = notch.isPresent() ? "" : "the micro-Doppler of rotors";
+        List<String> missing =
+                Stream.of(first, "birds", last).filter(one -> !one.isEmpty()).toList();
+        int count = missing.size();
+        String all = count == 1
+                ? missing.get(0)
+                : String.join(", ", missing.subList(0, count - 1)) + " and " + missing.get(count - 1);
+        return "For radars, " + all + " are not modelled.";
     }
 
     @Override

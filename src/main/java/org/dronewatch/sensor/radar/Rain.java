@@ -3,7 +3,7 @@ package org.dronewatch.sensor.radar;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
-/** Attenuation of a wave by rain: Recommendation ITU-R P.838-3 (2005). */
+/** Attenuation of a wave by rain, Recommendation ITU-R P.838-3 (2005), and what rain scatters back. */
 public final class Rain {
     private static final double LEAST_FREQUENCY = 1e9;
     private static final double MAX_FREQUENCY = 1000e9;
@@ -32,6 +32,9 @@ public final class Rain {
             new double[] {-0.76284, 0.54039, 0.26809, 0.116226, 0.116479},
             -0.053739,
             0.83433);
+
+    /** The dielectric factor of water, squared. */
+    private static final double WATER = 0.93;
 
     private Rain() {}
 
@@ -73,6 +76,21 @@ public final class Rain {
         double k = 0.5 * (kh + kv + (kh - kv) * mix);
         double alpha = (kh * ah + kv * av + (kh * ah - kv * av) * mix) / (2.0 * k);
         return 1e-3 * k * Math.pow(rate, alpha);
+    }
+
+    /**
+     * Radar cross-section by volume, m2/m3: {@code pi^5 |K|^2 Z / lambda^4} of drops that are small against the wavelength, with
+     * {@code |K|^2 = 0.93} and {@code Z = 200 R^1.6 mm6/m3} (J. S. Marshall, W. Mc K. Palmer, Journal of Meteorology 5, 1948; D. K.
+     * Barton, S. A. Leonov, Radar Technology Encyclopedia, "clutter, rain"). Of Mie's sums over drops of that distribution it is
+     * within 3.2 dB from 5.6 to 35 GHz and 1 to 25 mm/h; at millimetre waves it is far too high.
+     *
+     * @param frequency Hz
+     * @param rate of the rain, 0 or more, mm/h
+     */
+    public static double reflectivity(double frequency, double rate) {
+        double wavelength = LinkBudget.LIGHT / frequency;
+        double z = 1e-18 * 200.0 * Math.pow(rate, 1.6);
+        return Math.pow(Math.PI, 5) * WATER * z / (wavelength * wavelength * wavelength * wavelength);
     }
 
     /** Equations (2) and (3): a straight line and bells over the logarithm of the frequency in GHz. */

@@ -55,4 +55,32 @@ class RainTest {
                 .isThrownBy(() -> Rain.attenuation(0.5e9, 5, 0, Polarisation.VERTICAL))
                 .withMessageContaining("frequency 500000000 Hz must be 1000000000 to 1.0E12");
     }
+
+    /**
+     * What rain scatters back, dB per metre: {@code 5.7e-14 R^1.6 / lambda^4} (Barton and Leonov, Radar Technology Encyclopedia, "clutter, rain").
+     */
+    @ParameterizedTest
+    @CsvSource({"3, 1", "10, 5", "24, 25"})
+    void smallDropsScatterByTheFourthPowerOfTheFrequency(double gigahertz, double rate) {
+        double expected = 5.7e-14 * Math.pow(rate, 1.6) / Math.pow(0.299792458 / gigahertz, 4);
+        assertThat(Rain.reflectivity(1e9 * gigahertz, rate)).isCloseTo(expected, within(0.005 * expected));
+        assertThat(Rain.reflectivity(1e9 * gigahertz, 0)).isZero();
+    }
+
+    /**
+     * Mie's series (Bohren and Huffman) summed over drops of Marshall and Palmer's distribution from 0 to 7 mm, water at 10 degrees after
+     * ITU-R P.840, computed apart from this code, dB per metre.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "5.6, 1, -80.11", "5.6, 5, -70.04", "5.6, 25, -59.86",
+        "9.3, 1, -71.40", "9.3, 5, -60.80", "9.3, 25, -49.51",
+        "10.3, 1, -69.56", "10.3, 5, -58.78", "10.3, 25, -47.47",
+        "16.5, 1, -60.67", "16.5, 5, -49.58", "16.5, 25, -39.04",
+        "24.1, 1, -53.54", "24.1, 5, -43.10", "24.1, 25, -33.85",
+        "35, 1, -47.33", "35, 5, -38.18", "35, 25, -30.56"
+    })
+    void itIsNearTheSumsOverRealDrops(double gigahertz, double rate, double mie) {
+        assertThat(10 * Math.log10(Rain.reflectivity(1e9 * gigahertz, rate))).isCloseTo(mie, within(3.2));
+    }
 }

@@ -1,0 +1,68 @@
+package org.dronewatch.sensor.radar;
+
+import java.util.function.DoubleUnaryOperator;
+import org.dronewatch.world.World;
+
+/**
+ * Radar cross-section of what competes with a drone in its resolution cell, and passes the radar's filters: of the ground that is in
+ * sight in it, and of the rain that fills it. One per thread.
+ */
+final class ClutterEcho {
+    /** At so many bearings, evenly over the width of the beam, the ground is looked at. */
+    private static final int BEARINGS = 5;
+
+    /** What a two-way Gaussian beam fills of the box of its widths: pi / (8 ln 2) (Probert-Jones). */
+    private static final double FILLED = Math.PI / (8.0 * Math.log(2.0));
+
+    private final SurfaceReflectivity surface;
+    private final double frequency;
+    private final double width;
+    private final double depth;
+    private final double groundResidue;
+    private final double rainByRangeSquared;
+    private final VisibleGround ground;
+
+    /** The clutter of a radar with a beam. */
+    ClutterEcho(RadarSettings radar, Clutter clutter, World world) {
+        BeamPattern beam = radar.beam().orElseThrow();
+        surface = clutter.ground();
+        frequency = radar.frequency();
+        width = beam.azimuthBeamwidth();
+        depth = clutter.depth(radar.budget());
+        groundResidue = Math.pow(10.0, -0.1 * clutter.improvement());
+        double rainResidue = Math.pow(10.0, -0.1 * clutter.rainImprovement());
+        rainByRangeSquared = rainResidue
+                * Rain.reflectivity(frequency, world.rain())
+                * FILLED
+                * width
+                * beam.elevationBeamwidth()
+                * depth;
+        ground = new VisibleGround(world, radar.position());
+    }
+
+    /**
+     * The radar cross-section that is left behind the filters, m2.
+     *
+     * @param azimuth of the drone, clockwise from north, rad
+     * @param range of the drone, above 0, m
+     * @param pattern gain of the antenna at an elevation, both ways, relative to that towards the drone, as a ratio of powers
+     */
+    double residue(double azimuth, double range, DoubleUnaryOperator pattern) {
+        double sum = 0.0;
+        for (int i = 0; i < BEARINGS; i++) {
+            double bearing = azimuth + ((i + 0.5) / BEARINGS - 0.5) * width;
+            if (ground.look(bearing, range - 0.5 * depth, range + 0.5 * depth)) {
+                sum += seen(range, pattern);
+            }
+        }
+        return groundResidue * sum + rainByRangeSquared * range * range;
+    }
+
+    /** What the ground in sight at one bearing contributes. */
+    private double seen(double range, DoubleUnaryOperator pattern) {
+        double across = range * width / BEARINGS;
+        double middle = 0.5 * (ground.low() + ground.high());
+        double facing = range * across * Math.cos(middle) * (ground.high() - ground.low());
+        return pattern.applyAsDouble(middle) * surface.crossSection(frequency, facing, across * depth);
+    }
+}
