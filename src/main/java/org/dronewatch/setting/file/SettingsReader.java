@@ -230,13 +230,13 @@ final class SettingsReader {
             return FAILED;
         }
         if (problems.count() > before) {
-            reportRejected(form, mapping, values, path);
+            new RejectedParts(problems, form, mapping, values, path).report();
             return FAILED;
         }
         try {
             return form.create(values);
         } catch (IllegalArgumentException e) {
-            if (!reportRejected(form, mapping, values, path)) {
+            if (!new RejectedParts(problems, form, mapping, values, path).report()) {
                 problems.add(mapping.markOf(e.getMessage()), path, e.getMessage());
             }
             return FAILED;
@@ -254,33 +254,6 @@ final class SettingsReader {
         Node rest = switches.read(all, field);
         values.put(form.switchOf(part).getName(), switches.off());
         return rest;
-    }
-
-    /**
-     * Reports each part that the record rejects although it is within its own limits; returns whether there are any.
-     */
-    private boolean reportRejected(SettingsForm form, Node.Mapping mapping, Map<String, Object> values, String path) {
-        Map<String, Object> needed = new LinkedHashMap<>(values);
-        needed.keySet().retainAll(form.required());
-        try {
-            form.create(needed);
-        } catch (IllegalArgumentException e) {
-            problems.add(mapping.markOf(e.getMessage()), path, e.getMessage());
-            return true;
-        }
-        int before = problems.count();
-        values.forEach((name, value) -> {
-            Map<String, Object> one = new LinkedHashMap<>(needed);
-            one.put(name, value);
-            try {
-                form.create(one);
-            } catch (IllegalArgumentException e) {
-                String inner = e.getMessage().replaceFirst("^\\Q" + name + "\\E[.]", "");
-                Mark at = mapping.values().getOrDefault(name, mapping).markOf(inner);
-                problems.add(at, path.isEmpty() ? name : path + "." + name, inner);
-            }
-        });
-        return problems.count() > before;
     }
 
     private boolean fits(RecordComponent part, Node node, Object value, String field) {
