@@ -38,8 +38,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Time of a look of a radar at one drone over the hill; the goals are 20 us with one pulse, 100 us with reflecting ground and
- * clutter. In all cases the two stand where the ground does reflect and is in sight below the drone.
+ * Time of a look of a radar at one drone over the hill; the goals are 20 us with one pulse, 100 us with reflecting
+ * ground and clutter. In all cases the two stand where the ground does reflect and is in sight below the drone.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)

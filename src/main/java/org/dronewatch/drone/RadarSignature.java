@@ -19,8 +19,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param spread standard deviation in decibels of a cross-section that is log-normally distributed from look to look,
  *     above 0 and at most 20 dB; omit it for a {@code fluctuation}
  * @param droneClass a class of drones that gives {@code crossSection} and {@code spread}; omit it for your own
- * @param rotorLevel by how much the echo of its rotors lies below that of its body, 0 to 100 dB: while its motors run, that
- *     part of the cross-section passes a radar's {@code notch} even when the drone hovers; omit it for none
+ * @param rotorLevel by how much the echo of its rotors lies below that of its body, 0 to 100 dB: while its motors run,
+ *     that part of the cross-section passes a radar's {@code notch} even when the drone hovers; omit it for none
  */
 public record RadarSignature(
         @In(value = Quantity.AREA, from = 1e-9, to = 1e6) double crossSection,

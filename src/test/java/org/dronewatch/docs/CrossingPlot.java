@@ -30,7 +30,9 @@ import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** The echo of a drone that flies straight past a radar over level farmland, and what a notch and clutter leave of it. */
+/**
+ * The echo of a drone that flies straight past a radar over level farmland, and what a notch and clutter leave of it.
+ */
 final class CrossingPlot {
     private static final double REACH = 600.0;
     private static final int POINTS = 801;

@@ -9,14 +9,15 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The echoes of the ground and of rain that compete with that of a drone: those of its resolution cell, as wide as the beam and as
- * deep as the range resolution {@code c / (2 B)}. What the radar's filters leave of them adds to the noise.
+ * The echoes of the ground and of rain that compete with that of a drone: those of its resolution cell, as wide as the
+ * beam and as deep as the range resolution {@code c / (2 B)}. What the radar's filters leave of them adds to the noise.
  *
  * @param ground how strongly the surface of the site scatters back
- * @param improvement improvement factor of the radar against the ground, 0 to 150 dB: by how much its filters raise the ratio of
- *     signal to clutter, for a drone at a speed that they pass
+ * @param improvement improvement factor of the radar against the ground, 0 to 150 dB: by how much its filters raise the
+ *     ratio of signal to clutter, for a drone at a speed that they pass
  * @param rainImprovement the same against rain, which moves, 0 to 150 dB
- * @param bandwidth bandwidth B of the transmitted signal, 1 to 1e12 Hz; omit it where the budget states it as sweepBandwidth
+ * @param bandwidth bandwidth B of the transmitted signal, 1 to 1e12 Hz; omit it where the budget states it as
+ *     sweepBandwidth
  */
 public record Clutter(
         SurfaceReflectivity ground,

@@ -4,8 +4,8 @@ import java.util.function.DoubleUnaryOperator;
 import org.dronewatch.world.World;
 
 /**
- * Radar cross-section of what competes with a drone in its resolution cell, and passes the radar's filters: of the ground that is in
- * sight in it, and of the rain that fills it. One per thread.
+ * Radar cross-section of what competes with a drone in its resolution cell, and passes the radar's filters: of the
+ * ground that is in sight in it, and of the rain that fills it. One per thread.
  */
 final class ClutterEcho {
     /** At so many bearings, evenly over the width of the beam, the ground is looked at. */
@@ -45,7 +45,8 @@ final class ClutterEcho {
      *
      * @param azimuth of the drone, clockwise from north, rad
      * @param range of the drone, above 0, m
-     * @param pattern gain of the antenna at an elevation, both ways, relative to that towards the drone, as a ratio of powers
+     * @param pattern gain of the antenna at an elevation, both ways, relative to that towards the drone, as a ratio of
+     *     powers
      */
     double residue(double azimuth, double range, DoubleUnaryOperator pattern) {
         double sum = 0.0;

@@ -8,8 +8,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A filter that rejects the echoes of what stands still, and with them those of slow and of crossing drones: its response over
- * radial speed, relative to the speeds that it passes best.
+ * A filter that rejects the echoes of what stands still, and with them those of slow and of crossing drones: its
+ * response over radial speed, relative to the speeds that it passes best.
  */
 public sealed interface DopplerFilter {
     /**
@@ -29,11 +29,12 @@ public sealed interface DopplerFilter {
 
     /**
      * A high-pass filter with the Butterworth response {@code 1 / (1 + (w / v)^(2 n))} (A. V. Oppenheim, R. W. Schafer,
-     * Discrete-Time Signal Processing, appendix B), as for a radar whose dwell is so long or whose pulse repetition frequency
-     * so varied that it has no blind speeds.
+     * Discrete-Time Signal Processing, appendix B), as for a radar whose dwell is so long or whose pulse repetition
+     * frequency so varied that it has no blind speeds.
      *
      * @param halfPowerSpeed the radial speed w at which half of the power passes, above 0 and at most 1000 m/s
-     * @param order the order n: far below that speed the response falls by 6 n dB each time that the speed is halved, 1 to 20
+     * @param order the order n: far below that speed the response falls by 6 n dB each time that the speed is halved, 1
+     *     to 20
      */
     record HighPass(
             @In(value = Quantity.SPEED, above = 0, to = 1000) double halfPowerSpeed,
@@ -68,12 +69,12 @@ public sealed interface DopplerFilter {
     }
 
     /**
-     * A canceller of N pulses with binomial weights: {@code |sin(pi v / b)|^(2 (N - 1))} (M. A. Richards, Fundamentals of Radar
-     * Signal Processing, section 5.2). It is blind at every multiple of the speed b, too.
+     * A canceller of N pulses with binomial weights: {@code |sin(pi v / b)|^(2 (N - 1))} (M. A. Richards, Fundamentals
+     * of Radar Signal Processing, section 5.2). It is blind at every multiple of the speed b, too.
      *
      * @param pulses the number of pulses N, 2 to 10
-     * @param blindSpeed the first blind speed b, half the wavelength times the pulse repetition frequency, above 0 and at most
-     *     100,000 m/s
+     * @param blindSpeed the first blind speed b, half the wavelength times the pulse repetition frequency, above 0 and
+     *     at most 100,000 m/s
      */
     record Canceller(
             @In(value = Quantity.NUMBER, from = 2, to = 10) int pulses,

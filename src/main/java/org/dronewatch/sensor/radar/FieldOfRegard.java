@@ -51,8 +51,8 @@ final class FieldOfRegard {
     }
 
     /**
-     * Whether a drone approaches or recedes fast enough to be separated from the ground, and not too fast; a notch decides for
-     * itself what is too slow.
+     * Whether a drone approaches or recedes fast enough to be separated from the ground, and not too fast; a notch
+     * decides for itself what is too slow.
      */
     boolean hasSpeed(double radial) {
         return Math.abs(radial) >= slowest && Math.abs(radial) <= fastest;

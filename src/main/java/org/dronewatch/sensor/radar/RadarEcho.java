@@ -10,7 +10,9 @@ import org.dronewatch.sensor.radio.TwoRays;
 import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
-/** How strong the echoes of drones are that a radar receives in a world, and what competes with them. One per thread. */
+/**
+ * How strong the echoes of drones are that a radar receives in a world, and what competes with them. One per thread.
+ */
 final class RadarEcho {
     /**
      * What a radar receives from a drone.
@@ -177,7 +179,10 @@ final class RadarEcho {
                 .orElse(0.0);
     }
 
-    /** Amplitude of the antenna in the direction of a vector relative to that towards a drone; 0 outside the field of view. */
+    /**
+     * Amplitude of the antenna in the direction of a vector relative to that towards a drone; 0 outside the field of
+     * view.
+     */
     private double amplitude(Drone drone, Position way) {
         if (!field.contains(way)) {
             return 0.0;

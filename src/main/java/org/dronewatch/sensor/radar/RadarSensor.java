@@ -25,10 +25,11 @@ import org.dronewatch.sensor.radar.RadarEcho.Received;
 import org.dronewatch.world.World;
 
 /**
- * A radar. Its value is the ratio of the drone's echo to the noise, or to the sum of noise and clutter where the settings ask
- * for it, behind the notch if there is one; minus infinity for a drone that it does not look for, because of the drone's position or radial speed, and for one that is wholly hidden. Of a partly hidden drone,
- * the visible fraction of the cross-section counts, or, where the settings ask for it, the wave that is diffracted round the
- * edges of the site on both ways.
+ * A radar. Its value is the ratio of the drone's echo to the noise, or to the sum of noise and clutter where the
+ * settings ask for it, behind the notch if there is one; minus infinity for a drone that it does not look for, because
+ * of the drone's position or radial speed, and for one that is wholly hidden. Of a partly hidden drone, the visible
+ * fraction of the cross-section counts, or, where the settings ask for it, the wave that is diffracted round the edges
+ * of the site on both ways.
  */
 public final class RadarSensor implements AssessableSensor {
     private static final String UNIT = "dB";
@@ -81,7 +82,9 @@ public final class RadarSensor implements AssessableSensor {
                         : cover.explain(drone, () -> visible.of(drone) == 0.0, () -> isDetectedInTheOpen(drone)));
     }
 
-    /** A drone that would be detected if the notch let all of its echo pass is too slow for it, or has a blind speed. */
+    /**
+     * A drone that would be detected if the notch let all of its echo pass is too slow for it, or has a blind speed.
+     */
     private Optional<Explanation> notched(Drone drone) {
         if (settings.notch().isEmpty()) {
             return Optional.empty();

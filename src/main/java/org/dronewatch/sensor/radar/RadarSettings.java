@@ -31,7 +31,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param elevationWidth vertical width of its field of view, 0.01 to 180 degrees, rad
  * @param minRange minimum range: nearer drones are masked by its own pulse, 0 to 1000 km, m
  * @param maxRange maximum range: farther drones are not detected, above 0 and at most 1000 km, m
- * @param minSpeed minimum radial speed: slower drones are taken for ground clutter, 0 to 10,000 m/s; not used with a notch
+ * @param minSpeed minimum radial speed: slower drones are taken for ground clutter, 0 to 10,000 m/s; not used with a
+ *     notch
  * @param maxSpeed largest radial speed: faster drones are not detected, above 0 and at most 10,000 m/s
  * @param rate scans per second, above 0, Hz
  * @param frequency carrier, 1 to 1000 GHz, Hz
@@ -44,8 +45,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param beam shape of its beam; without one the gain is the same throughout its field of view
  * @param diffraction whether the wave goes round the edges of the site, both ways, as a radio receiver's does;
  *     otherwise the fraction of a drone counts that is in line of sight
- * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam, whose
- *     azimuthBeamwidth is the width of a resolution cell
+ * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam,
+ *     whose azimuthBeamwidth is the width of a resolution cell
  * @param notch a filter that rejects what stands still, in place of minSpeed; none by default
  */
 public record RadarSettings(

@@ -79,10 +79,11 @@ public final class Rain {
     }
 
     /**
-     * Radar cross-section by volume, m2/m3: {@code pi^5 |K|^2 Z / lambda^4} of drops that are small against the wavelength, with
-     * {@code |K|^2 = 0.93} and {@code Z = 200 R^1.6 mm6/m3} (J. S. Marshall, W. Mc K. Palmer, Journal of Meteorology 5, 1948; D. K.
-     * Barton, S. A. Leonov, Radar Technology Encyclopedia, "clutter, rain"). Of Mie's sums over drops of that distribution it is
-     * within 3.2 dB from 5.6 to 35 GHz and 1 to 25 mm/h; at millimetre waves it is far too high.
+     * Radar cross-section by volume, m2/m3: {@code pi^5 |K|^2 Z / lambda^4} of drops that are small against the
+     * wavelength, with {@code |K|^2 = 0.93} and {@code Z = 200 R^1.6 mm6/m3} (J. S. Marshall, W. Mc K. Palmer, Journal
+     * of Meteorology 5, 1948; D. K. Barton, S. A. Leonov, Radar Technology Encyclopedia, "clutter, rain"). Of Mie's
+     * sums over drops of that distribution it is within 3.2 dB from 5.6 to 35 GHz and 1 to 25 mm/h; at millimetre waves
+     * it is far too high.
      *
      * @param frequency Hz
      * @param rate of the rain, 0 or more, mm/h

@@ -10,16 +10,16 @@ public sealed interface SurfaceReflectivity {
      * Radar cross-section of a part of the surface, m2.
      *
      * @param frequency carrier, Hz
-     * @param facing what is in sight of it, projected onto a plane perpendicular to the line of sight, m2: its area times the sine
-     *     of the grazing angle
+     * @param facing what is in sight of it, projected onto a plane perpendicular to the line of sight, m2: its area
+     *     times the sine of the grazing angle
      * @param cell area of the part of the resolution cell in which some of it is in sight, m2
      */
     double crossSection(double frequency, double facing, double cell);
 
     /**
-     * Constant gamma: {@code sigma0 = gamma sin(psi)} with the grazing angle psi, with gamma by land cover. The figures hold at 10
-     * GHz and grow with the root of the frequency (D. K. Barton, "Land clutter models for radar design and analysis", Proceedings
-     * of the IEEE 73, 1985; as in MathWorks' {@code surfacegamma}).
+     * Constant gamma: {@code sigma0 = gamma sin(psi)} with the grazing angle psi, with gamma by land cover. The figures
+     * hold at 10 GHz and grow with the root of the frequency (D. K. Barton, "Land clutter models for radar design and
+     * analysis", Proceedings of the IEEE 73, 1985; as in MathWorks' {@code surfacegamma}).
      *
      * @param cover what covers the land
      */
@@ -27,8 +27,9 @@ public sealed interface SurfaceReflectivity {
         private static final double REFERENCE = 10e9;
 
         /**
-         * What covers the land, with gamma at 10 GHz. [N]: F. E. Nathanson, Radar Design Principles, 2nd edition 1999; [L]: M. W.
-         * Long, Radar Reflectivity of Land and Sea, 3rd edition 2001; both as quoted by MathWorks' {@code surfacegamma}.
+         * What covers the land, with gamma at 10 GHz. [N]: F. E. Nathanson, Radar Design Principles, 2nd edition 1999;
+         * [L]: M. W. Long, Radar Reflectivity of Land and Sea, 3rd edition 2001; both as quoted by MathWorks'
+         * {@code surfacegamma}.
          */
         public enum Cover {
             /** Flat land without trees: -20 dB [N]. */

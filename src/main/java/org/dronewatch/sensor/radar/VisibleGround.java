@@ -7,10 +7,11 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * What a radar sees of the surface of a site between two ranges at a bearing: the elevations from the skyline of all that lies
- * within the nearer range up to that within the farther one. What lies in the shadow of something nearer is thus left out, slopes
- * and walls count as they stand, and nothing is assumed about the mesh but that what is below a skyline is blocked: under a bridge
- * no radar looks through. Allocates nothing but what {@link Ground} returns. One per thread.
+ * What a radar sees of the surface of a site between two ranges at a bearing: the elevations from the skyline of all
+ * that lies within the nearer range up to that within the farther one. What lies in the shadow of something nearer is
+ * thus left out, slopes and walls count as they stand, and nothing is assumed about the mesh but that what is below a
+ * skyline is blocked: under a bridge no radar looks through. Allocates nothing but what {@link Ground} returns. One per
+ * thread.
  */
 final class VisibleGround {
     /** Elevations are found to this fraction of what the cell fills if nothing hides it. */
@@ -52,7 +53,8 @@ final class VisibleGround {
      * @param azimuth clockwise from north, rad
      * @param near where the range cell begins, m; from the radar on if 0 or less
      * @param far where it ends, above 0, m
-     * @return whether some of the surface in the cell is in sight, between the elevations {@link #low} and {@link #high}
+     * @return whether some of the surface in the cell is in sight, between the elevations {@link #low} and
+     *     {@link #high}
      */
     boolean look(double azimuth, double near, double far) {
         east = Math.sin(azimuth);

@@ -31,8 +31,8 @@ final class RejectedParts {
     }
 
     /**
-     * Reports what is rejected even if all that can be left out is left out, otherwise each part that is rejected beside only what is
-     * required; returns whether there are any.
+     * Reports what is rejected even if all that can be left out is left out, otherwise each part that is rejected
+     * beside only what is required; returns whether there are any.
      */
     boolean report() {
         Optional<String> whatIsRequired = rejection(needed);

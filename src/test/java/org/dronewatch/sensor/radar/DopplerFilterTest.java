@@ -30,7 +30,9 @@ class DopplerFilterTest {
         assertThat(HighPass.of(1.5)).isEqualTo(new HighPass(1.5, 2));
     }
 
-    /** The response is that of the sum of N pulses with binomial weights of alternating sign, relative to its greatest. */
+    /**
+     * The response is that of the sum of N pulses with binomial weights of alternating sign, relative to its greatest.
+     */
     @ParameterizedTest
     @CsvSource({"2, 80", "3, 80", "5, 31.7", "10, 12"})
     void aCancellerIsTheSumOfItsPulses(int pulses, double blind) {

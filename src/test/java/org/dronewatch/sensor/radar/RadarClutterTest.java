@@ -78,7 +78,10 @@ class RadarClutterTest {
         assertThat(crossSection(radar, LEVEL, coming(range, 0))).isCloseTo(expected, within(0.005));
     }
 
-    /** Constant gamma: on level ground h below the radar {@code gamma (h / R) R theta c / (2 B)}, the same at all ranges. */
+    /**
+     * Constant gamma: on level ground h below the radar {@code gamma (h / R) R theta c / (2 B)}, the same at all
+     * ranges.
+     */
     @ParameterizedTest
     @CsvSource({"200", "1000", "9000"})
     void constantGammaGoesWithTheGrazingAngle(double range) {
@@ -145,7 +148,10 @@ class RadarClutterTest {
         assertThat(look(PLAIN, LEVEL, drone, 0).figures()).doesNotContainKey("clutter_to_noise_db");
     }
 
-    /** Of a radar that is limited by clutter more power is of no use: its miss is too weak, with the margin that is missing. */
+    /**
+     * Of a radar that is limited by clutter more power is of no use: its miss is too weak, with the margin that is
+     * missing.
+     */
     @Test
     void aMissInClutterIsTooWeakByItsMargin() {
         RadarSettings radar = over(new LandCover(Cover.METROPOLITAN), 10);
@@ -185,7 +191,10 @@ class RadarClutterTest {
                 .isCloseTo(-10.0 + 10 * Math.log10(face + ground), within(0.1));
     }
 
-    /** In the middle of an edge: at two of five bearings the cell lies in the shadow, the one in the middle included or not. */
+    /**
+     * In the middle of an edge: at two of five bearings the cell lies in the shadow, the one in the middle included or
+     * not.
+     */
     @Test
     void aCellPartlyInShadowCountsInPart() {
         TriangleMesh half = TriangleMesh.of(

@@ -61,8 +61,8 @@ class RadarCrossingTest {
     }
 
     /**
-     * A straight pass at b = 300 m with v = 10 m/s: the radial speed is {@code v x / sqrt(x^2 + b^2)}, and the echo fades by {@code
-     * 10 lg(1 + (w / vr)^4)}. It is lost where that exceeds what the radar equation leaves over 15 dB.
+     * A straight pass at b = 300 m with v = 10 m/s: the radial speed is {@code v x / sqrt(x^2 + b^2)}, and the echo
+     * fades by {@code 10 lg(1 + (w / vr)^4)}. It is lost where that exceeds what the radar equation leaves over 15 dB.
      */
     @ParameterizedTest
     @CsvSource({"300, 10", "150, 4", "250, 40"})

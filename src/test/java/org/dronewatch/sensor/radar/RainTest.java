@@ -57,7 +57,8 @@ class RainTest {
     }
 
     /**
-     * What rain scatters back, dB per metre: {@code 5.7e-14 R^1.6 / lambda^4} (Barton and Leonov, Radar Technology Encyclopedia, "clutter, rain").
+     * What rain scatters back, dB per metre: {@code 5.7e-14 R^1.6 / lambda^4} (Barton and Leonov, Radar Technology
+     * Encyclopedia, "clutter, rain").
      */
     @ParameterizedTest
     @CsvSource({"3, 1", "10, 5", "24, 25"})
@@ -68,8 +69,8 @@ class RainTest {
     }
 
     /**
-     * Mie's series (Bohren and Huffman) summed over drops of Marshall and Palmer's distribution from 0 to 7 mm, water at 10 degrees after
-     * ITU-R P.840, computed apart from this code, dB per metre.
+     * Mie's series (Bohren and Huffman) summed over drops of Marshall and Palmer's distribution from 0 to 7 mm, water
+     * at 10 degrees after ITU-R P.840, computed apart from this code, dB per metre.
      */
     @ParameterizedTest
     @CsvSource({
