@@ -116,7 +116,7 @@ class SeededRunsTest {
     /** {@code x^E / (1 + x^E)} with {@code E = 2.7 + 0.7 x}, and {@code Pfa^(1/(1+S))}. */
     private static void assertClosedForms(Map<String, Double> probabilities, double pixels, double signalToNoise) {
         double seen = 0.5 * Math.pow(0.05, 200.0 / 20_000.0);
-        double x = 0.5 * Math.sqrt(pixels) * (1.0 - 0.02 / seen);
+        double x = 0.5 * Math.sqrt(pixels) * (1.0 - 0.02 / seen) / 0.75;
         double odds = Math.pow(x, 2.7 + 0.7 * x);
         assertThat(probabilities.get("camera")).isCloseTo(odds / (1.0 + odds), within(1e-9));
         double radar = Math.pow(1e-6, 1.0 / (1.0 + Math.pow(10.0, 0.1 * signalToNoise)));

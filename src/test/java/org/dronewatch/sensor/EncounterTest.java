@@ -100,15 +100,16 @@ class EncounterTest {
     }
 
     /**
-     * A drone of 0.07 m2 and 5 K that flies at 15 m/s towards 640 pixels over 24 degrees (50 mK, 85 % per kilometre), with Johnson's
-     * one-dimensional line pair: P = 0.5 at 195 m. By the integral over observers, half of them have found it at 126.5 m.
+     * A drone of 0.07 m2 and 5 K that flies at 15 m/s towards 640 pixels over 24 degrees (50 mK, 85 % per kilometre). With
+     * a whole line pair across the root of its area P is 0.5 at 195 m, and by the integral over observers half of them
+     * have found it at 126.5 m; with the three quarters that an area takes, at 260 and 184.7 m.
      */
-    private record Approach(double speed, double from) {
+    private record Approach(double speed, double from, double linePairs) {
         double probability(double range) {
             double across = Math.sqrt(0.07) * 320.0 / Math.tan(Math.toRadians(12.0)) / range;
             double signal = 5.0 * Math.pow(0.85, range / 1000.0) * Math.min(1.0, across * across) / 0.05;
             double pairs = signal > 2.0 ? 0.5 * across * (1.0 - 2.0 / signal) : 0.0;
-            return Discrimination.transfer(pairs);
+            return Discrimination.transfer(pairs / linePairs);
         }
 
         double at(double time) {
@@ -135,22 +136,25 @@ class EncounterTest {
 
     @Test
     void theClosedFormOfAnApproachHasItsKnownMedian() {
-        Approach approach = new Approach(15.0, 1200.0);
+        Approach approach = new Approach(15.0, 1200.0, 1.0);
         assertThat(approach.probability(195.0)).isCloseTo(0.5, within(0.003));
         assertThat(approach.found(126.5)).isCloseTo(0.5, within(0.003));
         assertThat(approach.found(60.0)).isCloseTo(0.824, within(0.003));
+        Approach onArea = new Approach(15.0, 1200.0, Discrimination.DETECTION.linePairs());
+        assertThat(onArea.probability(260.0)).isCloseTo(0.5, within(0.003));
+        assertThat(onArea.found(184.7)).isCloseTo(0.5, within(0.003));
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {5, 25, 50})
     void theRangeOfAnApproachDoesNotDependOnTheFrameRate(double rate) {
-        Approach approach = new Approach(15.0, 600.0);
+        Approach approach = new Approach(15.0, 600.0, Discrimination.DETECTION.linePairs());
         int runs = 800;
         List<Double> ranges = new ArrayList<>();
         for (int run = 0; run < runs; run++) {
             watch(run, rate).first(approach::at, 570.0 / 15.0).ifPresent(t -> ranges.add(600.0 - 15.0 * t));
         }
-        for (double range : new double[] {60, 90, 127, 150, 200}) {
+        for (double range : new double[] {60, 127, 185, 260, 350}) {
             int found = (int) ranges.stream().filter(r -> r >= range).count();
             assertShare(found, runs, approach.found(range), "found by " + range + " m at " + rate + " Hz");
         }

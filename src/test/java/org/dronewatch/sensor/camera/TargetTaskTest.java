@@ -60,15 +60,18 @@ class TargetTaskTest {
         assertThat(last).isEqualTo(1.0);
     }
 
-    /** Pixels across the critical dimension for a probability of 0.9: 3.5, 14.0, 22.4 by Johnson's line pairs. */
+    /**
+     * Pixels across the root of the area for a probability of 0.9: 1.75 times the two pixels of each of Johnson's 1, 4 and
+     * 6.4 line pairs, of which an area takes three quarters (Kennedy, SPIE 1488, 1991).
+     */
     @ParameterizedTest
-    @CsvSource({"DETECTION, 3.5", "RECOGNITION, 14.0", "IDENTIFICATION, 22.4"})
-    void nineInTenTakeJohnsonsPixels(Discrimination task, double across) {
+    @CsvSource({"DETECTION, 2.625", "RECOGNITION, 10.5", "IDENTIFICATION, 16.8"})
+    void nineInTenTakeThreeQuartersOfJohnsonsPixels(Discrimination task, double across) {
         TargetTask function = PERFECT.withTask(task);
         double below = function.value(view((across - 0.4) * (across - 0.4), 100, 0, Light.DAY));
-        double at = function.value(view(across * across, 100, 0, Light.DAY));
+        double at = task.probability(0.5 * across);
         double above = function.value(view((across + 0.4) * (across + 0.4), 100, 0, Light.DAY));
-        assertThat(at).isCloseTo(0.9, within(0.02));
+        assertThat(at).isCloseTo(0.8999, within(5e-5));
         assertThat(below).isLessThan(0.9);
         assertThat(above).isGreaterThan(0.9);
     }

@@ -79,15 +79,18 @@ class ThermalSensorTest {
         assertThat(0.35 / 1000 * settings.focalLength()).isCloseTo(across, within(0.005));
     }
 
-    /** Two pixels across 0.35 m, a line pair, are an even chance where heat is no limit: 3565 m at 1.8 degrees, 263 m at 24. */
+    /**
+     * One and a half pixels across the side of a square of 0.35 m are an even chance where heat is no limit: 4753 m at 1.8
+     * degrees, 351 m at 24, where two pixels by Johnson's one-dimensional line pair would be 3565 and 263 m.
+     */
     @ParameterizedTest
-    @CsvSource({"1.8, 3565", "24, 263"})
-    void withHeatToSpareTwoPixelsAcrossAreAnEvenChance(double fov, double range) {
+    @CsvSource({"1.8, 4753", "24, 351.3"})
+    void withHeatToSpareAPixelAndAHalfAcrossIsAnEvenChance(double fov, double range) {
         ThermalSettings settings = ThermalSettings.at(CAMERA)
                 .withHorizontalFov(Math.toRadians(fov))
                 .withNetd(1e-6)
                 .withTransmission(1.0);
-        assertThat(0.5 * 0.35 * settings.focalLength()).isCloseTo(range, within(0.5));
+        assertThat(0.35 / 1.5 * settings.focalLength()).isCloseTo(range, within(0.5));
 
         assertThat(look(settings, empty(), at(0.35, 0.35, 5, 0.97 * range)).isDetected())
                 .isTrue();
@@ -111,12 +114,13 @@ class ThermalSensorTest {
         ThermalSettings settings = ThermalSettings.at(CAMERA);
         double warm = look(settings, empty(), at(0.35, 0.35, 5, 250)).value();
         double cool = look(settings, empty(), at(0.35, 0.35, 0.5, 250)).value();
-        // N = 1/2 sqrt(area) (1 - 2/SNR), SNR = dT 0.85^0.25 / 0.05.
+        // N = 1/2 sqrt(area) (1 - 2/SNR) against 0.75, SNR = dT 0.85^0.25 / 0.05.
         double sqrt = 0.35 / 250 * settings.focalLength();
         double air = Math.pow(0.85, 0.25) / 0.05;
 
-        assertThat(warm).isCloseTo(Discrimination.transfer(0.5 * sqrt * (1 - 2 / (5 * air))), within(0.02));
-        assertThat(cool).isCloseTo(Discrimination.transfer(0.5 * sqrt * (1 - 2 / (0.5 * air))), within(0.02));
+        double x = 0.5 * sqrt / 0.75;
+        assertThat(warm).isCloseTo(Discrimination.transfer(x * (1 - 2 / (5 * air))), within(0.02));
+        assertThat(cool).isCloseTo(Discrimination.transfer(x * (1 - 2 / (0.5 * air))), within(0.02));
         assertThat(look(settings, empty(), at(0.35, 0.35, 0.1, 250)).value()).isZero();
     }
 
