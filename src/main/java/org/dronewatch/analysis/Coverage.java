@@ -51,7 +51,7 @@ public final class Coverage {
      * @param drone id of the drone that is put at the points
      * @param progress receives how many points a sensor has looked at since the last call; by any thread
      * @throws IllegalArgumentException when there is no such drone
-     * @throws java.util.concurrent.CancellationException when this thread is interrupted; it stays so
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static Coverage of(
             SceneSettings settings, Stage stage, String drone, CoverageGrid grid, IntConsumer progress) {

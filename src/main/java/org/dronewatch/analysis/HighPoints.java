@@ -21,7 +21,7 @@ public final class HighPoints {
      * @param within how far from the origin along each axis, m
      * @param count how many there are at most
      * @param apart how far from each other they are at least, m
-     * @throws java.util.concurrent.CancellationException when this thread is interrupted; it stays so
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static List<Position> near(World world, double within, int count, double apart) {
         List<Position> candidates = new ArrayList<>();

@@ -34,7 +34,7 @@ record Prober(
         /** It does not detect the drone, or there is no drone because there is no ground. */
         MISSED,
         DETECTED,
-        /** The line of sight leaves the ground that is known. */
+        /** The line of sight leaves the known ground. */
         UNKNOWN
     }
 

@@ -54,7 +54,7 @@ public final class KernelBench {
      *
      * @param passes how many passes count, 1 or more
      * @param progress is called when the warm-up is over, and after each pass that counts
-     * @throws java.util.concurrent.CancellationException when this thread is interrupted; it stays so
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public TracingSpeed measure(RaySet set, int passes, Consumer<String> progress) {
         distances = new float[set.count()];

@@ -16,14 +16,14 @@ import org.dronewatch.setting.file.PackagedSite;
 import org.dronewatch.terrain.TerrainGround;
 
 /**
- * Makes solids in the world frame of the buildings on a map. Each stands on the lowest ground under it, from which its
- * height counts, and reaches {@value #BELOW} m below that, so that no gap is left on a slope. Immutable.
+ * Turns the buildings on a map into solids in the world frame. Each stands on the lowest ground under it, from which
+ * its height is measured, and reaches {@value #BELOW} m below that, so that no gap is left on a slope. Immutable.
  */
 public final class BuildingLoader {
     /** How far walls reach below the lowest ground under them, m. */
     static final double BELOW = 1.0;
 
-    /** What belongs to a building near the rim may lie this far beyond it, m. */
+    /** Parts of a building near the rim may lie this far beyond it, m. */
     private static final double MARGIN = 2000.0;
 
     private static final int MOST_TRIANGLES = 50_000_000;

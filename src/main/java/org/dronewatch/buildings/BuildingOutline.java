@@ -7,9 +7,9 @@ import java.util.Optional;
 /**
  * Where a building stands, and how high it is, for maps and plans.
  *
- * @param id what the map calls it
+ * @param id its identifier on the map
  * @param name its name, if the map states one
- * @param isPart whether it is a part of a building with heights of its own
+ * @param isPart whether it is a part of a building that has its own height
  * @param outer the outline, counterclockwise: x and y in the world frame of each corner in turn, m, at the level of the
  *     origin
  * @param courts courtyards, clockwise, as the outline

@@ -12,7 +12,7 @@ import org.dronewatch.buildings.io.MapFeatures;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
 
-/** Counts what becomes of the features of a map, and says it in lines. */
+/** Counts what becomes of the features of a map, and describes it in lines. */
 final class BuildingReport {
     private static final int EXAMPLES = 3;
 
@@ -48,12 +48,12 @@ final class BuildingReport {
         leftOut.merge(what, 1, Integer::sum);
     }
 
-    /** Something odd about a feature. */
+    /** Records something suspicious about a feature. */
     void doubt(String what, String id) {
         doubts.computeIfAbsent(what, any -> new ArrayList<>()).add(id);
     }
 
-    /** Something that was built. */
+    /** Records a building or part that was built. */
     void add(Building building, Dimensions dimensions, double squareMetres) {
         if (building.isPart()) {
             parts++;
@@ -66,7 +66,7 @@ final class BuildingReport {
         outlines.add(BuildingOutline.of(building, dimensions));
     }
 
-    /** A solid of a city model that was built. */
+    /** Records a solid of a city model that was built. */
     void add(CitySolid solid, double squareMetres, List<BuildingOutline> itsOutlines) {
         outlines.addAll(itsOutlines);
         buildings++;
@@ -74,7 +74,7 @@ final class BuildingReport {
         area += squareMetres;
     }
 
-    /** A wood that was built. */
+    /** Records a wood that was built. */
     void addWood(double squareMetres) {
         woods++;
         woodArea += squareMetres;
@@ -107,7 +107,7 @@ final class BuildingReport {
         return outlines;
     }
 
-    /** What a map of this format asks to be said wherever it is used. */
+    /** The attribution that maps of this format require. */
     static Optional<String> attribution(MapFeatures map) {
         return map.format().startsWith("OpenStreetMap") ? Optional.of(OPEN_STREET_MAP) : Optional.empty();
     }

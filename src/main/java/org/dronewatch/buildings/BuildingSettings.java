@@ -22,9 +22,8 @@ import org.dronewatch.setting.file.PackagedSite;
  * @param radius how far from the origin buildings are included, 10 m to 20 km
  * @param height height of buildings for which the map states neither a height nor levels, 1 to 200 m
  * @param levelHeight height of a level, for buildings for which the map states only the number of levels, 1 to 20 m
- * @param verticalOffset what is added to the heights of a city model, -1000 to 1000 m: for one that counts from another
- *     level than
- *     {@code world.origin.height} and the terrain do
+ * @param verticalOffset what is added to the heights of a city model, -1000 to 1000 m: for one whose
+ *     heights refer to another level than {@code world.origin.height} and the terrain
  * @param woodHeight height of the woods on the map, which become canopies that nothing passes through, 1 to 100 m; omit
  *     it to build no woods
  * @param material material of buildings for which the map states none: a name in the table of surfaces
@@ -89,7 +88,7 @@ public record BuildingSettings(
         return SettingsForm.with(this, "levelHeight", metres);
     }
 
-    /** These settings with the heights of a city model shifted by as many metres. */
+    /** These settings with another vertical offset of a city model, m. */
     public BuildingSettings withVerticalOffset(double metres) {
         return SettingsForm.with(this, "verticalOffset", metres);
     }

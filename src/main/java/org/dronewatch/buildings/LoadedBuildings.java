@@ -7,19 +7,19 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * What was made of a map.
+ * The buildings made from a map.
  *
  * @param mesh closed solids in the world frame, whose triangles face outwards
  * @param woods canopies in the world frame; without triangles if there are none
  * @param colours of the materials in daylight, by name: red, green and blue in the lowest 24 bits
- * @param outlines of all that stands there
- * @param attribution what the map asks to be said wherever its data are shown, if it does
- * @param count how many buildings and parts stand there
+ * @param outlines of all buildings and parts
+ * @param attribution the text that the map requires wherever its data are shown; empty if it requires none
+ * @param count number of buildings and parts
  * @param area of their outlines, without courtyards, m2
- * @param assumed how many of them have an assumed height
- * @param file the map with the bytes that it had
- * @param description what was read, a line for each thing
- * @param warnings what looks odd, a line for each thing
+ * @param assumed number of those with an assumed height
+ * @param file the map, with the hash of what was read
+ * @param description what was read, in lines for the report
+ * @param warnings anything suspicious, one line each
  */
 public record LoadedBuildings(
         TriangleMesh mesh,

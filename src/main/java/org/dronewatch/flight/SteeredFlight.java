@@ -157,7 +157,7 @@ public final class SteeredFlight implements FlownPath {
         legs.add(new Leg(from, new FlightState(here, velocity, attitude, OptionalDouble.empty())));
     }
 
-    /** From now on the calling thread runs the scene, and it alone steers. */
+    /** From now on the calling thread runs the scene, and only it may steer. */
     synchronized void steerHere() {
         steering = Thread.currentThread();
     }

@@ -4,9 +4,8 @@ import java.util.Collection;
 import java.util.List;
 
 /**
- * How far a run has come, for the flights that are steered in it. Whoever runs a scene has one; those who steer give
- * their commands to a {@link SteeredFlight}, whose past only this advances. Flights of other kinds need no clock and
- * are left alone.
+ * The time that a run has reached, for its steered flights. Whoever runs a scene has one; whoever steers gives commands
+ * to a {@link SteeredFlight}, whose past only the clock extends. Flights of other kinds need no clock and are ignored.
  */
 public final class SteeringClock {
     private final List<SteeredFlight> flights;
@@ -22,7 +21,7 @@ public final class SteeringClock {
                 .toList());
     }
 
-    /** From now on the calling thread runs the scene: it alone steers. */
+    /** From now on the calling thread runs the scene, and only it may steer. */
     public void steerHere() {
         flights.forEach(SteeredFlight::steerHere);
     }

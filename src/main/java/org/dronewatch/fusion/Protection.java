@@ -14,7 +14,7 @@ import org.dronewatch.world.World;
  * @param areas on their ground, in the order of the scene
  */
 public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
-    /** What the sphere, which has no name of its own, is called. */
+    /** The name of the sphere in results: it has none in the settings. */
     public static final String ZONE = "protected";
 
     /** Copies the list: later changes by the caller have no effect. */

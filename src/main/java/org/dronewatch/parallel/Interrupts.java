@@ -13,7 +13,7 @@ public final class Interrupts {
     /**
      * Runs a task that an interrupt of this thread may end.
      *
-     * @throws CancellationException when this thread is interrupted, before or meanwhile; it stays so
+     * @throws CancellationException when this thread is interrupted, before or meanwhile; its interrupt status is kept
      */
     public static <T> T surfacing(Supplier<T> work) {
         Workers.checkInterrupted();

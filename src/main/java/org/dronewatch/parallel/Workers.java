@@ -106,7 +106,8 @@ public final class Workers implements AutoCloseable {
     /**
      * Ends work whose result is no longer needed.
      *
-     * @throws CancellationException when the thread for which this one works, or this one, is interrupted; it stays so
+     * @throws CancellationException when the thread for which this one works, or this one, is interrupted; its
+     *     interrupt status is kept
      */
     public static void checkInterrupted() {
         Workers here = HERE.get();

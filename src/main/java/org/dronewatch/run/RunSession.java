@@ -131,7 +131,7 @@ public final class RunSession implements AutoCloseable {
      *
      * @return the drones at that time, and the observations
      * @throws IllegalStateException when there are no more looks
-     * @throws java.util.concurrent.CancellationException when the thread is interrupted; it stays so
+     * @throws java.util.concurrent.CancellationException when the thread is interrupted; its interrupt status is kept
      */
     public Frame advance() {
         double time = stage.nextLook();

@@ -180,7 +180,7 @@ public final class Stage {
         return clock.known();
     }
 
-    /** From now on the calling thread runs the scene: it alone steers the drones. */
+    /** From now on the calling thread runs the scene, and only it may steer the drones. */
     public void steerHere() {
         clock.steerHere();
     }

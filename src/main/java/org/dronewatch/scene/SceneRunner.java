@@ -233,7 +233,7 @@ public final class SceneRunner {
      * Loads the models and creates the stage of one of the scene's runs, without running it.
      *
      * @param settings one of {@link #settingsOfRuns()}
-     * @throws CancellationException when the thread is interrupted; it stays so
+     * @throws CancellationException when the thread is interrupted; its interrupt status is kept
      * @throws InputException when a model is wrong
      */
     public Stage stage(SceneSettings settings) {
@@ -247,7 +247,7 @@ public final class SceneRunner {
      * Loads the site of one of the scene's runs, without its drones.
      *
      * @param settings one of {@link #settingsOfRuns()}
-     * @throws CancellationException when the thread is interrupted; it stays so
+     * @throws CancellationException when the thread is interrupted; its interrupt status is kept
      * @throws InputException when a file is wrong
      */
     public World world(SceneSettings settings) {
@@ -274,7 +274,8 @@ public final class SceneRunner {
      * Runs the scene. An {@link Error} thrown by the scene or a sensor passes unchanged. After a run that failed or was
      * interrupted this runner can run again.
      *
-     * @throws CancellationException when the thread is interrupted, before the run or at any moment of it; it stays so
+     * @throws CancellationException when the thread is interrupted, before the run or at any moment of it; its
+     *     interrupt status is kept
      * @throws InputException when an override or a model is wrong, or a drone is steered and there is no pilot
      * @throws IllegalArgumentException when the scene has no run of the index given to {@link #only}
      * @throws IllegalStateException when the scene was created for another simulator

@@ -8,7 +8,7 @@ import org.dronewatch.mesh.io.ModelRole;
  */
 public enum Cause {
     /**
-     * The line of sight leaves the ground that is known, at a rim or over a hole of the terrain: something may hide the
+     * The line of sight leaves the known ground, at a rim or over a hole of the terrain: something may hide the
      * drone there. It counts before all others, also before a detection.
      */
     UNKNOWN,

@@ -26,7 +26,7 @@ public record Observation(
     public static final String PROBABILITY = "probability";
 
     /**
-     * The figure, 1, of a look whose line of sight leaves the ground that is known: that nothing hid the drone is not
+     * The figure, 1, of a look whose line of sight leaves the known ground: that nothing hid the drone is not
      * known either.
      */
     public static final String UNKNOWN = "unknown";
@@ -127,14 +127,14 @@ public record Observation(
         return figures.getOrDefault(PROBABILITY, isDetected() ? 1.0 : 0.0);
     }
 
-    /** This observation as one whose line of sight leaves the ground that is known. */
+    /** This observation as one whose line of sight leaves the known ground. */
     public Observation asUnknown() {
         Map<String, Double> more = new LinkedHashMap<>(figures);
         more.put(UNKNOWN, 1.0);
         return withFigures(more);
     }
 
-    /** Whether the line of sight leaves the ground that is known. */
+    /** Whether the line of sight leaves the known ground. */
     public boolean isUnknown() {
         return figures.containsKey(UNKNOWN);
     }

@@ -7,8 +7,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Marks a part of settings that files give as numbers only, although others of its type may also be given by a place on
- * a map: where a model goes, on which places above the surface depend.
+ * Marks a component that files give as numbers only, although other components of its type may also be given as a place
+ * on a map. It is needed for the position of a model, since the heights of places above the surface depend on it.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

@@ -1,6 +1,6 @@
 package org.dronewatch.terrain;
 
-/** What the heights of an elevation file are those of. */
+/** The surface that an elevation file describes. */
 public enum ElevationSurface {
     /** Bare ground: a digital terrain model. */
     DTM,

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Looks through heights as they were read: makes holes of those that cannot be meant, and counts. */
+/** Checks heights as they were read: implausible ones become holes, and the rest are counted. */
 final class Heights {
     /** Below the deepest trench and above the highest mountain, m. */
     private static final float LOWEST = -11_000.0F;
@@ -22,9 +22,9 @@ final class Heights {
     private float highest = Float.NEGATIVE_INFINITY;
 
     /**
-     * Looks at heights and changes those that are none to NaN.
+     * Checks heights, and replaces those that mean "no data" or cannot be heights by NaN.
      *
-     * @param nodata a height that stands for none
+     * @param nodata a height that means "no data"
      */
     Heights(float[] heights, Optional<Double> nodata) {
         this.heights = heights;

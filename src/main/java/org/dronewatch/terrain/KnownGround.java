@@ -5,14 +5,15 @@ import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * Where a terrain has ground: what lies in its holes or beyond its rim is not known, and may hide anything. Immutable.
+ * Where a terrain has ground. Its holes and what lies beyond its rim are unknown: anything may be hidden there.
+ * Immutable.
  */
 public final class KnownGround {
     private final TerrainGround ground;
-    /** Both ends of each side of a triangle that is no side of another: the rim, and the rims of holes. */
+    /** Both ends of each edge that belongs to one triangle only: the rim, and the rims of holes. */
     private final double[] rim;
 
-    /** That of a terrain whose triangles share corners. */
+    /** The known ground of a terrain; triangles that share an edge must share its vertices. */
     public KnownGround(TerrainGround ground) {
         this.ground = ground;
         this.rim = rim(ground.mesh());

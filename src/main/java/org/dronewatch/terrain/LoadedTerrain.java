@@ -5,16 +5,16 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * What was made of files of elevations.
+ * A terrain made from elevation files.
  *
  * @param mesh triangles in the world frame, counter-clockwise seen from above
- * @param posts how many posts near the origin have a height
- * @param holes how many posts there have none
- * @param all how many triangles there would be if every post were kept
+ * @param posts number of posts near the origin that have a height
+ * @param holes number of posts there that have none
+ * @param all number of triangles if every post had been kept
  * @param error the greatest vertical distance of a post from the triangle under or over it, m
- * @param files the files with the bytes that they had
- * @param description what was read, a line for each thing
- * @param warnings what looks odd, a line for each thing
+ * @param files the files, with hashes of what was read
+ * @param description what was read, in lines for the report
+ * @param warnings anything suspicious, one line each
  */
 public record LoadedTerrain(
         TriangleMesh mesh,

@@ -40,7 +40,7 @@ final class Mosaic {
     private final Lattice lattice;
     private final Window window;
 
-    /** Finds what the files have about the origin. */
+    /** Finds what the files contain near the origin. */
     Mosaic(List<ElevationFile> files, TerrainSettings settings, Origin origin) {
         this.files = files;
         this.crs = crs(files, settings.crs());
@@ -160,7 +160,7 @@ final class Mosaic {
         return found;
     }
 
-    /** A longitude as many whole turns away as brings it to the files. */
+    /** A longitude, moved by whole turns to the range of the files. */
     private double near(double longitude) {
         double middle =
                 lattice.xAt(0.5 * files.get(0).columns(), 0.5 * files.get(0).rows());
@@ -227,7 +227,7 @@ final class Mosaic {
                 .sum();
     }
 
-    /** The files of which nothing is near the origin. */
+    /** The files that have nothing near the origin. */
     List<ElevationFile> unused() {
         List<ElevationFile> far = new ArrayList<>(files);
         far.removeIf(file -> !windows.get(files.indexOf(file)).and(window).isEmpty());

@@ -16,8 +16,8 @@ import org.dronewatch.terrain.io.ElevationFiles;
 import org.dronewatch.terrain.io.Window;
 
 /**
- * Makes triangles in the world frame of files of elevations: the posts near the origin are read, as few of them kept as
- * the accuracy allows, and each is taken to the world frame in double precision. Immutable.
+ * Turns elevation files into triangles in the world frame: the posts near the origin are read, as few of them are kept
+ * as the accuracy allows, and each is transformed to the world frame in double precision. Immutable.
  */
 public final class TerrainLoader {
     /** Reading more takes seconds. */
@@ -30,7 +30,7 @@ public final class TerrainLoader {
      * A loader of files by name.
      *
      * @param directory of relative paths
-     * @param progress receives a line before something that takes seconds
+     * @param progress receives a line before each step that takes seconds
      */
     public TerrainLoader(Path directory, Consumer<String> progress) {
         this.directory = directory;
@@ -43,7 +43,7 @@ public final class TerrainLoader {
      * @param settings with at least one file
      * @param origin of the world frame; where its height is not known, z is the height that the files state
      * @throws InputException in one line when a file is missing, of no known format or damaged, has no posts near the
-     *     origin or too many, or does not go together with the others
+     *     origin or too many, or does not match the others
      * @throws java.util.concurrent.CancellationException when the thread is interrupted
      */
     public LoadedTerrain load(TerrainSettings settings, Origin origin) {

@@ -6,7 +6,7 @@ import java.util.Locale;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.terrain.io.ElevationFile;
 
-/** Says in lines what was read of a terrain, and what looks odd. */
+/** Describes in lines what was read of a terrain, and warns of anything suspicious. */
 record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile> files) {
 
     List<String> lines(Posts posts, Heights heights, int all, PostTriangles kept, double level, Origin origin) {

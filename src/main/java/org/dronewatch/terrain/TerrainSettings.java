@@ -27,8 +27,8 @@ import org.dronewatch.setting.file.PackagedSite;
  * @param accuracy greatest vertical error that thinning out the triangles may cause, 0 to 1000 m; at 0 every post is
  *     kept
  * @param surface what the heights describe: the bare ground (dtm), or roofs and treetops where there are any (dsm)
- * @param verticalOffset what is added to the heights of the files, -1000 to 1000 m: for files that count from another
- *     level than {@code world.origin.height} does
+ * @param verticalOffset what is added to the heights of the files, -1000 to 1000 m: for files whose
+ *     heights refer to another level than {@code world.origin.height} does
  * @param nodata a height that means "no data", in addition to those that the files state; omit it if there is no other
  * @param material name of the ground's material, to which {@code world.surfaces} assigns an acoustic surface; one that
  *     is in the table of surfaces itself needs no assignment
@@ -116,17 +116,17 @@ public record TerrainSettings(
         return SettingsForm.with(this, "accuracy", metres);
     }
 
-    /** These settings with heights of something else. */
+    /** These settings with heights of another surface. */
     public TerrainSettings withSurface(ElevationSurface other) {
         return SettingsForm.with(this, "surface", other);
     }
 
-    /** These settings with heights shifted by as many metres. */
+    /** These settings with another vertical offset, m. */
     public TerrainSettings withVerticalOffset(double metres) {
         return SettingsForm.with(this, "verticalOffset", metres);
     }
 
-    /** These settings with another height that stands for none. */
+    /** These settings with another height that means "no data". */
     public TerrainSettings withNodata(double height) {
         return SettingsForm.with(this, "nodata", Optional.of(height));
     }

@@ -101,7 +101,7 @@ class AssessorTest {
         return world.withKnownGround(new KnownGround(new TerrainGround(ground)));
     }
 
-    /** Beyond the ground that is known, each of the others could hold as well: it is unknown all the same. */
+    /** Beyond the known ground, each of the others could hold as well: it is unknown all the same. */
     @Test
     void whatIsUnknownCountsBeforeAllOtherCauses() {
         World wall = behind(wall(150, -99, 99), ModelRole.BUILDING);

@@ -3,8 +3,8 @@ package org.dronewatch.buildings.io;
 import java.util.List;
 
 /**
- * Buildings with their walls and roofs, as a city model has them. The arrays are not copied: whoever is given one must
- * not change it.
+ * Buildings with their walls and roofs, as a city model has them. The arrays are not copied: callers must not
+ * modify them.
  *
  * @param vertices x, y and height of each vertex in turn, in the map's coordinates
  * @param solids in the order of the file
@@ -16,9 +16,9 @@ public record CityModel(double[] vertices, List<Solid> solids) {
     }
 
     /**
-     * What encloses a building, or should.
+     * The surfaces of a building, which should enclose it.
      *
-     * @param id what the model calls it
+     * @param id its identifier in the model
      * @param surfaces each with its outline, counter-clockwise as seen from outside, and its openings: numbers of
      *     vertices
      */

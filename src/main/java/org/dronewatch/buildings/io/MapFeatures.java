@@ -8,11 +8,11 @@ import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * What was read of a map.
+ * The contents of a map file.
  *
  * @param features outlines of buildings and parts of buildings, in the order of the file
  * @param model buildings with their walls and roofs instead, from a city model
- * @param leftOut what could not become an outline, and how often, in words
+ * @param leftOut what could not be used, and how often, in words
  * @param format of the file, in words
  * @param crs the system of its coordinates, if the file or its format states one
  * @param hash of the file

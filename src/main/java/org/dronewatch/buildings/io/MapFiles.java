@@ -25,7 +25,7 @@ import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Reads map files by what they begin with, whatever they are called; text may be packed with gzip. */
+/** Reads map files; the format is recognised by the first bytes, not by the name. Text may be compressed with gzip. */
 public final class MapFiles {
     /** JSON is held in memory as a whole. */
     private static final int MOST_JSON = 256 * 1024 * 1024;
@@ -48,7 +48,7 @@ public final class MapFiles {
      * Reads a map.
      *
      * @param name of the file
-     * @param area what lies elsewhere may be left out
+     * @param area features elsewhere may be left out
      * @throws InputException in one line when the file is missing, of no known format, or damaged
      */
     public MapFeatures read(String name, MapArea area) {
@@ -198,7 +198,7 @@ public final class MapFiles {
         }
     }
 
-    /** Ends what unpacks without end. */
+    /** Ends a file that never stops unpacking. */
     private static final class Limited extends InputStream {
         private final InputStream in;
         private long left = MOST_BYTES;

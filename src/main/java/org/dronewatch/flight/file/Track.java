@@ -10,9 +10,9 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.BoundedFile;
 
 /**
- * Flies as a real drone flew, as recorded in a GPX track or a CSV log: in a straight line and at constant speed from
- * each point to the next, and at each at its recorded time; the first point is at the start of the run. It stays at the
- * last point. Without times, it flies through the points as with {@code waypoints}.
+ * Repeats a flight recorded in a GPX track or a CSV log: in a straight line and at constant speed from each point to
+ * the next, passing each at its recorded time; the first point is at the start of the run. It stays at the last point.
+ * Without times, it flies through the points as with {@code waypoints}.
  *
  * @param log path of the {@code .gpx} or {@code .csv} file
  * @param heights what the heights in the file are measured from
@@ -28,7 +28,7 @@ public record Track(
     /** The largest file that is read, bytes. */
     static final int LARGEST = 64 << 20;
 
-    /** What the heights in a file count from. */
+    /** The level from which the heights in a file are measured. */
     public enum Heights {
         /** Sea level, as the height of the scene's origin. */
         SEA,

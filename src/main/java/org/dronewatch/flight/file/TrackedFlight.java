@@ -23,7 +23,7 @@ import org.dronewatch.world.Places;
 
 /** A track as it was read. */
 final class TrackedFlight implements FlightSource {
-    /** Faster than any drone, m/s: such a jump is a mistake of the receiver. */
+    /** Faster than any drone, m/s: such a jump is an error of the receiver. */
     private static final double FASTEST = 400.0;
 
     /** Below this speed the nose stays where it was, m/s. */
@@ -109,7 +109,7 @@ final class TrackedFlight implements FlightSource {
         return apart;
     }
 
-    /** The height above what the origin's counts from where the heights in the file are 0. */
+    /** What must be added to the heights in the file to refer them to the level of the origin's height. */
     private double launch(Places places) {
         Fixes.Fix first = points.fixes().get(0);
         EarthPoint place = first.place();

@@ -106,7 +106,7 @@ public final class ModelFile {
         return beside(sibling, MAX_BYTES_BESIDE);
     }
 
-    /** The same with a limit of its own, bytes. */
+    /** The same with another limit, bytes. */
     ModelFile beside(String sibling, long maxBytes) {
         if (path == null) {
             return resource(sibling).orElseThrow(() -> new InputException("is not beside it"));

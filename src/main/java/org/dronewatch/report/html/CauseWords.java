@@ -18,7 +18,7 @@ final class CauseWords {
      */
     static String of(Explanation explanation, Drone drone, String weak) {
         return switch (explanation.cause()) {
-            case UNKNOWN -> "unknown, beyond the ground that is known";
+            case UNKNOWN -> "unknown: the line of sight leaves the known ground";
             case OUT_OF_RANGE -> "out of range";
             case OUT_OF_VIEW -> "out of its field of view";
             case SILENT -> silent(drone.settings().radio());

@@ -34,7 +34,7 @@ public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) d
         return pixels;
     }
 
-    /** A positioner counts pixels, too, with a threshold of its own. */
+    /** A positioner counts pixels, too, with its own threshold. */
     @Override
     public OptionalDouble followingValue(DroneView view) {
         return OptionalDouble.empty();

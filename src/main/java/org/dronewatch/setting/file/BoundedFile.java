@@ -10,7 +10,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
 
-/** Reads small files that a person named. Pipes and devices are refused: reading them may wait or go on forever. */
+/** Reads small files named by the user. Pipes and devices are refused: reading them may block or never end. */
 public final class BoundedFile {
     private BoundedFile() {}
 

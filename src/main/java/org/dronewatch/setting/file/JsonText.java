@@ -7,7 +7,7 @@ import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Reads JSON that a person named; the library bounds how deep it is nested. */
+/** Reads JSON files named by the user; the library limits their nesting depth. */
 public final class JsonText {
     private JsonText() {}
 

@@ -19,7 +19,7 @@ public final class PackagedSite {
         return name.startsWith(PREFIX);
     }
 
-    /** The name without what it begins with. */
+    /** The name without its prefix. */
     public static String plain(String name) {
         return isNamed(name) ? name.substring(PREFIX.length()) : name;
     }

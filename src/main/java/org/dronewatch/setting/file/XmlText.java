@@ -11,8 +11,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Reads XML, always in UTF-8, that a person named: nothing is expanded, no other file is read, and depth and length of
- * texts are bounded. For a single use.
+ * Reads XML files named by the user, always in UTF-8: nothing is expanded, no other file is read, and depth and length
+ * of texts are bounded. For a single use.
  */
 public final class XmlText {
     private static final int MOST_DEPTH = 64;

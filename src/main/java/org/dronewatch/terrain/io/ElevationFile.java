@@ -6,7 +6,7 @@ import org.dronewatch.geo.CoordinateReferenceSystem;
 
 /** A file of posts: where they are is known, their heights are read when they are needed. One thread at a time. */
 public interface ElevationFile {
-    /** What messages call it. */
+    /** Its name in messages. */
     String name();
 
     /** How many columns of posts it has, 2 or more. */
