@@ -5,6 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
@@ -17,16 +18,21 @@ import org.dronewatch.setting.SettingsForm;
  * @param power equivalent isotropic radiated power of the drone, -100 to 100 dBm
  * @param pilot position of the pilot's transmitter, or empty if it cannot be received, m
  * @param pilotPower equivalent isotropic radiated power of the pilot's transmitter, -100 to 100 dBm
+ * @param emission what kind of signal it is, by which a receiver may know it for a drone's
+ * @param bursts how it transmits in bursts or hops; omit it for a transmission without pauses on one channel
  */
 public record RadioLink(
         Control control,
         @In(value = Quantity.FREQUENCY, from = 1e6, to = 1e11) double frequency,
         @In(value = Quantity.LEVEL, from = -100, to = 100) double power,
         Optional<Position> pilot,
-        @In(value = Quantity.LEVEL, from = -100, to = 100) double pilotPower) {
+        @In(value = Quantity.LEVEL, from = -100, to = 100) double pilotPower,
+        @Minor Emission emission,
+        @Minor Optional<Bursts> bursts) {
     /** Remote control at 2.4 GHz, 20 dBm from the drone; where the pilot stands is not known. */
     @Defaults
-    public static final RadioLink DEFAULT = new RadioLink(Control.RADIO, 2.4e9, 20.0, Optional.empty(), 20.0);
+    public static final RadioLink DEFAULT =
+            new RadioLink(Control.RADIO, 2.4e9, 20.0, Optional.empty(), 20.0, Emission.DEDICATED, Optional.empty());
 
     /** Who controls a drone, and how. */
     public enum Control {
@@ -38,9 +44,19 @@ public record RadioLink(
         FIBRE
     }
 
+    /** What kind of signal a drone and its pilot transmit. */
+    public enum Emission {
+        /** That of a remote control or a video link made for drones. */
+        DEDICATED,
+        /** That of a WLAN, which names its maker. */
+        WLAN,
+        /** That of a phone, over a mobile network (LTE, 5G): nothing in it tells it from other phones. */
+        CELLULAR
+    }
+
     /** Checks the limits. */
     public RadioLink {
-        Limits.check(RadioLink.class, control, frequency, power, pilot, pilotPower);
+        Limits.check(RadioLink.class, control, frequency, power, pilot, pilotPower, emission, bursts);
     }
 
     /** This link with another kind of control. */
@@ -61,6 +77,16 @@ public record RadioLink(
     /** This link with a pilot at a position, m. */
     public RadioLink withPilot(Position position) {
         return SettingsForm.with(this, "pilot", Optional.of(position));
+    }
+
+    /** This link with another kind of signal. */
+    public RadioLink withEmission(Emission other) {
+        return SettingsForm.with(this, "emission", other);
+    }
+
+    /** This link in bursts. */
+    public RadioLink withBursts(Bursts other) {
+        return SettingsForm.with(this, "bursts", Optional.of(other));
     }
 
     /** Whether it transmits anything that can be received. */

@@ -16,7 +16,7 @@ public enum Cause {
     OUT_OF_RANGE,
     /** Outside the sensor's field of view. */
     OUT_OF_VIEW,
-    /** It emits nothing that the sensor could receive. */
+    /** It emits nothing that the sensor could receive, or know for a drone's. */
     SILENT,
     /** Its radial speed is too low for the sensor to separate it from stationary clutter. */
     TOO_SLOW,

@@ -220,6 +220,9 @@ final class SettingsReference {
         if (value instanceof Map<?, ?> map && map.isEmpty() || value instanceof List<?> list && list.isEmpty()) {
             return "none";
         }
+        if (value instanceof List<?> list && list.get(0) instanceof Enum<?>) {
+            return list.stream().map(this::standard).collect(Collectors.joining(", "));
+        }
         return value.toString();
     }
 

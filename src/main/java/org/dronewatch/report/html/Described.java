@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Choices;
@@ -74,6 +75,16 @@ final class Described {
         }
         if (value instanceof Enum<?> constant) {
             return Optional.of(Choices.name(constant.name()));
+        }
+        if (value instanceof List<?> list && !list.isEmpty() && list.get(0) instanceof Enum<?>) {
+            return Optional.of(
+                    list.stream().flatMap(one -> value(one, quantity).stream()).collect(Collectors.joining(" and ")));
+        }
+        if (value instanceof Map<?, ?> map && map.values().stream().anyMatch(Record.class::isInstance)) {
+            return Optional.of(map.entrySet().stream()
+                    .map(named -> named.getKey() + " "
+                            + value(named.getValue(), quantity).orElse(""))
+                    .collect(Collectors.joining(", ")));
         }
         boolean empty =
                 value instanceof List<?> list && list.isEmpty() || value instanceof Map<?, ?> map && map.isEmpty();

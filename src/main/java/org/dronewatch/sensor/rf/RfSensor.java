@@ -25,11 +25,14 @@ import org.dronewatch.world.World;
 
 /**
  * A radio receiver. Its value is the signal-to-noise ratio of the stronger of a drone's own emission and its pilot's;
- * minus infinity for a drone that is silent, and for a carrier outside its frequencies. Keeps scratch memory: one
- * thread at a time.
+ * minus infinity for a drone that is silent, for a carrier outside its frequencies, for an emission that it cannot know
+ * for a drone's, and in looks that intercept no burst. Keeps scratch memory: one thread at a time.
  */
 public final class RfSensor implements AssessableSensor {
     private static final String UNIT = "dB";
+
+    /** The purpose of the numbers that decide whether a look intercepts the pilot. */
+    private static final String PILOT = "pilot";
 
     private final RfSettings settings;
     private RadioPath path;
@@ -58,7 +61,20 @@ public final class RfSensor implements AssessableSensor {
     @Override
     public Signal signal(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
         enter(world);
-        return Signal.certain(Math.max(ofDrone(drone), ofPilot(drone)), UNIT, settings.threshold());
+        Reception reception = reception(drone, ofDrone(drone), ofPilot(drone));
+        double median = reception.median();
+        return reception.isCertain()
+                ? Signal.certain(median, UNIT, settings.threshold())
+                : Signal.of(reception.probability(settings.threshold()), median, UNIT, settings.threshold());
+    }
+
+    /** What chance has to decide, of signals with these signal-to-noise ratios, dB. */
+    private Reception reception(Drone drone, double ofDrone, double ofPilot) {
+        RadioLink link = drone.settings().radio();
+        double occupancy = settings.occupiedAt(link.frequency())
+                .map(named -> named.getValue().occupancy())
+                .orElse(0.0);
+        return new Reception(ofDrone, ofPilot, settings.interception(link), settings.rise(link.frequency()), occupancy);
     }
 
     /**
@@ -72,17 +88,15 @@ public final class RfSensor implements AssessableSensor {
         if (!settings.hears(link)) {
             return Explanation.of(Cause.SILENT);
         }
-        Position from = drone.origin();
-        double strongest = link.power() - spreading(link, from);
-        if (link.pilot().isPresent()) {
-            double ofPilot = link.pilotPower() - spreading(link, link.pilot().get());
-            from = ofPilot > strongest ? link.pilot().get() : from;
-            strongest = Math.max(strongest, ofPilot);
-        }
-        if (strongest + settings.gain() - settings.noise() < settings.threshold()) {
+        double received = settings.gain() - settings.noise(link.frequency());
+        double ofDrone = link.power() - spreading(link, drone.origin()) + received;
+        double ofPilot = link.pilot()
+                .map(pilot -> link.pilotPower() - spreading(link, pilot) + received)
+                .orElse(Double.NEGATIVE_INFINITY);
+        if (reception(drone, ofDrone, ofPilot).median() < settings.threshold()) {
             return Explanation.of(Cause.TOO_WEAK);
         }
-        Position emitter = from;
+        Position emitter = ofPilot > ofDrone ? link.pilot().orElseThrow() : drone.origin();
         Optional<Obstacle> before = visibility.obstacle(settings.position(), emitter);
         return before.or(() -> path.obstacle(emitter, settings.position(), link.frequency()))
                 .map(Explanation::hiddenBy)
@@ -90,17 +104,41 @@ public final class RfSensor implements AssessableSensor {
     }
 
     private Observation listen(Drone drone, Look look) {
-        double ofDrone = ofDrone(drone);
-        double ofPilot = ofPilot(drone);
+        Reception reception = reception(drone, ofDrone(drone), ofPilot(drone));
+        double rise = rise(drone, reception, look);
+        boolean hearsDrone = isIntercepted(reception, look.random(drone.id(), Look.DETECTION));
+        boolean hearsPilot = isIntercepted(reception, look.random(drone.id(), PILOT));
+        double ofDrone = hearsDrone ? reception.drone() - rise : Double.NEGATIVE_INFINITY;
+        double ofPilot = hearsPilot ? reception.pilot() - rise : Double.NEGATIVE_INFINITY;
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("drone_snr_db", ofDrone);
         figures.put("pilot_snr_db", ofPilot);
+        if (!reception.isCertain()) {
+            figures.put(Observation.PROBABILITY, reception.probability(settings.threshold()));
+            figures.put("interference_db", rise);
+        }
         return new Observation(
                         look.id(settings.kind()),
                         drone.id(),
                         drone.distance(settings.position()),
                         new Reading(Math.max(ofDrone, ofPilot), settings.threshold(), UNIT))
                 .withFigures(figures);
+    }
+
+    private static boolean isIntercepted(Reception reception, RandomGenerator random) {
+        return reception.interception() == 1.0 || random.nextDouble() < reception.interception();
+    }
+
+    /** By how much others raise the noise in this look, the same for all drones in their band, dB. */
+    private double rise(Drone drone, Reception reception, Look look) {
+        if (reception.occupancy() == 0.0) {
+            return 0.0;
+        }
+        String band = settings.occupiedAt(drone.settings().radio().frequency())
+                .orElseThrow()
+                .getKey();
+        RandomGenerator random = look.random("", "occupied " + band);
+        return random.nextDouble() < reception.occupancy() ? reception.rise() : 0.0;
     }
 
     private double ofDrone(Drone drone) {
@@ -121,7 +159,7 @@ public final class RfSensor implements AssessableSensor {
         double edges = path.obstacleLoss(from, settings.position(), link.frequency());
         double beyondClutter = settings.clutterIncludesEdges() ? Math.max(0.0, edges - settings.clutter()) : edges;
         double loss = RadioPath.freeSpaceLoss(distance(from), link.frequency()) + beyondClutter + settings.clutter();
-        return power + settings.gain() - loss - settings.noise() + groundReflection(link, from);
+        return power + settings.gain() - loss - settings.noise(link.frequency()) + groundReflection(link, from);
     }
 
     /** What the reflection from the ground adds, dB; 0 unless it is set. The antenna receives from all directions. */

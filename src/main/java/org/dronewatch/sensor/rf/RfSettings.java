@@ -1,5 +1,9 @@
 package org.dronewatch.sensor.rf;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.drone.RadioLink;
@@ -34,6 +38,10 @@ import org.dronewatch.setting.SettingsForm;
  * @param groundReflection ground whose reflection interferes with the direct wave; none unless set
  * @param clutterIncludesEdges whether {@code clutter} is an allowance for everything in the way, the edges of the
  *     site's models included: then the greater of the two losses counts, otherwise their sum
+ * @param environment man-made noise of the surroundings; omit it for thermal noise alone
+ * @param occupied bands in which others transmit now and then, by name; they must not overlap
+ * @param attributes kinds of emission that it can know for a drone's
+ * @param dwell how long it listens to a transmission in bursts; omit it for a receiver that hears every burst
  */
 public record RfSettings(
         Position position,
@@ -47,7 +55,11 @@ public record RfSettings(
         @In(value = Quantity.LEVEL, from = -50, to = 100) double threshold,
         @Minor Polarisation polarisation,
         @Minor Optional<ReflectingGround> groundReflection,
-        @Minor boolean clutterIncludesEdges)
+        @Minor boolean clutterIncludesEdges,
+        @Minor Optional<ManMadeNoise> environment,
+        @Minor Map<String, OccupiedBand> occupied,
+        @Minor List<RadioLink.Emission> attributes,
+        @Minor Optional<Dwell> dwell)
         implements SensorSettings<RfSensor>, Thresholded {
     /** Power of thermal noise in 1 Hz at 290 K, dBm: 10 lg(k 290 K / 1 mW). */
     private static final double THERMAL = 10.0 * Math.log10(1.380649e-23 * 290.0 * 1000.0);
@@ -71,21 +83,52 @@ public record RfSettings(
                 threshold,
                 polarisation,
                 groundReflection,
-                clutterIncludesEdges);
+                clutterIncludesEdges,
+                environment,
+                occupied,
+                attributes,
+                dwell);
+        occupied = Collections.unmodifiableMap(new LinkedHashMap<>(occupied));
+        attributes = List.copyOf(attributes);
+        checkApart(occupied);
         if (minFrequency >= maxFrequency) {
             throw new IllegalArgumentException(
                     "minFrequency " + minFrequency + " Hz must be below maxFrequency " + maxFrequency + " Hz");
         }
     }
 
+    private static void checkApart(Map<String, OccupiedBand> bands) {
+        bands.forEach((name, band) -> bands.forEach((other, next) -> {
+            if (name.compareTo(other) < 0 && band.overlaps(next)) {
+                throw new IllegalArgumentException("occupied bands '" + name + "' and '" + other + "' overlap");
+            }
+        }));
+    }
+
     /**
      * A receiver of 400 MHz to 6 GHz, one look a second, antenna gain 0 dBi, bandwidth 10 MHz, noise figure 6 dB, no
-     * clutter, threshold 6 dB, vertical polarisation.
+     * clutter, threshold 6 dB, vertical polarisation, thermal noise alone; it knows the emissions of drones from those
+     * of phones.
      */
     @Defaults("position")
     public static RfSettings at(Position position) {
         return new RfSettings(
-                position, 1.0, 400e6, 6e9, 0.0, 10e6, 6.0, 0.0, 6.0, Polarisation.VERTICAL, Optional.empty(), false);
+                position,
+                1.0,
+                400e6,
+                6e9,
+                0.0,
+                10e6,
+                6.0,
+                0.0,
+                6.0,
+                Polarisation.VERTICAL,
+                Optional.empty(),
+                false,
+                Optional.empty(),
+                Map.of(),
+                List.of(RadioLink.Emission.DEDICATED, RadioLink.Emission.WLAN),
+                Optional.empty());
     }
 
     @Override
@@ -120,6 +163,28 @@ public record RfSettings(
         return SettingsForm.with(this, Map.of("groundReflection", Optional.of(ground), "polarisation", other));
     }
 
+    /** These settings with the man-made noise of some surroundings. */
+    public RfSettings withEnvironment(ManMadeNoise noise) {
+        return SettingsForm.with(this, "environment", Optional.of(noise));
+    }
+
+    /** These settings with one more band in which others transmit. */
+    public RfSettings withOccupied(String name, OccupiedBand band) {
+        Map<String, OccupiedBand> more = new LinkedHashMap<>(occupied);
+        more.put(name, band);
+        return SettingsForm.with(this, "occupied", more);
+    }
+
+    /** These settings with other kinds of emission that it can know for a drone's. */
+    public RfSettings withAttributes(List<RadioLink.Emission> kinds) {
+        return SettingsForm.with(this, "attributes", kinds);
+    }
+
+    /** These settings with dwells. */
+    public RfSettings withDwell(Dwell other) {
+        return SettingsForm.with(this, "dwell", Optional.of(other));
+    }
+
     /** These settings with another threshold, dB. */
     @Override
     public RfSettings withThreshold(double decibels) {
@@ -131,14 +196,71 @@ public record RfSettings(
         return new Scale("threshold", Quantity.LEVEL, -50.0, 100.0, Scale.FINE);
     }
 
-    /** Whether a link transmits on a frequency that this receiver receives. */
+    /** Whether a link transmits what this receiver can know for a drone's, on a frequency that it receives. */
     boolean hears(RadioLink link) {
-        return link.emits() && link.frequency() >= minFrequency && link.frequency() <= maxFrequency;
+        return link.emits()
+                && attributes.contains(link.emission())
+                && link.frequency() >= minFrequency
+                && link.frequency() <= maxFrequency;
     }
 
-    /** Power of the noise in the receiver, dBm. */
+    /** Power of the noise of the receiver alone, dBm. */
     public double noise() {
         return THERMAL + 10.0 * Math.log10(bandwidth) + noiseFigure;
+    }
+
+    /**
+     * Power of the noise at a frequency, dBm: {@code k 290 K B (fa + fr - 1)} with the external noise fa and the noise
+     * factor fr (ITU-R P.372); without an environment that of the receiver alone.
+     *
+     * @param frequency Hz
+     */
+    public double noise(double frequency) {
+        double external = environment.map(noise -> noise.ratio(frequency)).orElse(1.0);
+        if (external == 1.0) {
+            return noise();
+        }
+        double factor = external + Math.pow(10.0, 0.1 * noiseFigure) - 1.0;
+        return THERMAL + 10.0 * Math.log10(bandwidth) + 10.0 * Math.log10(factor);
+    }
+
+    /** The occupied band at a frequency, Hz, with its name; at most one. */
+    Optional<Map.Entry<String, OccupiedBand>> occupiedAt(double frequency) {
+        return occupied.entrySet().stream()
+                .filter(named -> named.getValue().contains(frequency))
+                .findFirst();
+    }
+
+    /** By how much the noise at a frequency, Hz, rises while others transmit there, dB; 0 where nobody does. */
+    double rise(double frequency) {
+        double noise = noise(frequency);
+        return occupiedAt(frequency)
+                .map(named -> 10.0
+                        * Math.log10(
+                                1.0 + Math.pow(10.0, 0.1 * (named.getValue().power(bandwidth) - noise))))
+                .orElse(0.0);
+    }
+
+    /** The probability that a look intercepts a link at all. */
+    double interception(RadioLink link) {
+        return dwell.isPresent() && link.bursts().isPresent()
+                ? dwell.get().probability(link.bursts().get(), bandwidth)
+                : 1.0;
+    }
+
+    /** An environment whose noise is not known at any frequency that it receives. */
+    @Override
+    public List<String> advice() {
+        return environment
+                .filter(noise -> minFrequency > noise.highestFrequency())
+                .map(noise -> String.format(
+                        Locale.ROOT,
+                        "environment has no effect: ITU-R P.372 states its noise up to %.0f MHz,"
+                                + " and minFrequency is %.0f MHz",
+                        noise.highestFrequency() / 1e6,
+                        minFrequency / 1e6))
+                .stream()
+                .toList();
     }
 
     @Override
@@ -147,7 +269,7 @@ public record RfSettings(
                 .withWeakness("signal too weak")
                 .withLeavesOut(
                         "Radio propagation: free-space loss plus knife-edge diffraction at the edges of the site; reflections from walls"
-                                + " and interference by other emitters are not modelled.");
+                                + " are not modelled, and interference by other emitters only in occupied bands.");
     }
 
     @Override

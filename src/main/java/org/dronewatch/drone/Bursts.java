@@ -1,0 +1,47 @@
+package org.dronewatch.drone;
+
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * A transmission in bursts, each on a channel that is drawn anew: frequency hopping; with one channel, a duty cycle
+ * alone.
+ *
+ * @param rate bursts per second, 0.001 Hz to 1 MHz, Hz
+ * @param dutyCycle fraction of the time in which it transmits, above 0 and at most 1
+ * @param channels among which it hops, 1 to 1,000,000
+ * @param span of all channels together, 1 Hz to 10 GHz, Hz; it does not matter for one channel
+ */
+public record Bursts(
+        @In(value = Quantity.FREQUENCY, from = 1e-3, to = 1e6) double rate,
+        @In(value = Quantity.RATIO, above = 0, to = 1) double dutyCycle,
+        @In(value = Quantity.NUMBER, from = 1, to = 1e6) int channels,
+        @In(value = Quantity.FREQUENCY, from = 1, to = 1e10) double span) {
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public Bursts {
+        Limits.check(Bursts.class, rate, dutyCycle, channels, span);
+    }
+
+    /** A transmission without pauses on one channel of 1 MHz. */
+    @Defaults("rate")
+    public static Bursts of(double rate) {
+        return new Bursts(rate, 1.0, 1, 1e6);
+    }
+
+    /** These bursts with another fraction of the time in which they last. */
+    public Bursts withDutyCycle(double fraction) {
+        return SettingsForm.with(this, "dutyCycle", fraction);
+    }
+
+    /** These bursts on one of several channels each, with the span of all of them, Hz. */
+    public Bursts withChannels(int count, double all) {
+        return SettingsForm.with(this, java.util.Map.of("channels", count, "span", all));
+    }
+}

@@ -1,0 +1,59 @@
+package org.dronewatch.sensor.rf;
+
+/**
+ * Man-made radio noise by surroundings: the median of the noise figure of a lossless antenna, {@code Fam = c - d lg f}
+ * dB above {@code k 290 K B} with f in MHz, from 0.3 to 250 MHz (ITU-R P.372-17, section on man-made noise). In half of
+ * all places it is higher. Above 250 MHz the recommendation gives no figures any more.
+ */
+public enum ManMadeNoise {
+    /** City: 76.8 - 27.7 lg f. */
+    CITY(76.8, 27.7),
+    /**
+     * Business area, by the older ITU-R P.372-8: as a city, but from 129 MHz to 900 MHz it falls only as
+     * {@code 44.3 - 12.3 lg f}. Measured in the 1970s.
+     */
+    BUSINESS(76.8, 27.7),
+    /** Residential area: 72.5 - 27.7 lg f. */
+    RESIDENTIAL(72.5, 27.7),
+    /** Rural area: 67.2 - 27.7 lg f. */
+    RURAL(67.2, 27.7),
+    /** Quiet rural area, far from anything electrical: 53.6 - 28.6 lg f. */
+    QUIET_RURAL(53.6, 28.6);
+
+    private static final double MEGAHERTZ = 1e6;
+    private static final double LOWEST = 0.3e6;
+    private static final double HIGHEST = 250e6;
+    private static final double HIGHEST_OF_BUSINESS = 900e6;
+
+    private final double level;
+    private final double slope;
+
+    ManMadeNoise(double level, double slope) {
+        this.level = level;
+        this.slope = slope;
+    }
+
+    /** The highest frequency for which there is a figure, Hz. */
+    public double highestFrequency() {
+        return this == BUSINESS ? HIGHEST_OF_BUSINESS : HIGHEST;
+    }
+
+    /**
+     * The power of the noise that an antenna receives over that of a resistor at 290 K, as a ratio: 1 or more, since
+     * ground and air are about that warm, and 1 at frequencies without a figure.
+     *
+     * @param frequency Hz
+     */
+    public double ratio(double frequency) {
+        if (frequency < LOWEST || frequency > highestFrequency()) {
+            return 1.0;
+        }
+        return Math.max(1.0, Math.pow(10.0, 0.1 * median(frequency)));
+    }
+
+    private double median(double frequency) {
+        double decades = Math.log10(frequency / MEGAHERTZ);
+        double figure = level - slope * decades;
+        return this == BUSINESS ? Math.max(figure, 44.3 - 12.3 * decades) : figure;
+    }
+}

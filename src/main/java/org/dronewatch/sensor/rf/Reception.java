@@ -1,0 +1,51 @@
+package org.dronewatch.sensor.rf;
+
+import java.util.stream.DoubleStream;
+
+/**
+ * What a receiver has of a drone and its pilot in one look, before chance decides: whether it intercepts them at all,
+ * and whether others transmit in their band at the same time.
+ *
+ * @param drone signal-to-noise ratio of the drone while nobody else transmits, dB; minus infinity where nothing arrives
+ * @param pilot that of its pilot, dB
+ * @param interception probability that the look intercepts one of them, and, independently, the other, 0 to 1
+ * @param rise of the noise while others transmit, dB
+ * @param occupancy probability that they do, 0 to 1
+ */
+record Reception(double drone, double pilot, double interception, double rise, double occupancy) {
+    private static final double EVEN = 0.5;
+
+    /** Whether every look is like the other. */
+    boolean isCertain() {
+        return interception == 1.0 && (occupancy == 0.0 || occupancy == 1.0);
+    }
+
+    /** The probability that the stronger signal that the look intercepts reaches a signal-to-noise ratio, dB. */
+    double probability(double ratio) {
+        double clear = occupancy < 1.0 ? (1.0 - occupancy) * either(ratio) : 0.0;
+        double disturbed = occupancy > 0.0 ? occupancy * either(ratio + rise) : 0.0;
+        return clear + disturbed;
+    }
+
+    private double either(double ratio) {
+        double ofDrone = drone >= ratio ? interception : 0.0;
+        double ofPilot = pilot >= ratio ? interception : 0.0;
+        return 1.0 - (1.0 - ofDrone) * (1.0 - ofPilot);
+    }
+
+    /**
+     * The signal-to-noise ratio that every other look reaches, dB; minus infinity where most looks intercept nothing.
+     */
+    double median() {
+        double least = occupancy > 0.0 ? rise : 0.0;
+        return DoubleStream.of(drone, pilot, drone - least, pilot - least)
+                .filter(ratio -> ratio > Double.NEGATIVE_INFINITY && reached(ratio))
+                .max()
+                .orElse(Double.NEGATIVE_INFINITY);
+    }
+
+    /** Whether at least every other look reaches a value, of which rounding may have taken a bit. */
+    private boolean reached(double ratio) {
+        return probability(ratio - 1e-9) >= EVEN;
+    }
+}
