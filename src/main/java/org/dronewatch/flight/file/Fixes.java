@@ -8,7 +8,7 @@ import org.dronewatch.setting.InputException;
 
 /** Collects the points of a track, in the order of the file, and checks their times. For a single use. */
 final class Fixes {
-    /** The most points of a track. */
+    /** Maximum number of points of a track. */
     static final int MOST = 1_000_000;
 
     private final String name;

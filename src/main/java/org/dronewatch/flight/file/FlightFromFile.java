@@ -5,7 +5,7 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.world.Ground;
 
-/** A flight that another program wrote to a file: where it leads depends on the scene's origin and ground. */
+/** A flight from a file of another program; its position depends on the scene's origin and ground. */
 public interface FlightFromFile extends FlightPathSettings {
 
     /** The file's name in the settings. */

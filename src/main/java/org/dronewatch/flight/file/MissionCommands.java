@@ -18,7 +18,7 @@ final class MissionCommands {
     static final int DELAY = 93;
     static final int CHANGE_SPEED = 178;
 
-    /** Cameras, gimbals, servos, marks: without effect on where the drone is. */
+    /** Cameras, gimbals, servos, marks: no effect on the position of the drone. */
     private static final Map<Integer, String> STILL = new TreeMap<>(Map.ofEntries(
             Map.entry(112, "CONDITION_DELAY"),
             Map.entry(114, "CONDITION_DISTANCE"),
@@ -54,7 +54,7 @@ final class MissionCommands {
             Map.entry(2501, "VIDEO_STOP_CAPTURE"),
             Map.entry(3000, "DO_VTOL_TRANSITION")));
 
-    /** Some that move it otherwise than is understood here. */
+    /** Some that move the drone in ways that are not supported. */
     private static final Map<Integer, String> OTHERS = Map.ofEntries(
             Map.entry(18, "NAV_LOITER_TURNS"),
             Map.entry(30, "NAV_CONTINUE_AND_CHANGE_ALT"),

@@ -15,7 +15,7 @@ import org.dronewatch.world.Places;
  * surface, the drone follows the surface as terrain-following flights do. For a single use.
  */
 final class MissionLegs {
-    /** Nearer points are one, m. */
+    /** Points nearer to each other than this are the same, m. */
     private static final double SAME = 1e-3;
 
     /**
@@ -54,7 +54,7 @@ final class MissionLegs {
         stops.add(new Stop(at, Double.NaN, OptionalDouble.empty(), 0.0));
     }
 
-    /** Flies on to a point; one where it is already only says from what its height counts. */
+    /** Flies on to a point; one at the current position only changes the level to which heights refer. */
     void to(Position at, double speed, OptionalDouble above) {
         Stop last = stops.get(stops.size() - 1);
         if (last.at.distance(at) <= SAME) {

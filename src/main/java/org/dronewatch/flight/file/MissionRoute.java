@@ -11,10 +11,10 @@ import org.dronewatch.world.Places;
 
 /** Finds where the steps of a mission lead on a site. For a single use. */
 final class MissionRoute {
-    /** How far the height of the launch in a plan may be from that of the site before it is said, m. */
+    /** Largest difference between the heights of the launch in plan and site that causes no warning, m. */
     private static final double ODD = 20.0;
 
-    /** Nearer points are one, m. */
+    /** Points nearer to each other than this are the same, m. */
     private static final double SAME = 1e-3;
 
     private final Mission settings;
@@ -173,7 +173,7 @@ final class MissionRoute {
         };
     }
 
-    /** The height from which relative heights count: that of the site at the launch, or else that of the plan. */
+    /** The level to which relative heights refer: that of the site at the launch, or else that of the plan. */
     private double launchHeight() {
         if (launch.isEmpty()) {
             launch = OptionalDouble.of(foundLaunchHeight());

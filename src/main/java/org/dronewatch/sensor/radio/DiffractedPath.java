@@ -215,7 +215,7 @@ final class DiffractedPath {
         return most + Math.min(1.0, most / GRAZING) * (beside + beyond);
     }
 
-    /** What an edge takes of a wave between two points, dB. */
+    /** The loss of a wave between two points by an edge, dB. */
     private double edgeLoss(double[] from, double[] to, double[] edge) {
         double du = to[0] - from[0];
         double dt = to[1] - from[1];

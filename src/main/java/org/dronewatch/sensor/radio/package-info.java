@@ -1,2 +1,2 @@
-/** What stands in the way of radio waves: edges of the site, and how much each takes. */
+/** Propagation of radio waves in a site: diffraction at its edges, and reflection from the ground. */
 package org.dronewatch.sensor.radio;

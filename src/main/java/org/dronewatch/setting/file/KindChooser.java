@@ -16,7 +16,7 @@ final class KindChooser {
     /** The name under which a kind is written. */
     static final String KIND = "kind";
 
-    /** The name under which ready settings are taken. */
+    /** The name under which a file refers to ready settings. */
     static final String USE = "use";
 
     private final Kinds kinds;
@@ -93,7 +93,7 @@ final class KindChooser {
         return Optional.of(found.get().overlaidWith(written.without(List.of(USE))));
     }
 
-    /** The only kind that has all these parts, or else the only one of those that needs no others. */
+    /** The only kind that has all these components, or else the only one of those that requires no others. */
     private static Optional<Class<?>> meant(Map<String, Class<?>> choices, Set<String> names) {
         List<Class<?>> fitting = new ArrayList<>(choices.values());
         fitting.removeIf(choice -> !SettingsForm.of(choice).names().containsAll(current(choice, names)));

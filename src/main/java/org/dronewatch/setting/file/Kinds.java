@@ -9,9 +9,9 @@ import java.util.Set;
 import java.util.function.Function;
 import org.dronewatch.setting.Choices;
 
-/** Among which kinds of settings a file chooses, and which ready settings it may begin with. Immutable. */
+/** The kinds of settings from which a file may choose, and the ready settings that it may start from. Immutable. */
 public final class Kinds {
-    /** The kinds of sealed interfaces and those that the class path has. */
+    /** The kinds of sealed interfaces, and those found on the class path. */
     public static final Kinds FOUND = new Kinds(Map.of(), Map.of(), Map.of());
 
     private final Map<Class<?>, Map<String, Class<?>>> registered;

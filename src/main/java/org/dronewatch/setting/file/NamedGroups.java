@@ -25,7 +25,7 @@ final class NamedGroups {
         this.problems = problems;
     }
 
-    /** The entries of a component with the parts of systems in their places. */
+    /** The entries of a component, with systems replaced by their parts. */
     Node expanded(RecordComponent part, Node node, String field) {
         return node instanceof Node.Mapping all
                         && part.getGenericType() instanceof ParameterizedType type
@@ -101,7 +101,7 @@ final class NamedGroups {
                 .orElse(false);
     }
 
-    /** A part in which the names of other parts are those that they have in this system. */
+    /** A part in which other parts are referred to by their names in this system. */
     private static Node.Mapping named(Node.Mapping part, Map<String, Node.Mapping> parts, String system) {
         Map<String, Node> values = new LinkedHashMap<>();
         part.values().forEach((name, node) -> values.put(name, named(node, parts, system)));

@@ -102,7 +102,7 @@ public sealed interface Node {
             return of(all, places, over.mark);
         }
 
-        /** Values that a program puts in the place of what would be written. */
+        /** Values made by a program instead of being read. */
         public static Mapping ofReady(String name, Map<String, ?> values) {
             Mark mark = new Mark(name, 1, 1);
             Map<String, Node> nodes = new LinkedHashMap<>();
@@ -114,7 +114,7 @@ public sealed interface Node {
             return of(nodes, places, mark);
         }
 
-        /** Nodes that a program puts together. */
+        /** Nodes composed by a program. */
         public static Mapping ofNodes(String name, Map<String, ? extends Node> nodes) {
             Mark mark = new Mark(name, 1, 1);
             Map<String, Mark> places = new LinkedHashMap<>();

@@ -7,14 +7,14 @@ import org.dronewatch.setting.PlainText;
 
 /** Files of real places that come with the library, by names such as {@code packaged:monaco-srtm.asc}. */
 public final class PackagedSite {
-    /** What such names begin with. */
+    /** The prefix of such names. */
     public static final String PREFIX = "packaged:";
 
     private static final String RESOURCES = "/sites/";
 
     private PackagedSite() {}
 
-    /** Whether a name is one of these, and not of a file on disk. */
+    /** Whether a name refers to such a file, not to a file on disk. */
     public static boolean isNamed(String name) {
         return name.startsWith(PREFIX);
     }

@@ -29,7 +29,7 @@ final class Problems {
         found.add(new Problem(mark, PlainText.beginning(line, LONGEST)));
     }
 
-    /** Adds that a name is not one of those that may stand there. */
+    /** Adds that a name is not one of those allowed there. */
     void unknown(Mark mark, String field, String what, String name, Collection<String> known) {
         unknown(mark, field, what, name, known, Spelling.didYouMean(name, known));
     }

@@ -13,7 +13,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsForm;
 
-/** Settings whose names of files start from another directory, and mean the same files. */
+/** Settings whose file names are made relative to another directory and refer to the same files. */
 final class RelocatedFiles {
     private final Path from;
     private final Path to;
@@ -74,7 +74,7 @@ final class RelocatedFiles {
         return value instanceof Record settings && !isWritten ? record(settings, path) : value;
     }
 
-    /** A name, a name that may be left out, or a list of names. */
+    /** A name, an optional name, or a list of names. */
     private Object names(Object value, FileName rule, String path) {
         if (value instanceof Optional<?> optional) {
             return optional.map(inside -> names(inside, rule, path));

@@ -9,7 +9,7 @@ import org.dronewatch.setting.CanonicalSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 
-/** Reads a settings record from a YAML file that a person wrote, and writes one. */
+/** Reads a settings record from a YAML file written by hand, and writes one. */
 public final class SettingsFile {
     private SettingsFile() {}
 

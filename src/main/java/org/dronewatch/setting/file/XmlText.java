@@ -23,7 +23,7 @@ public final class XmlText {
     private final XMLStreamReader xml;
     private int depth;
 
-    /** What reads the elements. */
+    /** Receives the elements. */
     @FunctionalInterface
     public interface Reading {
         /** Reads to the end. */
@@ -79,7 +79,7 @@ public final class XmlText {
         }
     }
 
-    /** Whether something follows. */
+    /** Whether there is more to read. */
     public boolean hasNext() throws XMLStreamException {
         return xml.hasNext();
     }
@@ -99,7 +99,7 @@ public final class XmlText {
         return event;
     }
 
-    /** How many elements are open here. */
+    /** The nesting depth: the number of open elements. */
     public int depth() {
         return depth;
     }

@@ -18,7 +18,7 @@ final class YamlText {
 
     private static final String STEP = "  ";
 
-    /** Texts that mean themselves without quotes, wherever they stand. */
+    /** Texts that need no quotes anywhere. */
     private static final Pattern PLAIN = Pattern.compile("[A-Za-z][A-Za-z0-9_./-]*(:[A-Za-z0-9_./-]+)*"
             + "|-?[0-9]+(\\.[0-9]+)?(E-?[0-9]+)?( [A-Za-z][A-Za-z0-9/]*)?");
 
