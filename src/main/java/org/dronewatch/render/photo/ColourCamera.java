@@ -74,8 +74,8 @@ public final class ColourCamera {
         this.camera = camera;
         this.samples = samples;
         this.grid = new PartGrid(camera, samples);
-        this.light = SceneLight.of(world);
         this.site = new Surfaces(world.mesh(), colours);
+        this.light = SceneLight.of(world, site);
         this.droneColours = Map.copyOf(droneColours);
         this.tileWidth = TileTracer.WIDTH / samples;
         this.tileHeight = TileTracer.HEIGHT / samples;

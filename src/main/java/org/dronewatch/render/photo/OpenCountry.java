@@ -5,7 +5,8 @@ import org.dronewatch.world.World;
 
 /**
  * The country around a site, of which nothing is known: a level, matt plane at the height of the site's lowest point,
- * with the reflectance of ordinary ground. In haze it fades into the sky at the horizon. Immutable.
+ * which reflects on average what the site reflects as seen from above, so that the site's own ground goes on. In haze
+ * it fades into the sky at the horizon. Immutable.
  */
 final class OpenCountry {
     /** It is never nearer to a camera than the eyes of someone who stands there, m. */
@@ -18,15 +19,21 @@ final class OpenCountry {
         this.height = height;
     }
 
-    /** The country around a world in a light. */
-    static OpenCountry around(World world, Daylight daylight, AmbientLight ambient) {
+    /**
+     * The country around a world in a light.
+     *
+     * @param site what the world's surfaces reflect; ordinary ground where nothing faces up
+     */
+    static OpenCountry around(World world, Surfaces site, Daylight daylight, AmbientLight ambient) {
         AABB bounds = world.bounds();
         OpenCountry country = new OpenCountry(Double.isFinite(bounds.minZ()) ? bounds.minZ() : 0.0);
         ambient.addTo(country.colour, 1.0, new double[] {0.0, 0.0, 1.0}, AmbientLight.newTerms());
+        double[] ground =
+                site.fromAbove().orElse(new double[] {AmbientLight.ALBEDO, AmbientLight.ALBEDO, AmbientLight.ALBEDO});
         double sine = Math.max(0.0, Math.sin(daylight.elevation()));
         for (int channel = 0; channel < Daylight.CHANNELS; channel++) {
             country.colour[channel] += sine * daylight.direct(channel);
-            country.colour[channel] *= AmbientLight.ALBEDO;
+            country.colour[channel] *= ground[channel];
         }
         return country;
     }

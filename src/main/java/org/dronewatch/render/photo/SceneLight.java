@@ -6,12 +6,16 @@ import org.dronewatch.world.World;
 /** All the light of a world: sun, sky, light reflected by the ground, and the air in between. Immutable. */
 record SceneLight(World world, Daylight daylight, Sky sky, AmbientLight ambient, OpenCountry country) {
 
-    /** The light of a world. */
-    static SceneLight of(World world) {
+    /**
+     * The light of a world.
+     *
+     * @param site what its surfaces reflect
+     */
+    static SceneLight of(World world, Surfaces site) {
         Daylight daylight = new Daylight(world.light());
         Sky sky = new Sky(daylight);
         AmbientLight ambient = new AmbientLight(sky);
-        return new SceneLight(world, daylight, sky, ambient, OpenCountry.around(world, daylight, ambient));
+        return new SceneLight(world, daylight, sky, ambient, OpenCountry.around(world, site, daylight, ambient));
     }
 
     Light light() {

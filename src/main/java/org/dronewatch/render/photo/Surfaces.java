@@ -1,6 +1,8 @@
 package org.dronewatch.render.photo;
 
+import java.util.Arrays;
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.geometry.TriangleMesh;
 
 /** What the triangles of a mesh reflect. Immutable. */
@@ -26,6 +28,29 @@ final class Surfaces {
     /** Fraction of the light in a channel that a triangle reflects. */
     double reflectance(int triangle, int channel) {
         return reflectances[mesh.material(triangle) * Daylight.CHANNELS + channel];
+    }
+
+    /**
+     * What the mesh reflects as seen from above, in each channel: the mean over all triangles that face up, by their
+     * areas on a plan; empty if there are none.
+     */
+    Optional<double[]> fromAbove() {
+        double[] sum = new double[Daylight.CHANNELS];
+        double[] normal = new double[3];
+        double area = 0.0;
+        for (int triangle = 0; triangle < mesh.triangleCount(); triangle++) {
+            mesh.normal(triangle, normal);
+            if (normal[2] > 0.0) {
+                area += normal[2];
+                for (int i = 0; i < Daylight.CHANNELS; i++) {
+                    sum[i] += normal[2] * reflectance(triangle, i);
+                }
+            }
+        }
+        double total = area;
+        return total > 0.0
+                ? Optional.of(Arrays.stream(sum).map(part -> part / total).toArray())
+                : Optional.empty();
     }
 
     /** Writes a normal of a triangle in the mesh's own space, of any length. */

@@ -91,8 +91,9 @@ class ColourCameraTest {
     @Test
     void nothingIsPhotographedOutsideThePlanes() {
         Light haze = Light.DAY.withVisibility(100);
-        World bare = world(haze, level(500, 0, 0));
-        World plated = world(haze, level(500, 0, 0), level(3, 0, 30));
+        // What lies hidden far below puts the country around there, where the haze takes its colour.
+        World bare = world(haze, level(500, 0, 0), level(1, 0, -500));
+        World plated = world(haze, level(500, 0, 0), level(1, 0, -500), level(3, 0, 30));
         double[] ground = planed(bare, 0, 1e6).radiance(20, 20, List.of());
         double[] plate = planed(plated, 0, 1e6).radiance(20, 20, List.of());
         assertThat(Math.abs(brightness(plate) - brightness(ground))).isGreaterThan(0.05 * brightness(ground));

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.world.Light;
@@ -178,26 +180,65 @@ class SkyColourTest {
     }
 
     /**
-     * Ground beyond the model comes out of the haze of the horizon without an edge, and has its own colour further
-     * down.
+     * Ground beyond the model comes out of the haze of the horizon without an edge, and further down has the mean
+     * colour of the site as seen from above: here a fourth of it is red, what faces down and what stands upright does
+     * not count.
      */
     @ParameterizedTest
     @ValueSource(doubles = {60, 10, 0, -6, -12, -18})
     void theGroundComesOutOfTheHazeOfTheHorizon(double elevation) {
         Light light = Light.DAY.withSun(new Light.Sun(0, Math.toRadians(elevation)));
-        TriangleMesh mesh = TriangleMesh.of(new float[] {-1, -1, 0, 1, -1, 0, 0, 1, 0}, new int[] {0, 1, 2});
-        SceneLight scene = SceneLight.of(World.of(mesh).withLight(light));
+        float[] points = {0, 0, 0, 3, 0, 0, 0, 2, 0, -1, 0, 0, 0, 0, 9};
+        TriangleMesh mesh = new TriangleMesh(
+                points,
+                new int[] {0, 1, 2, 0, 2, 3, 0, 2, 1, 0, 1, 4},
+                new int[] {0, 1, 2, 2},
+                new int[] {1, 2, 3, 4},
+                List.of("grass", "brick", "blue"));
+        Surfaces surfaces = new Surfaces(mesh, Map.of("grass", 0x66883c, "brick", 0xb04030, "blue", 0x0000ff));
+        SceneLight scene = SceneLight.of(World.of(mesh).withLight(light), surfaces);
         Position eye = new Position(0, 0, 30);
         double[] horizon = backdrop(scene, eye, 0);
         double[] below = backdrop(scene, eye, -0.02);
         double[] near = backdrop(scene, eye, -60);
-        double green = AmbientLight.ALBEDO;
-        assertThat(Daylight.brightness(near)).isCloseTo(green, within(0.1 * green + 0.01));
+        double[] ground = {
+            0.75 * decoded(0x66) + 0.25 * decoded(0xb0),
+            0.75 * decoded(0x88) + 0.25 * decoded(0x40),
+            0.75 * decoded(0x3c) + 0.25 * decoded(0x30)
+        };
+        double[] white = backdrop(SceneLight.of(World.of(mesh).withLight(light), white(mesh)), eye, -60);
+        for (int i = 0; i < 3; i++) {
+            // Without the haze of 30 m / sin 60 degrees of air, of which both have the same.
+            double haze = horizon[i] * (1 - Math.pow(0.05, 30 / Math.sin(Math.toRadians(60)) / 20_000));
+            assertThat((near[i] - haze) / (white[i] - haze)).isCloseTo(ground[i], within(1e-9));
+        }
         for (int i = 0; i < 3; i++) {
             assertThat(below[i]).isCloseTo(horizon[i], within(0.02 * horizon[i]));
             double share = (backdrop(scene, eye, -1)[i] - near[i]) / (horizon[i] - near[i]);
             // Of 30 m / sin 1 degree of air with 5 % contrast at 20 km.
             assertThat(share).isCloseTo(1 - Math.pow(0.05, 30 / Math.sin(Math.toRadians(1)) / 20_000), within(0.02));
+        }
+    }
+
+    /** IEC 61966-2-1. */
+    private static double decoded(int value) {
+        return value / 255.0 <= 0.04045 ? value / 255.0 / 12.92 : Math.pow((value / 255.0 + 0.055) / 1.055, 2.4);
+    }
+
+    private static Surfaces white(TriangleMesh mesh) {
+        return new Surfaces(mesh, Map.of("grass", 0xffffff, "brick", 0xffffff, "blue", 0xffffff));
+    }
+
+    /** A site that shows only its undersides, and an empty one, stand on ordinary ground. */
+    @Test
+    void groundThatNobodySeesFromAboveIsOrdinary() {
+        float[] points = {0, 0, 0, 3, 0, 0, 0, 2, 0};
+        for (int[] corners : new int[][] {{0, 2, 1}, {}}) {
+            TriangleMesh mesh = TriangleMesh.of(points, corners);
+            assertThat(new Surfaces(mesh, Map.of()).fromAbove()).isEmpty();
+            SceneLight scene = SceneLight.of(World.of(mesh), new Surfaces(mesh, Map.of()));
+            assertThat(Daylight.brightness(backdrop(scene, new Position(0, 0, 30), -60)))
+                    .isCloseTo(AmbientLight.ALBEDO, within(0.1 * AmbientLight.ALBEDO + 0.01));
         }
     }
 
