@@ -119,6 +119,15 @@ public final class ConditionAdvice {
                         ? Optional.empty()
                         : Optional.of("world.light.illuminance " + Quantity.ILLUMINANCE.inWords(light.illuminance()));
             case SUN -> light.sun().map(sun -> "world.light.sun");
+            case TURBULENCE ->
+                light.cn2() == day.cn2()
+                        ? Optional.empty()
+                        : Optional.of("world.light.cn2 " + Quantity.REFRACTIVE_INDEX_STRUCTURE.inWords(light.cn2()));
+            case GROUND_BRIGHTNESS ->
+                light.skyToGroundRatio() == day.skyToGroundRatio()
+                        ? Optional.empty()
+                        : Optional.of(
+                                "world.light.skyToGroundRatio " + Quantity.NUMBER.inWords(light.skyToGroundRatio()));
             case RAIN ->
                 world.rain() == 0.0
                         ? Optional.empty()

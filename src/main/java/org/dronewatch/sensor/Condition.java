@@ -13,6 +13,10 @@ public enum Condition {
     ILLUMINANCE,
     /** Where the sun is: {@code world.light.sun}. */
     SUN,
+    /** Turbulence of the air: {@code world.light.cn2}. */
+    TURBULENCE,
+    /** How bright the ground is behind a drone: {@code world.light.skyToGroundRatio}. */
+    GROUND_BRIGHTNESS,
     /** How hard it rains: {@code world.rain}. */
     RAIN,
     /** Temperature, humidity and pressure of the air: {@code world.atmosphere}. */

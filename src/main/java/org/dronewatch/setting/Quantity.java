@@ -60,6 +60,8 @@ public enum Quantity {
     PRECIPITATION("mm/h", Quantity::unitOfItself),
     /** Lux. */
     ILLUMINANCE("lx", Quantity::unitOfItself),
+    /** Refractive-index structure constant of turbulent air. */
+    REFRACTIVE_INDEX_STRUCTURE("m^-2/3", Quantity::unitOfItself),
     /** Picture elements. */
     PIXELS("px", Quantity::unitOfItself),
     /** A plain number. */

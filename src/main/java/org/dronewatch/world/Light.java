@@ -5,11 +5,13 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Visibility and daylight; they matter to cameras that decide by contrast.
+ * Visibility, daylight and turbulence; they matter to cameras that decide by contrast, and turbulence to thermal
+ * cameras, too.
  *
  * @param visibility visibility, above 0 and at most 1000 km, m
  * @param contrastAtVisibility fraction of a black object's contrast that is left at that distance, 0.01 to 0.1: 0.05
@@ -17,15 +19,22 @@ import org.dronewatch.setting.SettingsForm;
  * @param illuminance illuminance of the ground, 1e-5 to 200,000 lx: about 50,000 in sunshine, 5,000 under cloud, 5 at
  *     dusk, 0.2 under a full moon, 0.001 in starlight
  * @param sun where the sun is, or empty if it does not shine
+ * @param cn2 refractive-index structure constant Cn2 of the air, as if it were the same everywhere, 0 to 1e-10
+ *     m^(-2/3): 5e-15 by day and 1e-15 at night are typical 50 m above the ground, 2e-14 and 8e-15 near it, 1e-13 and
+ *     more over hot ground; 0 for still air
+ * @param skyToGroundRatio how many times brighter than the ground the sky at the horizon is, 0.05 to 100: about 1.4 for
+ *     grass and 5 for dark forest under a clear sky, 4 and 15 under clouds; 1 as if both were equally bright
  */
 public record Light(
         @In(value = Quantity.LENGTH, above = 0, to = 1e6) double visibility,
         @In(value = Quantity.RATIO, from = 0.01, to = 0.1) double contrastAtVisibility,
         @In(value = Quantity.ILLUMINANCE, from = 1e-5, to = 200_000) double illuminance,
-        Optional<Sun> sun) {
-    /** A clear day under high cloud: 20 km, 5,000 lx, no sun. */
+        Optional<Sun> sun,
+        @Minor @In(value = Quantity.REFRACTIVE_INDEX_STRUCTURE, from = 0, to = 1e-10) double cn2,
+        @Minor @In(value = Quantity.NUMBER, from = 0.05, to = 100) double skyToGroundRatio) {
+    /** A clear day under high cloud: 20 km, 5,000 lx, no sun, still air, ground as bright as the sky. */
     @Defaults
-    public static final Light DAY = new Light(20_000.0, 0.05, 5_000.0, Optional.empty());
+    public static final Light DAY = new Light(20_000.0, 0.05, 5_000.0, Optional.empty(), 0.0, 1.0);
 
     /**
      * Checks the limits.
@@ -33,7 +42,7 @@ public record Light(
      * @throws IllegalArgumentException if a value is out of range
      */
     public Light {
-        Limits.check(Light.class, visibility, contrastAtVisibility, illuminance, sun);
+        Limits.check(Light.class, visibility, contrastAtVisibility, illuminance, sun, cn2, skyToGroundRatio);
     }
 
     /** This light with another visibility, m. */
@@ -56,6 +65,16 @@ public record Light(
         return SettingsForm.with(this, "sun", Optional.of(shining));
     }
 
+    /** This light through turbulent air, with another structure constant Cn2, m^(-2/3). */
+    public Light withCn2(double structure) {
+        return SettingsForm.with(this, "cn2", structure);
+    }
+
+    /** This light over other ground, with another ratio of the sky's brightness to that of the ground. */
+    public Light withSkyToGroundRatio(double ratio) {
+        return SettingsForm.with(this, "skyToGroundRatio", ratio);
+    }
+
     /**
      * What is left of a contrast at a distance: {@code exp(-s d)} with
      * {@code s = -ln(contrastAtVisibility) / visibility} (Koschmieder 1924; CIE 17-31-020). Valid for a target seen
@@ -65,6 +84,33 @@ public record Light(
      */
     public double contrastLeft(double distance) {
         return Math.pow(contrastAtVisibility, distance / visibility);
+    }
+
+    /**
+     * How bright what a camera sees behind a target is at the target, relative to the sky at the horizon: the ground is
+     * {@code 1 / skyToGroundRatio} times as bright, and haze brightens it on its way to the target, {@code 1 - (1 -
+     * 1 / skyToGroundRatio) exp(-s G)} with s as for {@link #contrastLeft(double)}.
+     *
+     * @param behind G, how far behind the target the ground is, 0 or more, m; infinite for the sky
+     * @return above 0; 1 for the sky
+     */
+    public double backgroundBrightness(double behind) {
+        return 1.0 - (1.0 - 1.0 / skyToGroundRatio) * contrastLeft(behind);
+    }
+
+    /**
+     * What is left at a distance R of a contrast against any background: {@code 1 / (1 + K (exp(s R) - 1))} with s as
+     * for {@link #contrastLeft(double)}, where K is how many times brighter than the background the sky at the horizon
+     * is: the air scatters its light into the line of sight (Duntley, "The reduction of apparent contrast by the
+     * atmosphere", Journal of the Optical Society of America 38, 179, 1948). For K = 1 it is Koschmieder's law.
+     *
+     * @param distance R, 0 or more, m
+     * @param brightness 1/K, of the background, relative to the sky at the horizon, above 0
+     */
+    public double contrastLeft(double distance, double brightness) {
+        double left = contrastLeft(distance);
+        // The same without overflow, and exactly Koschmieder's where K is 1.
+        return left * brightness / (1.0 - left * (1.0 - brightness));
     }
 
     /**

@@ -24,7 +24,6 @@ import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.DronePixels;
-import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
@@ -39,6 +38,7 @@ public final class CameraSensor implements AssessableSensor {
     private Optional<Pointing> pointing = Optional.empty();
     private World world;
     private Cover cover;
+    private Beyond beyond;
 
     /** The vector to the sun, as long as the camera sees it. */
     private Optional<Position> sun = Optional.empty();
@@ -66,7 +66,8 @@ public final class CameraSensor implements AssessableSensor {
         if (site != world) {
             world = site;
             cover = new Cover(site, settings.position());
-            sun = wayToSun();
+            beyond = new Beyond(site, settings.position());
+            sun = beyond.sun();
         }
         if (!pointing.equals(where)) {
             pointing = where;
@@ -152,7 +153,15 @@ public final class CameraSensor implements AssessableSensor {
         Position vector = drone.origin().minus(settings.position());
         double crossing = turning(drone, range) * focalLength;
         double sunAngle = sun.map(vector::angle).orElse(Double.POSITIVE_INFINITY);
-        return new DroneView(pixels, range, focalLength, crossing, world.light(), sunAngle);
+        return new DroneView(
+                pixels,
+                range,
+                focalLength,
+                crossing,
+                world.light(),
+                sunAngle,
+                settings.lens(),
+                beyond.background(drone));
     }
 
     /**
@@ -171,24 +180,6 @@ public final class CameraSensor implements AssessableSensor {
         double panLeft = pan - pointing.map(Pointing::panRate).orElse(0.0);
         double tiltLeft = tilt - pointing.map(Pointing::tiltRate).orElse(0.0);
         return Math.hypot(panLeft * Math.cos(to.elevation()), tiltLeft);
-    }
-
-    /** The vector to the sun, when the camera sees it, in its image or not. */
-    private Optional<Position> wayToSun() {
-        Position at = settings.position();
-        return world.light()
-                .sun()
-                .map(shining -> shining.direction())
-                .filter(vector -> vector.z() >= 0.0
-                        && new Visibility(world)
-                                .isFreeAlong(
-                                        at.x(),
-                                        at.y(),
-                                        at.z(),
-                                        vector.x(),
-                                        vector.y(),
-                                        vector.z(),
-                                        Double.POSITIVE_INFINITY));
     }
 
     /**

@@ -9,6 +9,7 @@ import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.Thresholded;
 import org.dronewatch.sensor.optics.FieldOfView;
+import org.dronewatch.sensor.optics.Lens;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.sensor.optics.Projection;
 import org.dronewatch.setting.Defaults;
@@ -30,6 +31,9 @@ import org.dronewatch.world.Light;
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the axis of the image along which the field of view is measured
  * @param projection where its axis meets the image
+ * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m: it blurs by diffraction; omit it for a
+ *     lens that does not blur
+ * @param wavelength wavelength of the light that it sees, 100 nm to 30 um; it matters to the blur by lens and air, m
  * @param rate frames per second, above 0, Hz
  * @param detection how a detection is decided
  * @param positioner the positioner that turns it; omit it for a fixed mount
@@ -43,6 +47,8 @@ public record CameraSettings(
         @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double fov,
         FieldOfView fovAxis,
         @Minor Projection projection,
+        @Minor @In(value = Quantity.LENGTH, from = 1e-4, to = 10) Optional<Double> aperture,
+        @Minor @In(value = Quantity.LENGTH, from = 1e-7, to = 3e-5) double wavelength,
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         DetectionFunction detection,
         Optional<PositionerSettings> positioner)
@@ -63,6 +69,8 @@ public record CameraSettings(
                 fov,
                 fovAxis,
                 projection,
+                aperture,
+                wavelength,
                 rate,
                 detection,
                 positioner);
@@ -85,6 +93,8 @@ public record CameraSettings(
                 0.6918,
                 FieldOfView.VERTICAL,
                 Projection.DEFAULT,
+                Optional.empty(),
+                Lens.GREEN,
                 10.0,
                 PixelThreshold.DEFAULT,
                 Optional.empty());

@@ -1,16 +1,19 @@
 package org.dronewatch.sensor.camera;
 
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
+import org.dronewatch.sensor.optics.ImageTransfer;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.world.Light;
 
 /**
  * How likely it is that a person, or a program as good as one, can perform a task with a drone's image: notice it,
@@ -20,17 +23,24 @@ import org.dronewatch.setting.SettingsForm;
  * {@code x = N / N50} and {@code E = 2.7 + 0.7 x}.
  *
  * <p>The line pairs resolved are half the square root of the drone's pixels, fewer the weaker its contrast and the
- * faster it crosses the image: {@code N = sqrt(pixels) / 2 * (1 - Ct / C) * (1 + b^2)^(-1/4)}. C is its contrast
- * reduced by the air (Koschmieder). Ct is the least contrast that the camera can detect; in poor light, where photons
- * are few, it grows as the square root of the ratio of {@code shotNoiseIlluminance} to the actual illuminance. b is the
- * blur in pixels, in one of two directions. The dependence on contrast is a straight line instead of a camera's
+ * faster it crosses the image: {@code N = sqrt(pixels) / 2 * u * (1 + b^2)^(-1/4)}. The finest detail that is resolved,
+ * as a fraction u of the finest that pixels can show, is where the contrast that lens and air leave, {@code C M(u)},
+ * falls to what the camera needs, {@code Ct / (1 - u)} ({@link org.dronewatch.sensor.optics.ImageTransfer#resolved});
+ * without blur, {@code u = 1 - Ct / C}. C is its contrast reduced by the air (Koschmieder before the sky, Duntley
+ * before the ground). Ct is the least contrast that the camera can detect; in poor light, where photons are few, it
+ * grows as the square root of the ratio of {@code shotNoiseIlluminance} to the actual illuminance. b is the blur by
+ * motion in pixels, in one of two directions. The dependence on contrast is a straight line instead of a camera's
  * measured curve of minimum resolvable contrast.
  *
  * @param task the task that the image must support
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when chance decides
  * @param byChance whether chance decides instead: an observer draws once per encounter whether the probability is
  *     enough for him, and then needs time to find the drone
- * @param contrast contrast of the drone against its background at close range, above 0 and at most 1
+ * @param contrast contrast of the drone against the sky at close range, above 0 and at most 1: the drone is darker by
+ *     this fraction
+ * @param groundContrast contrast of the drone against what is behind it where that is not the sky, above 0 and at most
+ *     100; omit it for a drone as bright as it appears against the sky, and ground by
+ *     {@code world.light.skyToGroundRatio}
  * @param contrastThreshold least contrast that the camera can detect in good light, above 0 and below 1
  * @param shotNoiseIlluminance illuminance below which shot noise raises the contrast threshold, above 0, lx
  * @param exposure exposure time of a frame, 0 to 1 s
@@ -41,6 +51,7 @@ public record TargetTask(
         @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
         boolean byChance,
         @In(value = Quantity.RATIO, above = 0, to = 1) double contrast,
+        @In(value = Quantity.RATIO, above = 0, to = 100) Optional<Double> groundContrast,
         @In(value = Quantity.RATIO, above = 0, below = 1) @Formerly("leastContrast") double contrastThreshold,
         @In(value = Quantity.ILLUMINANCE, above = 0, to = 200_000) @Formerly("goodLight") double shotNoiseIlluminance,
         @In(value = Quantity.DURATION, from = 0, to = 1) double exposure,
@@ -52,8 +63,8 @@ public record TargetTask(
      * task.
      */
     @Defaults
-    public static final TargetTask DEFAULT =
-            new TargetTask(Discrimination.DETECTION, 0.5, false, 0.5, 0.02, 100.0, 0.01, Math.toRadians(5.0));
+    public static final TargetTask DEFAULT = new TargetTask(
+            Discrimination.DETECTION, 0.5, false, 0.5, Optional.empty(), 0.02, 100.0, 0.01, Math.toRadians(5.0));
 
     private static final double EVEN_CHANCE = 0.5;
 
@@ -65,6 +76,7 @@ public record TargetTask(
                 probability,
                 byChance,
                 contrast,
+                groundContrast,
                 contrastThreshold,
                 shotNoiseIlluminance,
                 exposure,
@@ -91,6 +103,11 @@ public record TargetTask(
         return SettingsForm.with(this, "contrast", ofDrone);
     }
 
+    /** These settings for a drone with a stated contrast against what is behind it where that is not the sky. */
+    public TargetTask withGroundContrast(double ofDrone) {
+        return SettingsForm.with(this, "groundContrast", Optional.of(ofDrone));
+    }
+
     /** These settings with another exposure time, s. */
     public TargetTask withExposure(double seconds) {
         return SettingsForm.with(this, "exposure", seconds);
@@ -101,14 +118,28 @@ public record TargetTask(
         if (view.sunAngle() < sunExclusionAngle) {
             return 0.0;
         }
-        double seen = contrast * view.light().contrastLeft(view.range());
+        double seen = contrastSeen(view);
         double needed = contrastThreshold
                 * Math.sqrt(Math.max(1.0, shotNoiseIlluminance / view.light().illuminance()));
-        if (!(seen > needed)) {
-            return 0.0;
-        }
+        double finest = ImageTransfer.through(view.lens(), view.light().cn2(), view.range())
+                .resolved(needed, seen, view.focalLength());
         double blur = view.crossing() * exposure;
-        return 0.5 * Math.sqrt(view.pixels()) * (1.0 - needed / seen) / Math.sqrt(Math.sqrt(1.0 + blur * blur));
+        return 0.5 * Math.sqrt(view.pixels()) * finest / Math.sqrt(Math.sqrt(1.0 + blur * blur));
+    }
+
+    /** The contrast of a drone at the camera. */
+    private double contrastSeen(DroneView view) {
+        Light light = view.light();
+        double brightness = light.backgroundBrightness(view.background());
+        return contrastAgainst(brightness, view.background()) * light.contrastLeft(view.range(), brightness);
+    }
+
+    /** The contrast of a drone against a background at close range, which is darker or brighter than the sky. */
+    private double contrastAgainst(double brightness, double behind) {
+        if (groundContrast.isPresent() && behind < Double.POSITIVE_INFINITY) {
+            return groundContrast.get();
+        }
+        return brightness == 1.0 ? contrast : Math.abs(1.0 - contrast - brightness) / brightness;
     }
 
     @Override

@@ -36,6 +36,17 @@ public record ImageTransfer(Lens lens, Turbulence air) {
     }
 
     /**
+     * The fraction of a point's light, or heat, that the pixel receives on whose centre it is imaged; blur spreads the
+     * rest over the neighbours.
+     *
+     * @param focalLength pixels
+     * @return 0 to 1; 1 without blur, otherwise to about 0.01
+     */
+    public double ensquaredEnergy(double focalLength) {
+        return isPerfect() ? 1.0 : EnsquaredEnergy.of(this, focalLength);
+    }
+
+    /**
      * The finest detail that a camera resolves, as a fraction u of the finest that its pixels can show, which is a line
      * pair across two of them. A camera that blurs nothing needs the contrast {@code needed / (1 - u)} there: a
      * straight line in place of its measured curve of minimum resolvable contrast. Detail is resolved up to the

@@ -9,6 +9,8 @@ import java.util.OptionalDouble;
  * @param wavelength of the light or heat that it images, above 0, m
  */
 public record Lens(OptionalDouble aperture, double wavelength) {
+    /** Wavelength at which eyes are most sensitive, m. */
+    public static final double GREEN = 550e-9;
 
     /** A lens that does not blur, at a wavelength in m. */
     public static Lens perfect(double wavelength) {

@@ -71,6 +71,16 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return SettingsForm.with(self(), "rate", framesPerSecond);
     }
 
+    /** These settings with a lens whose entrance pupil has a diameter, m: it blurs by diffraction. */
+    default C withAperture(double diameter) {
+        return SettingsForm.with(self(), "aperture", Optional.of(diameter));
+    }
+
+    /** These settings at another wavelength, m. */
+    default C withWavelength(double metres) {
+        return SettingsForm.with(self(), "wavelength", metres);
+    }
+
     /** These settings with another projection. */
     default C withProjection(Projection other) {
         return SettingsForm.with(self(), "projection", other);

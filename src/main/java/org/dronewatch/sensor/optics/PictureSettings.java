@@ -1,5 +1,7 @@
 package org.dronewatch.sensor.optics;
 
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
@@ -49,6 +51,21 @@ public interface PictureSettings extends Aimed, Imaging {
     default double focalLength() {
         double side = fovAxis() == FieldOfView.VERTICAL ? height() : width();
         return 0.5 * side / Math.tan(0.5 * fov());
+    }
+
+    /** Diameter of the entrance pupil of its lens, m; empty for a lens that does not blur. */
+    default Optional<Double> aperture() {
+        return Optional.empty();
+    }
+
+    /** Wavelength of the light or heat that it sees, m. */
+    default double wavelength() {
+        return Lens.GREEN;
+    }
+
+    /** Its lens, as far as it blurs. */
+    default Lens lens() {
+        return new Lens(aperture().map(OptionalDouble::of).orElse(OptionalDouble.empty()), wavelength());
     }
 
     /** Whether its pictures are of visible light, so that they can be shown in colour. */

@@ -35,7 +35,7 @@ class TargetTaskTest {
 
     /** Everything about the target but its size is perfect. */
     private static final TargetTask PERFECT =
-            new TargetTask(Discrimination.DETECTION, 0.5, false, 1.0, 1e-9, 1e-3, 0.0, 0.0);
+            new TargetTask(Discrimination.DETECTION, 0.5, false, 1.0, Optional.empty(), 1e-9, 1e-3, 0.0, 0.0);
 
     private static DroneView view(double pixels, double range, double crossing, Light light) {
         return new DroneView((int) Math.round(pixels), range, 1000.0, crossing, light, NO_SUN);

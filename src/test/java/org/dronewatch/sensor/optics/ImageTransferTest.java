@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ImageTransferTest {
     private static final double GREEN = 0.55e-6;
@@ -90,8 +91,8 @@ class ImageTransferTest {
     }
 
     /**
-     * 27 mm at 2.2 degrees over 1920 pixels: the cutoff of diffraction, a line pair in 1.02 pixels, lies beyond what pixels
-     * can show, but the blur takes part of the contrast of the finest detail.
+     * 27 mm at 2.2 degrees over 1920 pixels: the cutoff of diffraction, a line pair in 1.02 pixels, lies beyond what
+     * pixels can show, but the blur takes part of the contrast of the finest detail.
      */
     @Test
     void everyBlurTakesDetail() {
@@ -115,5 +116,56 @@ class ImageTransferTest {
         assertThat(transfer.resolved(0.02, 0.0, 1000.0)).isZero();
         assertThat(transfer.resolved(0.02, Double.NaN, 1000.0)).isZero();
         assertThat(transfer.resolved(1e-300, 1.0, 1e9)).isBetween(0.0, 1e-3);
+    }
+
+    /**
+     * The Airy pattern of a round aperture, added up over a square pixel; the wavelength over the diameter in pixels.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.3, 0.6, 1.0, 2.0, 5.0})
+    void aPixelReceivesItsPartOfTheAiryPattern(double spread) {
+        int steps = 200;
+        double sum = 0.0;
+        for (int i = 0; i < steps; i++) {
+            double x = (i + 0.5) / steps / 2.0;
+            for (int j = 0; j < steps; j++) {
+                double v = Math.PI * Math.hypot(x, (j + 0.5) / steps / 2.0) / spread;
+                double amplitude = 2.0 * firstBessel(v) / v;
+                sum += amplitude * amplitude / steps / steps;
+            }
+        }
+        // The pattern's integral over the plane is 4 / pi times the square of wavelength over diameter.
+        double expected = sum * Math.PI / 4.0 / (spread * spread);
+        double focalLength = 1000.0;
+        double aperture = GREEN / (spread / focalLength);
+
+        assertThat(ImageTransfer.through(lens(aperture), 0.0, 100.0).ensquaredEnergy(focalLength))
+                .isCloseTo(expected, within(0.002));
+    }
+
+    /** Bessel's J1 by its integral over half a turn. */
+    private static double firstBessel(double x) {
+        int steps = 60;
+        double sum = 0.0;
+        for (int i = 0; i < steps; i++) {
+            double angle = (i + 0.5) * Math.PI / steps;
+            sum += Math.cos(angle - x * Math.sin(angle));
+        }
+        return sum / steps;
+    }
+
+    @Test
+    void theLessBlurTheMoreLightOnOnePixel() {
+        double last = 1.0;
+        for (double cn2 = 1e-19; cn2 < 1e-11; cn2 *= 3.0) {
+            double now = ImageTransfer.through(Lens.perfect(GREEN), cn2, 700.0).ensquaredEnergy(50_000.0);
+            assertThat(now).as("Cn2 %g", cn2).isBetween(0.0, last + 0.01);
+            last = Math.min(last, now);
+        }
+        assertThat(last).isLessThan(0.01);
+        assertThat(ImageTransfer.through(Lens.perfect(GREEN), 0.0, 700.0).ensquaredEnergy(50_000.0))
+                .isEqualTo(1.0);
+        assertThat(ImageTransfer.through(lens(10.0), 1e-22, 700.0).ensquaredEnergy(1000.0))
+                .isCloseTo(1.0, within(0.01));
     }
 }

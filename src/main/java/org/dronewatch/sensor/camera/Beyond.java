@@ -1,0 +1,56 @@
+package org.dronewatch.sensor.camera;
+
+import java.util.Optional;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.world.Light;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
+
+/**
+ * What a camera sees beyond the drones: the sun, and what is behind a drone. Keeps scratch memory: one thread at a
+ * time.
+ */
+final class Beyond {
+    private final World world;
+    private final Visibility visibility;
+    private final Position camera;
+
+    /**
+     * From the position of a camera.
+     *
+     * @param camera m
+     */
+    Beyond(World world, Position camera) {
+        this.world = world;
+        this.visibility = new Visibility(world);
+        this.camera = camera;
+    }
+
+    /** The vector to the sun, when the camera sees it, in its image or not. */
+    Optional<Position> sun() {
+        return world.light().sun().map(Light.Sun::direction).filter(vector -> vector.z() >= 0.0 && isFree(vector));
+    }
+
+    private boolean isFree(Position vector) {
+        return visibility.isFreeAlong(
+                camera.x(), camera.y(), camera.z(), vector.x(), vector.y(), vector.z(), Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * How far behind a drone's origin the line of sight meets the ground or a building; beyond the edge of the site
+     * there is level ground at the height of its lowest point.
+     *
+     * @return 0 or more, m; infinite for the sky
+     */
+    double background(Drone drone) {
+        Position at = drone.origin();
+        Position vector = at.minus(camera);
+        if (visibility.findFirstAlong(
+                at.x(), at.y(), at.z(), vector.x(), vector.y(), vector.z(), Double.POSITIVE_INFINITY)) {
+            return visibility.distance() * vector.length();
+        }
+        double height = Math.max(0.0, at.z() - world.bounds().minZ());
+        return vector.z() < 0.0 ? height / -vector.z() * vector.length() : Double.POSITIVE_INFINITY;
+    }
+}

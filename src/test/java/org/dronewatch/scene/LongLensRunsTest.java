@@ -1,0 +1,35 @@
+package org.dronewatch.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.OptionalDouble;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * At what range the cued camera identifies the drone through turbulent air and a small lens: the figures of the README.
+ */
+class LongLensRunsTest {
+    private static OptionalDouble identified(double cn2, String aperture) {
+        SceneRunner runner = new SceneRunner(new SceneFile(Path.of("scenes/cued-camera.yaml")))
+                .threads(2)
+                .set("world.light.cn2", Double.toString(cn2));
+        return (aperture.equals("none") ? runner : runner.set("sensors.cued.aperture", aperture))
+                .run()
+                .firstDetectionRange("cued", "intruder");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "0, none, 721.2",
+        "1e-14, none, 721.2",
+        "1e-13, none, 659.9",
+        "1e-14, 27 mm, 720.3",
+        "1e-13, 27 mm, 603.3"
+    })
+    void turbulenceDelaysIdentification(double cn2, String aperture, double range) {
+        assertThat(identified(cn2, aperture).orElseThrow()).isCloseTo(range, within(1.0));
+    }
+}
