@@ -19,6 +19,7 @@ import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.ImageTransfer;
 import org.dronewatch.sensor.optics.VisibleArea;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.World;
@@ -27,21 +28,26 @@ import org.dronewatch.world.World;
  * A thermal camera. Its signal is the drone's apparent temperature difference, attenuated by the air and scaled by the
  * fraction of a pixel that the drone fills, divided by the noise (NETD): {@code SNR = |dT| t^R f / NETD}, t per
  * kilometre, R in kilometres. The line pairs that it resolves are half the square root of the drone's pixels, fewer the
- * weaker the signal: {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}. One thread at a time.
+ * weaker the signal: {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}, and fewer still where lens and air blur the
+ * image ({@link ImageTransfer#resolved}). With {@link PointTargets} the drone need not be resolved. One thread at a
+ * time.
  */
 public final class ThermalSensor implements AssessableSensor {
     private static final double KILOMETRE = 1000.0;
     private static final double EVEN_CHANCE = 0.5;
 
     private final ThermalSettings settings;
+    private final Optional<SpotDetector> spots;
     private Optional<Pointing> pointing = Optional.empty();
     private VisibleArea area;
     private Cover cover;
     private Outline outline;
+    private double focalLength;
 
     /** A camera with the given settings. */
     public ThermalSensor(ThermalSettings settings) {
         this.settings = settings;
+        this.spots = settings.pointTargets().map(rule -> new SpotDetector(rule, settings));
     }
 
     @Override
@@ -57,6 +63,7 @@ public final class ThermalSensor implements AssessableSensor {
                     new CameraObject(pointing.map(settings::pointed).orElse(settings));
             area = new VisibleArea(camera, world);
             outline = camera.outline();
+            focalLength = camera.focalLength();
             cover = new Cover(world, settings.position());
         }
     }
@@ -78,8 +85,9 @@ public final class ThermalSensor implements AssessableSensor {
     }
 
     private Signal signal(Drone drone, double pixels) {
-        double ratio = signalToNoise(drone.heat(), drone.distance(settings.position()), pixels);
-        double probability = settings.task().probability(resolved(pixels, ratio));
+        double ratio = signalToNoise(drone, pixels);
+        double probability = spots.map(detector -> detector.probability(ratio))
+                .orElseGet(() -> settings.task().probability(resolved(drone, pixels, ratio)));
         return settings.byChance()
                 ? Signal.of(probability, probability, Quantity.RATIO.unit(), EVEN_CHANCE)
                 : Signal.certain(probability, Quantity.RATIO.unit(), settings.probability());
@@ -88,17 +96,16 @@ public final class ThermalSensor implements AssessableSensor {
     private Observation look(Drone drone, Look look) {
         double range = drone.distance(settings.position());
         double pixels = area.of(drone);
-        double ratio = signalToNoise(drone.heat(), range, pixels);
+        double ratio = signalToNoise(drone, pixels);
         double probability = signal(drone, pixels).quantity();
-        double threshold = settings.byChance()
-                ? look.observerThreshold(drone.id(), settings.rate(), probability)
-                : settings.probability();
+        double threshold = settings.byChance() ? drawnThreshold(drone, look, probability) : settings.probability();
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("pixels", pixels);
         figures.put("signal_to_noise", ratio);
+        spots.ifPresent(detector -> figures.put("snr_threshold", detector.threshold()));
         figures.put(Observation.PROBABILITY, probability);
         boolean sighted = probability >= threshold
-                || pixels >= settings.lockPixels() && isFollowed(drone, resolved(pixels, ratio), look);
+                || pixels >= settings.lockPixels() && isFollowed(drone, resolved(drone, pixels, ratio), look);
         return new Observation(
                 look.id(settings.kind()),
                 new GroundTruth(drone.id(), range, look.time()),
@@ -109,14 +116,34 @@ public final class ThermalSensor implements AssessableSensor {
 
     /**
      * Whether a drone with enough pixels is seen well enough for a positioner to follow it: it is detected, whatever
-     * the task.
+     * the task. A program that finds spots follows what it has found.
      */
     private boolean isFollowed(Drone drone, double resolved, Look look) {
+        if (spots.isPresent()) {
+            return false;
+        }
         double probability = Discrimination.DETECTION.probability(resolved);
         double threshold = settings.byChance()
                 ? look.followingThreshold(drone.id(), settings.rate(), probability)
                 : settings.probability();
         return probability >= threshold;
+    }
+
+    /** What the probability must reach in a look: what the noise of the last frames, or an observer, has drawn. */
+    private double drawnThreshold(Drone drone, Look look, double probability) {
+        return spots.map(detector -> detector.drawnThreshold(look, drone.id()))
+                .orElseGet(() -> look.observerThreshold(drone.id(), settings.rate(), probability));
+    }
+
+    /** Signal-to-noise ratio of a drone: for a spot, that of the one pixel which receives most of its heat. */
+    private double signalToNoise(Drone drone, double pixels) {
+        double range = drone.distance(settings.position());
+        double received = spots.isPresent() ? through(range).ensquaredEnergy(focalLength) : 1.0;
+        return signalToNoise(drone.heat(), range, received * pixels);
+    }
+
+    private ImageTransfer through(double range) {
+        return ImageTransfer.through(settings.lens(), area.world().light().cn2(), range);
     }
 
     /**
@@ -131,8 +158,9 @@ public final class ThermalSensor implements AssessableSensor {
         return Math.abs(excess) * air * Math.min(1.0, pixels) / settings.netd();
     }
 
-    private double resolved(double pixels, double signal) {
-        return signal > settings.minSnr() ? 0.5 * Math.sqrt(pixels) * (1.0 - settings.minSnr() / signal) : 0.0;
+    private double resolved(Drone drone, double pixels, double signal) {
+        double range = drone.distance(settings.position());
+        return 0.5 * Math.sqrt(pixels) * through(range).resolved(settings.minSnr(), signal, focalLength);
     }
 
     /** The settings of this camera. */

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.thermal;
 
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
@@ -31,6 +32,9 @@ import org.dronewatch.setting.SettingsForm;
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the axis of the image along which the field of view is measured
  * @param projection where its axis meets the image
+ * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m: it blurs by diffraction; omit it for a
+ *     lens that does not blur
+ * @param wavelength wavelength of the heat that it sees, 100 nm to 30 um; it matters to the blur by lens and air, m
  * @param rate frames per second, above 0, Hz
  * @param netd noise-equivalent temperature difference (NETD), 1e-6 to 100 K
  * @param transmission transmittance of a kilometre of air in its band and in the weather assumed, 1e-6 to 1
@@ -38,7 +42,9 @@ import org.dronewatch.setting.SettingsForm;
  * @param task the task that the image must support
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when chance decides
  * @param byChance whether chance decides instead: an observer draws once per encounter whether the probability is
- *     enough for him, and then needs time to find the drone
+ *     enough for him, and then needs time to find the drone; with {@code pointTargets}, the noise of each frame decides
+ * @param pointTargets how a program finds drones that are too small for the eye; omit it for an observer who needs to
+ *     see a shape. It takes the place of the task, which must be detection
  * @param positioner the positioner that turns it; omit it for a fixed mount
  */
 public record ThermalSettings(
@@ -50,6 +56,8 @@ public record ThermalSettings(
         @In(value = Quantity.ANGLE, from = In.NARROWEST, to = In.WIDEST_PICTURE) double fov,
         FieldOfView fovAxis,
         @Minor Projection projection,
+        @Minor @In(value = Quantity.LENGTH, from = 1e-4, to = 10) Optional<Double> aperture,
+        @Minor @In(value = Quantity.LENGTH, from = 1e-7, to = 3e-5) double wavelength,
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         @In(value = Quantity.TEMPERATURE_DIFFERENCE, from = 1e-6, to = 100) @Formerly("noise") double netd,
         @In(value = Quantity.RATIO, from = 1e-6, to = 1) double transmission,
@@ -57,6 +65,7 @@ public record ThermalSettings(
         Discrimination task,
         @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
         boolean byChance,
+        @Minor Optional<PointTargets> pointTargets,
         Optional<PositionerSettings> positioner)
         implements PictureSensorSettings<ThermalSettings, ThermalSensor> {
     /**
@@ -75,6 +84,8 @@ public record ThermalSettings(
                 fov,
                 fovAxis,
                 projection,
+                aperture,
+                wavelength,
                 rate,
                 netd,
                 transmission,
@@ -82,7 +93,12 @@ public record ThermalSettings(
                 task,
                 probability,
                 byChance,
+                pointTargets,
                 positioner);
+        if (pointTargets.isPresent() && task != Discrimination.DETECTION) {
+            throw new IllegalArgumentException("task " + task.name().toLowerCase(Locale.ROOT)
+                    + " with pointTargets: a spot can be detected, but has no shape by which it could be recognised");
+        }
         aim.from(position);
         PictureSensorSettings.checkPixels(width, height);
         PictureSensorSettings.checkZoom(fov, positioner);
@@ -103,6 +119,8 @@ public record ThermalSettings(
                 Math.toRadians(24.0),
                 FieldOfView.HORIZONTAL,
                 Projection.DEFAULT,
+                Optional.empty(),
+                4e-6,
                 25.0,
                 0.05,
                 0.85,
@@ -110,6 +128,7 @@ public record ThermalSettings(
                 Discrimination.DETECTION,
                 0.5,
                 false,
+                Optional.empty(),
                 Optional.empty());
     }
 
@@ -131,6 +150,11 @@ public record ThermalSettings(
     /** These settings, probabilistic or not. */
     public ThermalSettings withChance(boolean drawn) {
         return SettingsForm.with(this, "byChance", drawn);
+    }
+
+    /** These settings for a program that finds drones as spots. */
+    public ThermalSettings withPointTargets(PointTargets rule) {
+        return SettingsForm.with(this, "pointTargets", Optional.of(rule));
     }
 
     @Override
@@ -156,10 +180,13 @@ public record ThermalSettings(
         return "thermal";
     }
 
-    /** By chance: an observer can perform the task or not, and needs time. */
+    /**
+     * By chance: an observer can perform the task or not, and needs time; noise hides or shows a spot anew in each
+     * frame.
+     */
     @Override
     public Chance chance() {
-        return byChance ? Chance.PER_ENCOUNTER : Chance.PER_LOOK;
+        return byChance && pointTargets.isEmpty() ? Chance.PER_ENCOUNTER : Chance.PER_LOOK;
     }
 
     @Override

@@ -1,0 +1,57 @@
+package org.dronewatch.sensor.thermal;
+
+/** The tail of the normal distribution, which noise exceeds by chance. */
+final class NormalTail {
+    /** From here on the continued fraction of the tail converges quickly, below it the series of its complement. */
+    private static final double FAR = 3.0;
+
+    /** Enough levels of the fraction, and terms of the series, for 1e-14. */
+    private static final int LEVELS = 120;
+
+    /** Nothing of interest lies farther out: there the tail is 1e-315. */
+    private static final double FARTHEST = 38.0;
+
+    private static final double ROOT_TWO_PI = Math.sqrt(2.0 * Math.PI);
+
+    private NormalTail() {}
+
+    /**
+     * The probability Q(t) that a standard normal variable exceeds t, to a relative 1e-12: Laplace's continued fraction
+     * {@code density / (t + 1/(t + 2/(t + 3/...)))} for large t, and {@code 1/2 - density (t + t^3/3 + t^5/15 + ...)}
+     * for small ones (Abramowitz and Stegun, 26.2.14 and 26.2.11).
+     */
+    static double above(double t) {
+        if (t < -FAR) {
+            return 1.0 - above(-t);
+        }
+        double density = Math.exp(-0.5 * t * t) / ROOT_TWO_PI;
+        return t > FAR ? density / fraction(t) : 0.5 - density * series(t);
+    }
+
+    /**
+     * The t that a standard normal variable exceeds with a given probability.
+     *
+     * @param probability 1e-300 to 1 - 1e-15
+     */
+    static double exceededWith(double probability) {
+        return Bisection.root(-FARTHEST, FARTHEST, t -> above(t) - probability);
+    }
+
+    private static double fraction(double t) {
+        double fraction = t;
+        for (int level = LEVELS; level >= 1; level--) {
+            fraction = t + level / fraction;
+        }
+        return fraction;
+    }
+
+    private static double series(double t) {
+        double term = t;
+        double sum = t;
+        for (int n = 1; n <= LEVELS; n++) {
+            term *= t * t / (2 * n + 1);
+            sum += term;
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,158 @@
+package org.dronewatch.sensor.thermal;
+
+import java.util.Map;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * How a program finds drones that are no more than a spot: in each frame it marks the pixels whose signal exceeds t
+ * times the noise, and reports a spot that was marked in several of the last frames. Noise is normally distributed and
+ * independent from pixel to pixel and from frame to frame, so a frame marks a spot with the probability
+ * {@code P1 = Phi(SNR - t)}, and M of N frames do with
+ * {@code P = sum over i from M to N of C(N, i) P1^i (1 - P1)^(N - i)}.
+ *
+ * <p>The threshold t follows from how many false alarms an hour are accepted, of which noise causes in each pixel and
+ * frame
+ *
+ * <pre>
+ * C(N - 1, M - 1) p q^(M - 1) (1 - q)^(N - M + 1),  p = Q(t),  q = 1 - (1 - p)^g
+ * </pre>
+ *
+ * <p>where Q is the tail of the normal distribution and g the number of pixels in which the program looks for the same
+ * spot in another frame. It counts a spot when it is confirmed for the first time: M - 1 of the N - 1 frames before had
+ * marked it, and the frame before those had not. Two spots that share a mark count twice, so that the number is an
+ * upper bound when g is more than 1. A camera that takes twice as many frames makes twice as many errors, so its
+ * threshold is higher.
+ *
+ * @param falseAlarmsPerHour false alarms by noise that are accepted, 1e-6 to 1e9 an hour: a lower threshold than the
+ *     one that causes the most of them is never used
+ * @param hits M, how many of the last frames must mark a spot, 1 to 50
+ * @param frames N, of how many, as many as hits to 50
+ * @param gate g, number of pixels in which the spot of the next frame is looked for, 1 to 10,000: 9 for a drone that
+ *     moves by one pixel per frame at most
+ */
+public record PointTargets(
+        @In(value = Quantity.NUMBER, from = 1e-6, to = 1e9) double falseAlarmsPerHour,
+        @In(value = Quantity.NUMBER, from = 1, to = 50) int hits,
+        @In(value = Quantity.NUMBER, from = 1, to = 50) int frames,
+        @In(value = Quantity.PIXELS, from = 1, to = 10_000) int gate) {
+    /** One false alarm an hour, three of five frames, in a gate of 3 x 3 pixels. */
+    @Defaults
+    public static final PointTargets DEFAULT = new PointTargets(1.0, 3, 5, 9);
+
+    private static final double SECONDS_PER_HOUR = 3600.0;
+
+    /** Logarithm of a probability with which nothing is ever marked. */
+    private static final double LOWEST = -700.0;
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public PointTargets {
+        Limits.check(PointTargets.class, falseAlarmsPerHour, hits, frames, gate);
+        if (hits > frames) {
+            throw new IllegalArgumentException("hits " + hits + " must be at most frames " + frames);
+        }
+    }
+
+    /** These settings with another number of false alarms an hour. */
+    public PointTargets withFalseAlarmsPerHour(double accepted) {
+        return SettingsForm.with(this, "falseAlarmsPerHour", accepted);
+    }
+
+    /** These settings with a detection that takes a number of hits in a number of frames. */
+    public PointTargets withConfirmation(int ofFrames, int inFrames) {
+        return SettingsForm.with(this, Map.of("hits", ofFrames, "frames", inFrames));
+    }
+
+    /** These settings with another gate, pixels. */
+    public PointTargets withGate(int pixels) {
+        return SettingsForm.with(this, "gate", pixels);
+    }
+
+    /**
+     * The threshold t, in standard deviations of the noise, that keeps to the accepted number of false alarms.
+     *
+     * @param pixels number of pixels of the image
+     * @param rate frames per second, Hz
+     */
+    public double threshold(long pixels, double rate) {
+        double accepted = falseAlarmsPerHour / (SECONDS_PER_HOUR * rate * pixels);
+        double most = mostConfirmed();
+        double mark = confirmations(most) <= accepted
+                ? most
+                : Math.exp(Bisection.root(LOWEST, Math.log(most), x -> accepted - confirmations(Math.exp(x))));
+        return NormalTail.exceededWith(mark);
+    }
+
+    /**
+     * The probability of a mark by noise with which noise is confirmed most often; with a higher one, spots no longer
+     * come to an end. The derivative of the logarithm falls everywhere, so it has one zero.
+     */
+    private double mostConfirmed() {
+        return Bisection.root(
+                0.0,
+                1.0,
+                p -> 1.0 / p
+                        + (hits - 1) * gate * Math.pow(1.0 - p, gate - 1) / marks(p)
+                        - (double) gate * (frames - hits + 1) / (1.0 - p));
+    }
+
+    /**
+     * How many false alarms noise causes in an hour.
+     *
+     * @param threshold t, in standard deviations of the noise
+     * @param pixels number of pixels of the image
+     * @param rate frames per second, Hz
+     */
+    public double falseAlarmsPerHour(double threshold, long pixels, double rate) {
+        return SECONDS_PER_HOUR * rate * pixels * confirmations(NormalTail.above(threshold));
+    }
+
+    /** How often noise is confirmed in one pixel and frame, if it marks a pixel with a probability p. */
+    private double confirmations(double p) {
+        double q = marks(p);
+        return combinations(frames - 1, hits - 1) * p * Math.pow(q, hits - 1) * Math.pow(1.0 - q, frames - hits + 1);
+    }
+
+    /** The probability that noise marks a pixel of the gate. */
+    private double marks(double p) {
+        return -Math.expm1(gate * Math.log1p(-p));
+    }
+
+    /**
+     * The probability that one frame marks a spot: {@code Phi(SNR - t)}.
+     *
+     * @param signalToNoise of the pixel in which it lies, 0 or more
+     * @param threshold t
+     */
+    public static double markProbability(double signalToNoise, double threshold) {
+        return NormalTail.above(threshold - signalToNoise);
+    }
+
+    /**
+     * The probability that enough of the frames mark a spot that each of them marks with a given probability.
+     *
+     * @param mark 0 to 1
+     */
+    public double probability(double mark) {
+        double sum = 0.0;
+        for (int i = hits; i <= frames; i++) {
+            sum += combinations(frames, i) * Math.pow(mark, i) * Math.pow(1.0 - mark, frames - i);
+        }
+        return Math.min(1.0, sum);
+    }
+
+    private static double combinations(int of, int chosen) {
+        double product = 1.0;
+        for (int i = 1; i <= chosen; i++) {
+            product *= (double) (of - chosen + i) / i;
+        }
+        return Math.rint(product);
+    }
+}

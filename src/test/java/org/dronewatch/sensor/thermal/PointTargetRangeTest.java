@@ -1,0 +1,114 @@
+package org.dronewatch.sensor.thermal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Look;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * At what range a program first finds a quadrotor of 5 K that comes at 15 m/s: how far its range depends on the frame
+ * rate. The exact distribution follows from the chances of all sequences of the last marks.
+ */
+class PointTargetRangeTest {
+    private static final double START = 2600.0;
+    private static final double SPEED = 15.0;
+
+    private static ThermalSettings camera(double rate) {
+        return ThermalSettings.at(new Position(0, 0, 0)).withRate(rate).withPointTargets(PointTargets.DEFAULT);
+    }
+
+    /** 0.0528 m2, 50 mK, 0.85 a kilometre, at a focal length of 1505 pixels. */
+    private static double signalToNoise(ThermalSettings camera, double range) {
+        double fill = Math.min(1.0, 0.0528 * Math.pow(camera.focalLength() / range, 2));
+        return camera.create().signalToNoise(5.0, range, fill);
+    }
+
+    private static double range(double rate, int frame) {
+        return START - SPEED * frame / rate;
+    }
+
+    /** The probability that three of five frames in a row have marked the drone by each frame. */
+    private static double[] detectedBy(double rate) {
+        ThermalSettings camera = camera(rate);
+        double threshold = PointTargets.DEFAULT.threshold(camera.pixels(), rate);
+        int states = 16;
+        double[] chance = new double[states];
+        chance[0] = 1.0;
+        double[] detected = new double[(int) (rate * 110)];
+        double sum = 0.0;
+        for (int frame = 0; frame < detected.length; frame++) {
+            double mark = PointTargets.markProbability(signalToNoise(camera, range(rate, frame)), threshold);
+            double[] next = new double[states];
+            for (int state = 0; state < states; state++) {
+                if (Integer.bitCount(state) >= 2) {
+                    sum += chance[state] * mark;
+                } else {
+                    next[(state << 1 | 1) & states - 1] += chance[state] * mark;
+                }
+                next[state << 1 & states - 1] += chance[state] * (1.0 - mark);
+            }
+            chance = next;
+            detected[frame] = sum;
+        }
+        return detected;
+    }
+
+    private static double quantile(double rate, double probability) {
+        double[] detected = detectedBy(rate);
+        int frame = 0;
+        while (detected[frame] < probability) {
+            frame++;
+        }
+        return range(rate, frame);
+    }
+
+    /** The figures of the page. */
+    @ParameterizedTest
+    @CsvSource({"5, 1859, 1727, 1637", "25, 1920, 1800, 1722", "50, 1942, 1826, 1751"})
+    void theRangeOfTheFirstDetectionHardlyDependsOnTheFrameRate(double rate, double tenth, double half, double most) {
+        assertThat(quantile(rate, 0.1)).isCloseTo(tenth, within(3.5));
+        assertThat(quantile(rate, 0.5)).isCloseTo(half, within(3.5));
+        assertThat(quantile(rate, 0.9)).isCloseTo(most, within(3.5));
+    }
+
+    /** More frames are more chances, but a higher threshold takes most of them back. */
+    @Test
+    void twoHundredTimesTheFramesAddAboutASeventh() {
+        assertThat(quantile(200, 0.5) / quantile(1, 0.5)).isBetween(1.1, 1.2);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"5, 400", "25, 200"})
+    void simulatedEncountersAgreeWithTheExactDistribution(double rate, int runs) {
+        ThermalSettings camera = camera(rate);
+        SpotDetector detector = new SpotDetector(PointTargets.DEFAULT, camera);
+        double[] probabilities = new double[(int) (rate * 110)];
+        for (int frame = 0; frame < probabilities.length; frame++) {
+            probabilities[frame] = detector.probability(signalToNoise(camera, range(rate, frame)));
+        }
+        int[] first = new int[runs];
+        for (int run = 0; run < runs; run++) {
+            // At 2300 m it is not detected yet, but for one in a million.
+            int frame = (int) (rate * 20);
+            while (probabilities[frame]
+                    < detector.drawnThreshold(Look.of(1000 + run, "wide", frame, frame / rate), "intruder")) {
+                frame++;
+            }
+            first[run] = frame;
+        }
+        Arrays.sort(first);
+        double[] detected = detectedBy(rate);
+        for (double quantile : new double[] {0.1, 0.5, 0.9}) {
+            double exact = detected[first[(int) (quantile * runs)]];
+            double error = Math.sqrt(quantile * (1.0 - quantile) / runs);
+            assertThat(exact)
+                    .as("seeds 1000 to %d, quantile %s", 999 + runs, quantile)
+                    .isCloseTo(quantile, within(4.0 * error));
+        }
+    }
+}
